@@ -1,0 +1,178 @@
+# SPDX-License-Identifier: MIT
+# Builds, runs and tests superframe; everything that it makes goes under build/.
+# `make help` lists the targets.
+
+# make's own default, cc, may be any compiler.
+ifeq ($(origin CC),default)
+CC      := gcc
+endif
+BUILD   ?= build
+SCENE   ?= fig3
+SETUP   ?= yes
+
+WARNINGS := -std=c99 -pedantic -Wall -Wextra -Wconversion -Wshadow -Werror
+OPTIMISE ?= -O2
+DEBUG    ?= -g
+
+# Golden images: no contraction to fused multiply-add, no excess precision.
+FLOATING := -ffp-contract=off
+
+ARITHMETICS := fx f32 f64 f128
+
+# A configuration is one build of everything: release for use, checked for the tests.
+CONFIGURATIONS := release sanitized
+CFLAGS_release   := $(OPTIMISE) $(DEBUG)
+CFLAGS_sanitized := -O1 $(DEBUG) -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+LDFLAGS_sanitized := -fsanitize=address,undefined
+
+HAL_SOURCES      := $(wildcard hal/*.c)
+EMULATOR_SOURCES := $(wildcard emulator/*.c)
+FIRMWARE_SOURCES := $(wildcard firmware/*.c)
+# Compiled once for each arithmetic beside the firmware, on the host only.
+PER_ARITHMETIC_SOURCES := $(wildcard host/arithmetic/*.c)
+HOST_SOURCES     := $(wildcard host/*.c)
+TEST_SOURCES     := $(wildcard tests/*_test.c)
+REAL_TEST_SOURCES := $(wildcard tests/real/*_test.c)
+SCENE_FILES      := $(wildcard firmware/scenes/*.scene)
+
+INCLUDE_hal      := -Ihal
+INCLUDE_emulator := -Ihal -Iemulator
+INCLUDE_firmware := -Ihal -Ifirmware
+INCLUDE_host     := -Ihal -Iemulator -Ifirmware -Ihost
+INCLUDE_tests    := -Ihal -Iemulator -Ifirmware -Ihost -Itests
+
+# Where gcc keeps quadmath.h: clang links gcc's library but does not look among its headers.
+COMPILER_HEADERS = $(dir $(shell $(CC) -print-file-name=include/quadmath.h))
+
+POSIX   := -D_POSIX_C_SOURCE=200809L
+LIBS    := -lpng -lconfig -lxxhash -lz -lquadmath -lm -lpthread
+
+.PHONY: all
+all: $(BUILD)/superframe ## Build the program (the default)
+
+$(BUILD)/superframe: $(BUILD)/release/superframe
+	@cp $< $@
+
+# Compiler and flags of the last build: when they change, everything is compiled again.
+$(BUILD)/flags: FORCE | setup
+	@mkdir -p $(@D)
+	@echo '$(subst ','\'',$(CC) $(WARNINGS) $(FLOATING) $(foreach configuration,$(CONFIGURATIONS),$(CFLAGS_$(configuration))))' > $@.new
+	@cmp -s $@.new $@ && rm $@.new || mv $@.new $@
+.PHONY: FORCE
+FORCE:
+
+# ---- One set of rules for each configuration ------------------------------------------------
+
+define configuration_rules
+$(1)_HAL      := $$(HAL_SOURCES:%.c=$$(BUILD)/$(1)/%.o)
+$(1)_EMULATOR := $$(EMULATOR_SOURCES:%.c=$$(BUILD)/$(1)/%.o)
+$(1)_HOST     := $$(filter-out %/host/main.o,$$(HOST_SOURCES:%.c=$$(BUILD)/$(1)/%.o))
+$(1)_SCENES   := $$(BUILD)/$(1)/builtin_scenes.o
+$(1)_IMAGES   := $$(ARITHMETICS:%=$$(BUILD)/$(1)/image_%.o)
+$(1)_LIBRARY  := $$($(1)_HAL) $$($(1)_EMULATOR) $$($(1)_HOST) $$($(1)_IMAGES) $$($(1)_SCENES)
+
+$$(BUILD)/$(1)/hal/%.o: hal/%.c $$(BUILD)/flags | setup
+	@mkdir -p $$(@D)
+	$$(CC) $$(WARNINGS) $$(POSIX) $$(CFLAGS_$(1)) $$(INCLUDE_hal) -MMD -MP -c -o $$@ $$<
+
+$$(BUILD)/$(1)/emulator/%.o: emulator/%.c $$(BUILD)/flags | setup
+	@mkdir -p $$(@D)
+	$$(CC) $$(WARNINGS) $$(POSIX) $$(CFLAGS_$(1)) $$(INCLUDE_emulator) -MMD -MP -c -o $$@ $$<
+
+$$(BUILD)/$(1)/host/%.o: host/%.c $$(BUILD)/flags | setup
+	@mkdir -p $$(@D)
+	$$(CC) $$(WARNINGS) $$(POSIX) $$(CFLAGS_$(1)) $$(INCLUDE_host) -MMD -MP -c -o $$@ $$<
+
+$$(BUILD)/$(1)/builtin_scenes.o: $$(BUILD)/builtin_scenes.c host/builtin_scenes.h $$(BUILD)/flags
+	@mkdir -p $$(@D)
+	$$(CC) $$(WARNINGS) $$(CFLAGS_$(1)) -Ihost -c -o $$@ $$<
+
+$$(BUILD)/$(1)/superframe: $$(BUILD)/$(1)/host/main.o $$($(1)_LIBRARY)
+	$$(CC) $$(LDFLAGS_$(1)) -o $$@ $$^ $$(LIBS)
+
+$$(foreach arithmetic,$$(ARITHMETICS),$$(eval $$(call image_rules,$(1),$$(arithmetic))))
+endef
+
+# One image of the firmware: one arithmetic, chosen by the include path; one symbol leaves it.
+define image_rules
+$(1)_$(2)_OBJECTS := $$(FIRMWARE_SOURCES:%.c=$$(BUILD)/$(1)/$(2)/%.o) \
+                     $$(PER_ARITHMETIC_SOURCES:%.c=$$(BUILD)/$(1)/$(2)/%.o)
+
+$$(BUILD)/$(1)/$(2)/firmware/%.o: firmware/%.c $$(BUILD)/flags | setup
+	@mkdir -p $$(@D)
+	$$(CC) $$(WARNINGS) -ffreestanding $$(FLOATING) $$(CFLAGS_$(1)) -Ifirmware/real/$(2) -Ifirmware/features/full $$(INCLUDE_firmware) -MMD -MP -c -o $$@ $$<
+
+$$(BUILD)/$(1)/$(2)/host/%.o: host/%.c $$(BUILD)/flags | setup
+	@mkdir -p $$(@D)
+	$$(CC) $$(WARNINGS) $$(FLOATING) $$(CFLAGS_$(1)) -Ifirmware/real/$(2) -Ifirmware/features/full $$(INCLUDE_host) -MMD -MP -c -o $$@ $$<
+
+$$(BUILD)/$(1)/image_$(2).o: $$($(1)_$(2)_OBJECTS)
+	$$(CC) -r -nostdlib -o $$@ $$^
+	objcopy --keep-global-symbol=arithmetic_$(2) $$@
+endef
+
+$(foreach configuration,$(CONFIGURATIONS),$(eval $(call configuration_rules,$(configuration))))
+
+# The built-in scenes' texts, as byte arrays.
+$(BUILD)/builtin_scenes.c: host/embed_scenes.sh $(SCENE_FILES)
+	@mkdir -p $(@D)
+	sh host/embed_scenes.sh $(SCENE_FILES) > $@.tmp && mv $@.tmp $@
+
+# ---- Running --------------------------------------------------------------------------------
+
+.PHONY: run
+run: $(BUILD)/superframe ## Render fig3 (or SCENE=...) to build/out/fig3.png
+	@mkdir -p $(BUILD)/out
+	$(BUILD)/superframe render $(SCENE) -o $(BUILD)/out/$(notdir $(basename $(SCENE))).png
+	@echo "The picture is $(BUILD)/out/$(notdir $(basename $(SCENE))).png"
+
+# ---- Testing --------------------------------------------------------------------------------
+
+TEST_PROGRAMS := $(TEST_SOURCES:tests/%.c=$(BUILD)/sanitized/tests/%)
+REAL_TEST_PROGRAMS := $(foreach arithmetic,$(ARITHMETICS),$(REAL_TEST_SOURCES:tests/real/%.c=$(BUILD)/sanitized/tests/real/%_$(arithmetic)))
+
+$(BUILD)/sanitized/tests/%_test.o: tests/%_test.c $(BUILD)/flags | setup
+	@mkdir -p $(@D)
+	$(CC) $(WARNINGS) $(POSIX) $(CFLAGS_sanitized) $(INCLUDE_tests) -MMD -MP -c -o $@ $<
+
+$(TEST_PROGRAMS): %: %.o $(sanitized_LIBRARY)
+	$(CC) $(LDFLAGS_sanitized) -o $@ $^ -lcmocka $(LIBS)
+
+define real_test_rules
+$$(BUILD)/sanitized/tests/real/%_test_$(1).o: tests/real/%_test.c $$(BUILD)/flags | setup
+	@mkdir -p $$(@D)
+	$$(CC) $$(WARNINGS) $$(POSIX) $$(FLOATING) $$(CFLAGS_sanitized) -Ifirmware/real/$(1) $$(INCLUDE_tests) -Itests/real -idirafter $$(COMPILER_HEADERS) -MMD -MP -c -o $$@ $$<
+
+$$(BUILD)/sanitized/tests/real/%_test_$(1): $$(BUILD)/sanitized/tests/real/%_test_$(1).o
+	$$(CC) $$(LDFLAGS_sanitized) -o $$@ $$< -lcmocka $$(LIBS)
+endef
+$(foreach arithmetic,$(ARITHMETICS),$(eval $(call real_test_rules,$(arithmetic))))
+
+.PHONY: test
+test: $(TEST_PROGRAMS) $(REAL_TEST_PROGRAMS) $(BUILD)/superframe ## Run every test (under the address and undefined-behaviour sanitizers)
+	@sh tests/run.sh $(BUILD) $(TEST_PROGRAMS) $(REAL_TEST_PROGRAMS)
+
+# ---- The machine ----------------------------------------------------------------------------
+
+# The groups of setup.sh that a goal needs, besides `build`. All are installed in one go, before
+# anything is compiled.
+SETUP_FOR_test := test
+SETUP_FOR_lint := test lint
+SETUP_GROUPS   := $(sort build $(foreach goal,$(MAKECMDGOALS),$(SETUP_FOR_$(goal))) \
+                         $(if $(findstring /tests/,$(MAKECMDGOALS)),test))
+
+# Whatever is compiled waits for it by an order-only prerequisite: it is looked at each time, which
+# takes milliseconds, and nothing is rebuilt for it.
+.PHONY: setup
+setup: ## Install what the build lacks (SETUP=no only lists it)
+	@CC='$(CC)' SETUP='$(SETUP)' sh setup.sh $(SETUP_GROUPS)
+
+.PHONY: clean
+clean: ## Remove everything that was built
+	rm -rf $(BUILD)
+
+.PHONY: help
+help: ## List the targets
+	@sed -n 's/^\([a-zA-Z0-9_-]*\):.*## \(.*\)/  \1\t\2/p' $(MAKEFILE_LIST) | expand -t 22
+
+-include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

@@ -1,0 +1,399 @@
+/* SPDX-License-Identifier: MIT */
+/* What each port access does to the board. */
+#include "board.h"
+
+#include "board_internal.h"
+
+#include <stddef.h>
+
+enum {
+    POSITION_X_MASK = 0x03FF,
+    POSITION_Y_MASK = 0x01FF,
+    CONTROLLER_STATUS = 0x1F, /* index */
+    STATUS_BLANK = 0x02,
+    /* 17.73 ms at 56.4 Hz, at 0.4 us an access (the only figure known, an emulator's model). */
+    FRAME_ACCESSES = 44326,
+    FRAME_SHOWN_ACCESSES = FRAME_ACCESSES * 10 / 11 /* 400 of 440 lines */
+};
+
+/* ---- The position --------------------------------------------------------------------------- */
+
+/* Finds the pixel that X and Y name, so that a pixel write is one store. */
+static void locate(struct board *board) {
+    uint32_t x = board->x;
+    uint32_t y = board->y;
+    board->is_wrapped = false;
+    if (x >= BOARD_WIDTH && board->desc.outside == BOARD_OUTSIDE_WRAPS) {
+        x -= BOARD_WIDTH; /* X has 10 bits, so this is at most 383 */
+        board->is_wrapped = true;
+    }
+    bool is_shown = x < BOARD_WIDTH && y < BOARD_HEIGHT;
+    bool is_hidden = board->desc.profile == BOARD_LATER && x < BOARD_HIDDEN_WIDTH &&
+                     y >= BOARD_HEIGHT && y < BOARD_HIDDEN_HEIGHT;
+    board->place = is_shown || is_hidden ? (int32_t)((y * BOARD_WIDTH + x) * 3) : -1;
+}
+
+static void set_x(struct board *board, unsigned x) {
+    board->x = (uint16_t)(x & POSITION_X_MASK);
+    locate(board);
+}
+
+static void set_y(struct board *board, unsigned y) {
+    board->y = (uint16_t)(y & POSITION_Y_MASK);
+    locate(board);
+}
+
+/* ---- Notes ---------------------------------------------------------------------------------- */
+
+/* The access that is being served, for the log. */
+struct access {
+    uint16_t port;
+    uint16_t value;
+    uint8_t width;
+    bool is_read;
+};
+
+/* For what is no violation in either profile. */
+static inline void note(struct board *board, enum board_behaviour behaviour) {
+    struct board_note *entry = &board->notes[behaviour];
+    if (entry->count++ == 0) {
+        entry->first = board->accesses;
+    }
+}
+
+/* For what may be a violation. */
+static void report(struct board *board, enum board_behaviour behaviour, struct access access) {
+    note(board, behaviour);
+    if (board->log_count < BOARD_LOG_SIZE &&
+        board_behaviour_is_violation(behaviour, board->desc.profile)) {
+        struct board_violation *entry = &board->log[board->log_count++];
+        entry->access = board->accesses;
+        entry->behaviour = behaviour;
+        entry->port = access.port;
+        entry->value = access.value;
+        entry->width = access.width;
+        entry->is_read = access.is_read;
+    }
+}
+
+/* ---- Pixels --------------------------------------------------------------------------------- */
+
+/* What a pixel access away from the shown 640 x 400 has to report. False: there is no pixel. */
+static bool pixel_is_there(struct board *board, struct access access) {
+    if (board->place < 0 || board->is_wrapped) {
+        report(board, access.is_read ? BOARD_OUTSIDE_READ : BOARD_OUTSIDE_WRITE, access);
+    }
+    if (board->place >= BOARD_WIDTH * BOARD_HEIGHT * 3) {
+        note(board, BOARD_HIDDEN_ACCESS);
+    }
+    return board->place >= 0;
+}
+
+/* True where nothing has to be reported: the common case, in one comparison. */
+static inline bool pixel_is_plain(const struct board *board) {
+    return (uint32_t)board->place < (uint32_t)(BOARD_WIDTH * BOARD_HEIGHT * 3) &&
+           !board->is_wrapped;
+}
+
+static inline void write_primary(struct board *board, unsigned primary, struct access access) {
+    if (pixel_is_plain(board) || pixel_is_there(board, access)) {
+        board->memory[(uint32_t)board->place + primary] = (uint8_t)access.value;
+    }
+}
+
+static uint8_t read_primary(struct board *board, unsigned primary, struct access access) {
+    if (pixel_is_plain(board) || pixel_is_there(board, access)) {
+        return board->memory[(uint32_t)board->place + primary];
+    }
+    return 0xFF;
+}
+
+/* The 16-bit fill of the later boards: four pixels, all three primaries. */
+static void fill(struct board *board, struct access access) {
+    report(board, BOARD_RED_WORD_WRITE, access);
+    if (board->desc.profile == BOARD_1987) {
+        write_primary(board, 0, access);
+        return;
+    }
+    if ((board->x & 3) != 0 || access.value != 0) {
+        report(board, BOARD_FILL_UNSEEN, access);
+    }
+    if (pixel_is_plain(board) || pixel_is_there(board, access)) {
+        /* Lines begin at a multiple of four pixels, so rounding the pixel rounds X. */
+        uint32_t pixel = (uint32_t)board->place / 3 & ~(uint32_t)3;
+        for (uint32_t i = 0; i < 4 * 3; i++) {
+            board->memory[pixel * 3 + i] = (uint8_t)access.value;
+        }
+    }
+}
+
+/* ---- Control 1, control 2, mode ------------------------------------------------------------- */
+
+static void write_data(struct board *board, struct access access) {
+    uint8_t value = (uint8_t)access.value;
+    note(board, BOARD_DATA_WRITE);
+    board->controller[board->index] = value;
+    board->controller_written[board->index] = 1;
+    if (board_index_is_start_address(board->index)) {
+        if (value != 0xFF) {
+            report(board, BOARD_START_ADDRESS, access);
+        }
+    } else if (!board_index_is_initialised(board->index)) {
+        report(board, BOARD_UNKNOWN_INDEX, access);
+    }
+}
+
+static uint8_t read_data(struct board *board, struct access access) {
+    if (board->desc.profile == BOARD_LATER && board->index == CONTROLLER_STATUS) {
+        note(board, BOARD_STATUS_READ);
+        bool is_blank = board->accesses % FRAME_ACCESSES >= FRAME_SHOWN_ACCESSES;
+        return is_blank ? STATUS_BLANK : 0;
+    }
+    if (board->controller_written[board->index] == 0) {
+        access.value = board->controller[board->index];
+        report(board, BOARD_UNWRITTEN_READ, access);
+    } else {
+        note(board, BOARD_DATA_READ);
+    }
+    return board->controller[board->index];
+}
+
+static void write_mode(struct board *board, struct access access) {
+    uint8_t mode = (uint8_t)access.value;
+    board->mode = mode;
+    board->is_stepping = board->desc.profile == BOARD_LATER && (mode & BOARD_MODE_STEP) != 0;
+    if (mode == 0x00 || mode == 0x01 || mode == 0x03) {
+        note(board, BOARD_MODE_WRITE);
+    } else {
+        report(board, BOARD_MODE_UNKNOWN, access);
+    }
+}
+
+/* Which access steps X is not known; blue is the last of a pixel in every driver. */
+static void step_x(struct board *board, struct access access) {
+    report(board, BOARD_AUTO_INCREMENT, access);
+    set_x(board, board->x + 1U);
+}
+
+/* ---- Writes --------------------------------------------------------------------------------- */
+
+static void write_byte(struct board *board, unsigned offset, struct access access) {
+    switch (offset) {
+    case 0x0:
+        note(board, BOARD_INDEX_WRITE);
+        board->index = (uint8_t)access.value;
+        break;
+    case 0x2:
+        write_data(board, access);
+        break;
+    case 0x4:
+        note(board, BOARD_POSITION_LOW_WRITE);
+        set_x(board, (board->x & 0xFF00U) | access.value);
+        break;
+    case 0x5:
+        report(board, BOARD_POSITION_HIGH_WRITE, access);
+        set_x(board, (board->x & 0x00FFU) | (unsigned)access.value << 8);
+        break;
+    case 0x6:
+        note(board, BOARD_POSITION_LOW_WRITE);
+        set_y(board, (board->y & 0xFF00U) | access.value);
+        break;
+    case 0x7:
+        report(board, BOARD_POSITION_HIGH_WRITE, access);
+        set_y(board, (board->y & 0x00FFU) | (unsigned)access.value << 8);
+        break;
+    case 0x8:
+        note(board, BOARD_PRIMARY_WRITE);
+        write_primary(board, 0, access);
+        break;
+    case 0xA:
+        note(board, BOARD_PRIMARY_WRITE);
+        write_primary(board, 1, access);
+        break;
+    case 0xC:
+        note(board, BOARD_PRIMARY_WRITE);
+        write_primary(board, 2, access);
+        if (board->is_stepping) {
+            step_x(board, access);
+        }
+        break;
+    case 0xE:
+        write_mode(board, access);
+        break;
+    default:
+        report(board, BOARD_ODD_WRITE, access);
+        break;
+    }
+}
+
+static void write_word(struct board *board, unsigned offset, struct access access) {
+    switch (offset) {
+    case 0x4:
+        note(board, BOARD_POSITION_WRITE);
+        set_x(board, access.value);
+        break;
+    case 0x6:
+        note(board, BOARD_POSITION_WRITE);
+        set_y(board, access.value);
+        break;
+    case 0x8:
+        fill(board, access);
+        break;
+    case 0xA:
+    case 0xC:
+        report(board, BOARD_PRIMARY_WORD_WRITE, access);
+        write_primary(board, offset / 2 - 4, access);
+        break;
+    default: /* control 1, control 2, mode: bits 15-8 are "don't care" */
+        write_byte(board, offset, access);
+        break;
+    }
+}
+
+/* One half of a word at an odd port, where CPU and bus make two byte accesses of it. */
+static void write_half(struct board *board, uint16_t port, unsigned value) {
+    unsigned offset = (uint16_t)(port - board->desc.base);
+    struct access access = {port, (uint16_t)(value & 0xFF), BUS_BYTE, false};
+    if (offset < BOARD_PORTS) {
+        write_byte(board, offset, access);
+    } else {
+        note(board, BOARD_FOREIGN_WRITE);
+    }
+}
+
+static void write_split(struct board *board, uint16_t port, uint16_t value) {
+    uint16_t next = (uint16_t)(port + 1);
+    if (board_decodes(board, port) || board_decodes(board, next)) {
+        note(board, BOARD_WORD_SPLIT);
+        write_half(board, port, value);
+        write_half(board, next, (unsigned)value >> 8);
+    } else {
+        note(board, BOARD_FOREIGN_WRITE);
+    }
+}
+
+void board_write(struct board *board, uint16_t port, uint16_t value, unsigned width) {
+    unsigned offset = (uint16_t)(port - board->desc.base);
+    board->accesses++;
+    if (offset < BOARD_PORTS) {
+        board->writes[offset][width - 1]++;
+        if (width == BUS_BYTE) {
+            struct access access = {port, (uint16_t)(value & 0xFF), BUS_BYTE, false};
+            write_byte(board, offset, access);
+            return;
+        }
+        if ((offset & 1) == 0) {
+            struct access access = {port, value, BUS_WORD, false};
+            write_word(board, offset, access);
+            return;
+        }
+    }
+    if (width == BUS_WORD && (port & 1) != 0) {
+        write_split(board, port, value);
+    } else {
+        note(board, BOARD_FOREIGN_WRITE);
+    }
+}
+
+/* ---- Reads ---------------------------------------------------------------------------------- */
+
+static uint8_t read_byte(struct board *board, unsigned offset, struct access access) {
+    switch (offset) {
+    case 0x0:
+        access.value = 0x00;
+        report(board, BOARD_CONTROL1_BYTE_READ, access);
+        return 0x00;
+    case 0x1:
+        access.value = 0x00;
+        report(board, BOARD_ODD_READ, access);
+        return 0x00;
+    case 0x2:
+        return read_data(board, access);
+    case 0x8:
+    case 0xA:
+    case 0xC:
+        note(board, BOARD_PRIMARY_READ);
+        return read_primary(board, offset / 2 - 4, access);
+    case 0x4:
+    case 0x6:
+    case 0xE:
+        report(board, BOARD_WRITE_ONLY_READ, access);
+        return 0xFF;
+    default:
+        report(board, BOARD_ODD_READ, access);
+        return 0xFF;
+    }
+}
+
+static uint16_t read_word(struct board *board, unsigned offset, struct access access) {
+    switch (offset) {
+    case 0x0:
+        /* A board that reads back what was written would pass for the other family. */
+        access.value = 0x0000;
+        report(board, BOARD_CONTROL1_READ, access);
+        return 0x0000;
+    case 0x2:
+        return (uint16_t)(0xFF00U | read_data(board, access));
+    case 0x8:
+    case 0xA:
+    case 0xC:
+        access.value = (uint16_t)(0xFF00U | read_primary(board, offset / 2 - 4, access));
+        report(board, BOARD_PRIMARY_WORD_READ, access);
+        return access.value;
+    default:
+        report(board, BOARD_WRITE_ONLY_READ, access);
+        return 0xFFFF;
+    }
+}
+
+static uint8_t read_half(struct board *board, uint16_t port) {
+    unsigned offset = (uint16_t)(port - board->desc.base);
+    struct access access = {port, 0x00FF, BUS_BYTE, true};
+    if (offset < BOARD_PORTS) {
+        return read_byte(board, offset, access);
+    }
+    report(board, BOARD_FOREIGN_READ, access);
+    return 0xFF;
+}
+
+uint16_t board_read(struct board *board, uint16_t port, unsigned width) {
+    unsigned offset = (uint16_t)(port - board->desc.base);
+    struct access access = {port, width == BUS_BYTE ? 0x00FF : 0xFFFF, (uint8_t)width, true};
+    board->accesses++;
+    if (offset < BOARD_PORTS) {
+        board->reads[offset][width - 1]++;
+        if (width == BUS_BYTE) {
+            return read_byte(board, offset, access);
+        }
+        if ((offset & 1) == 0) {
+            return read_word(board, offset, access);
+        }
+    }
+    uint16_t next = (uint16_t)(port + 1);
+    if (width == BUS_WORD && (port & 1) != 0 &&
+        (board_decodes(board, port) || board_decodes(board, next))) {
+        note(board, BOARD_WORD_SPLIT);
+        unsigned low = read_half(board, port);
+        return (uint16_t)(low | (unsigned)read_half(board, next) << 8);
+    }
+    report(board, BOARD_FOREIGN_READ, access);
+    return access.value;
+}
+
+/* ---- The board as a bus --------------------------------------------------------------------- */
+
+static void bus_to_board_write(struct bus *bus, uint16_t port, uint16_t value, unsigned width) {
+    board_write(((struct board_bus *)bus)->board, port, value, width);
+}
+
+static uint16_t bus_to_board_read(struct bus *bus, uint16_t port, unsigned width) {
+    return board_read(((struct board_bus *)bus)->board, port, width);
+}
+
+static const struct bus_operations board_operations = {bus_to_board_write, bus_to_board_read, NULL};
+
+void board_bus_init(struct board_bus *board_bus, struct board *board) {
+    board_bus->bus.operations = &board_operations;
+    board_bus->bus.status = BUS_OK;
+    board_bus->board = board;
+}

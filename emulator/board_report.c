@@ -1,0 +1,164 @@
+/* SPDX-License-Identifier: MIT */
+/* What each behaviour of the board is called, how well it is known, and where it is a violation. */
+#include "board.h"
+
+#include <ctype.h>
+#include <stddef.h>
+#include <string.h>
+
+/* One behaviour; the grades and verdicts in the order of enum board_profile. */
+struct behaviour {
+    const char *text;
+    enum board_grade grade[BOARD_PROFILES];
+    bool is_violation[BOARD_PROFILES];
+};
+
+static const struct behaviour behaviours[BOARD_BEHAVIOURS] = {
+    [BOARD_INDEX_WRITE] = {"control 1 written: the index",
+                           {GRADE_DRIVER, GRADE_DRIVER},
+                           {false, false}},
+    [BOARD_DATA_WRITE] = {"control 2 written: the indexed register",
+                          {GRADE_DRIVER, GRADE_DRIVER},
+                          {false, false}},
+    [BOARD_DATA_READ] = {"control 2 read: what was written to the index",
+                         {GRADE_INFERRED, GRADE_INFERRED},
+                         {false, false}},
+    [BOARD_STATUS_READ] = {"control 2 read: the status",
+                           {GRADE_DRIVER, GRADE_DRIVER},
+                           {false, false}},
+    [BOARD_POSITION_WRITE] = {"X or Y written as a word",
+                              {GRADE_PAPER, GRADE_PAPER},
+                              {false, false}},
+    [BOARD_POSITION_LOW_WRITE] = {"X or Y written as a byte: the upper bits stay",
+                                  {GRADE_INFERRED, GRADE_INFERRED},
+                                  {false, false}},
+    [BOARD_PRIMARY_WRITE] = {"red, green or blue written",
+                             {GRADE_PAPER, GRADE_PAPER},
+                             {false, false}},
+    [BOARD_PRIMARY_READ] = {"red, green or blue read", {GRADE_PAPER, GRADE_PAPER}, {false, false}},
+    [BOARD_MODE_WRITE] = {"mode set to 00, 01 or 03", {GRADE_DRIVER, GRADE_DRIVER}, {false, false}},
+    [BOARD_CONTROL1_READ] = {"control 1 read, which is for writing",
+                             {GRADE_ASSUMED, GRADE_DRIVER},
+                             {true, false}},
+    [BOARD_CONTROL1_BYTE_READ] = {"control 1 read as a byte",
+                                  {GRADE_ASSUMED, GRADE_INFERRED},
+                                  {true, false}},
+    [BOARD_RED_WORD_WRITE] = {"red written as a word: the fill of four pixels on later boards",
+                              {GRADE_ASSUMED, GRADE_INFERRED},
+                              {true, false}},
+    [BOARD_HIDDEN_ACCESS] = {"a pixel of the hidden blocks",
+                             {GRADE_DRIVER, GRADE_DRIVER},
+                             {false, false}},
+    [BOARD_START_ADDRESS] = {"a display start address other than 0",
+                             {GRADE_ASSUMED, GRADE_DRIVER},
+                             {true, false}},
+    [BOARD_WORD_SPLIT] = {"a word at an odd port, taken as two bytes",
+                          {GRADE_INFERRED, GRADE_INFERRED},
+                          {false, false}},
+    [BOARD_FOREIGN_WRITE] = {"a write outside the board's ports",
+                             {GRADE_DRIVER, GRADE_DRIVER},
+                             {false, false}},
+#define ASSUMED(words)                                                                             \
+    {                                                                                              \
+        words, {GRADE_ASSUMED, GRADE_ASSUMED}, {                                                   \
+            true, true                                                                             \
+        }                                                                                          \
+    }
+    [BOARD_FILL_UNSEEN] = ASSUMED("a fill with X not a multiple of 4, or a value other than 0"),
+    [BOARD_POSITION_HIGH_WRITE] = ASSUMED("X or Y written as a byte at the odd port"),
+    [BOARD_ODD_WRITE] = ASSUMED("a byte written at an odd port"),
+    [BOARD_ODD_READ] = ASSUMED("a byte read at an odd port"),
+    [BOARD_PRIMARY_WORD_WRITE] = ASSUMED("green or blue written as a word"),
+    [BOARD_PRIMARY_WORD_READ] = ASSUMED("red, green or blue read as a word"),
+    [BOARD_WRITE_ONLY_READ] = ASSUMED("a write-only register read"),
+    [BOARD_FOREIGN_READ] = ASSUMED("a read outside the board's ports"),
+    [BOARD_OUTSIDE_WRITE] = ASSUMED("a pixel written outside the frame memory"),
+    [BOARD_OUTSIDE_READ] = ASSUMED("a pixel read outside the frame memory"),
+    [BOARD_UNKNOWN_INDEX] = ASSUMED("data for an index of unknown meaning"),
+    [BOARD_UNWRITTEN_READ] = ASSUMED("data read from an index that was never written"),
+    [BOARD_MODE_UNKNOWN] = ASSUMED("a mode with bits of unknown effect"),
+    [BOARD_AUTO_INCREMENT] = ASSUMED("X stepped by itself, after blue"),
+#undef ASSUMED
+};
+
+enum board_grade board_behaviour_grade(enum board_behaviour behaviour, enum board_profile profile) {
+    return behaviours[behaviour].grade[profile];
+}
+
+bool board_behaviour_is_violation(enum board_behaviour behaviour, enum board_profile profile) {
+    return behaviours[behaviour].is_violation[profile];
+}
+
+const char *board_behaviour_text(enum board_behaviour behaviour) {
+    return behaviours[behaviour].text;
+}
+
+uint64_t board_violations(const struct board *board) {
+    uint64_t sum = 0;
+    for (unsigned i = 0; i < BOARD_BEHAVIOURS; i++) {
+        if (behaviours[i].is_violation[board->desc.profile]) {
+            sum += board->notes[i].count;
+        }
+    }
+    return sum;
+}
+
+uint64_t board_reliances(const struct board *board, enum board_grade grade) {
+    uint64_t sum = 0;
+    for (unsigned i = 0; i < BOARD_BEHAVIOURS; i++) {
+        if (behaviours[i].grade[board->desc.profile] >= grade) {
+            sum += board->notes[i].count;
+        }
+    }
+    return sum;
+}
+
+/* ---- Names ---------------------------------------------------------------------------------- */
+
+static const struct {
+    const char *letter;
+    const char *word;
+} grade_names[] = {
+    [GRADE_PAPER] = {"P", "paper"},     [GRADE_DRIVER] = {"D", "driver"},
+    [GRADE_SHEET] = {"S", "sheet"},     [GRADE_INFERRED] = {"I", "inferred"},
+    [GRADE_ASSUMED] = {"A", "assumed"},
+};
+
+static const char *const profile_names[BOARD_PROFILES] = {"1987", "later"};
+
+const char *board_grade_letter(enum board_grade grade) {
+    return grade_names[grade].letter;
+}
+
+/* strcasecmp() is POSIX, not C99, and follows the locale. */
+static bool is_same_word(const char *a, const char *b) {
+    while (*a != '\0' && tolower((unsigned char)*a) == tolower((unsigned char)*b)) {
+        a++;
+        b++;
+    }
+    return *a == '\0' && *b == '\0';
+}
+
+bool board_grade_from_text(const char *text, enum board_grade *grade) {
+    for (unsigned i = 0; i < sizeof grade_names / sizeof grade_names[0]; i++) {
+        if (is_same_word(text, grade_names[i].letter) || is_same_word(text, grade_names[i].word)) {
+            *grade = (enum board_grade)i;
+            return true;
+        }
+    }
+    return false;
+}
+
+const char *board_profile_text(enum board_profile profile) {
+    return profile_names[profile];
+}
+
+bool board_profile_from_text(const char *text, enum board_profile *profile) {
+    for (unsigned i = 0; i < BOARD_PROFILES; i++) {
+        if (strcmp(text, profile_names[i]) == 0) {
+            *profile = (enum board_profile)i;
+            return true;
+        }
+    }
+    return false;
+}

@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: MIT */
+/* What the CRT shows of the board, and of the PC-9801's own screen under it. */
+#ifndef SUPERFRAME_EMULATOR_PICTURE_H
+#define SUPERFRAME_EMULATOR_PICTURE_H
+
+#include "board.h"
+#include "native_screen.h"
+
+#include <stdint.h>
+
+enum {
+    PICTURE_WIDTH = BOARD_WIDTH,
+    PICTURE_HEIGHT = BOARD_HEIGHT,
+    PICTURE_BYTES = PICTURE_WIDTH * PICTURE_HEIGHT * 3 /* 768,000: R, G, B from the top left */
+};
+
+/* Whether the board's controller makes a picture. */
+enum picture_state {
+    PICTURE_OK,
+    PICTURE_NOT_INITIALISED, /* not all of the fifteen registers have been written (grade A) */
+    PICTURE_WRONG_TIMING     /* the timing registers don't give 640 x 400 */
+};
+
+/* What the controller's registers say, for messages. */
+struct picture_timing {
+    enum picture_state state;
+    unsigned width;  /* pixels shown on a line: (01) x 8 */
+    unsigned height; /* lines shown: (06) x ((09) + 1) */
+};
+
+/* Reads the timing out of the controller's registers (meanings: grade I, strong). */
+struct picture_timing picture_timing(const struct board *board);
+
+/* One English phrase for a state, for messages. */
+const char *picture_state_text(enum picture_state state);
+
+/* Draws what the CRT shows into rgb. The board's picture is black unless the returned state is
+ * PICTURE_OK. native is the PC-9801's own screen; NULL: black.
+ *
+ * Mode bits 1-0: 00 and 10 the PC's screen only, 01 both, 11 the board only (grade D; 10: A). In
+ * both, the board shows where the PC's screen is black (grade A). The later profile scrolls by the
+ * display start address, blocks counted modulo 2048 (grade A). */
+enum picture_state picture_draw(const struct board *board, const struct native_screen *native,
+                                uint8_t rgb[PICTURE_BYTES]);
+
+/* CRC-32 (IEEE 802.3, as in zlib and PNG) of the 768,000 bytes. */
+uint32_t picture_crc(const uint8_t rgb[PICTURE_BYTES]);
+
+#endif

@@ -1,0 +1,131 @@
+/* SPDX-License-Identifier: MIT */
+/* What a run did with the ports. */
+#include "trace_statistics.h"
+
+#include <string.h>
+
+enum { REGISTER_DATA = 1, REGISTER_RED = 4, REGISTER_BLUE = 6, PRIMARIES = 0x7 };
+
+bool trace_statistics_init(struct trace_statistics *statistics, const struct board_desc *desc) {
+    memset(statistics, 0, sizeof *statistics);
+    return board_init(&statistics->board, desc);
+}
+
+/* What a register holds now; of red, green and blue: the pixel's. */
+static unsigned register_value(const struct board *board, unsigned number) {
+    switch (number) {
+    case 0:
+        return board->index;
+    case REGISTER_DATA:
+        return board->controller[board->index];
+    case 2:
+        return board->x;
+    case 3:
+        return board->y;
+    case 7:
+        return board->mode;
+    default:
+        return board->place < 0 ? 0 : board->memory[(uint32_t)board->place + number - REGISTER_RED];
+    }
+}
+
+/* Whether a register, or a pixel's primary, was written before. */
+static bool was_written(const struct trace_statistics *statistics, unsigned number) {
+    const struct board *board = &statistics->board;
+    if (number == REGISTER_DATA) {
+        return board->controller_written[board->index] != 0;
+    }
+    if (number >= REGISTER_RED && number <= REGISTER_BLUE) {
+        return board->place >= 0 &&
+               (statistics->touched[board->place / 3] >> (number - REGISTER_RED) & 1) != 0;
+    }
+    return (statistics->written_registers >> number & 1) != 0;
+}
+
+static void touch(struct trace_statistics *statistics, uint32_t pixel, unsigned primaries) {
+    unsigned touched = statistics->touched[pixel];
+    unsigned again = touched & primaries;
+    statistics->touched[pixel] = (uint8_t)(touched | primaries | again << 3);
+}
+
+/* The fill of the later boards: four pixels, of which a redundant one changes none. */
+static void add_fill(struct trace_statistics *statistics, const struct trace_access *access) {
+    struct board *board = &statistics->board;
+    uint8_t before[12] = {0};
+    unsigned written = PRIMARIES;
+    uint32_t pixel = board->place < 0 ? 0 : (uint32_t)board->place / 3 & ~(uint32_t)3;
+    memcpy(before, board->memory + (size_t)pixel * 3, sizeof before);
+    bool has_pixel = board->place >= 0;
+    board_write(board, access->port, access->value, access->width);
+    if (!has_pixel) {
+        return;
+    }
+    for (uint32_t i = 0; i < 4; i++) {
+        written &= statistics->touched[pixel + i];
+        touch(statistics, pixel + i, PRIMARIES);
+    }
+    if (written == PRIMARIES &&
+        memcmp(before, board->memory + (size_t)pixel * 3, sizeof before) == 0) {
+        statistics->redundant_writes++;
+    }
+}
+
+/* A write at one of the board's ports that sets one register or one primary. */
+static void add_write(struct trace_statistics *statistics, const struct trace_access *access,
+                      unsigned number) {
+    struct board *board = &statistics->board;
+    bool was = was_written(statistics, number);
+    unsigned before = register_value(board, number);
+    int32_t place = board->place;
+    uint16_t x = board->x;
+    board_write(board, access->port, access->value, access->width);
+    if (number >= REGISTER_RED && number <= REGISTER_BLUE) {
+        if (place >= 0) {
+            unsigned primary = number - REGISTER_RED;
+            unsigned after = board->memory[(uint32_t)place + primary];
+            statistics->redundant_writes += was && before == after ? 1 : 0;
+            touch(statistics, (uint32_t)place / 3, 1U << primary);
+        }
+        /* By mode bit 40h a write of blue sets X too. */
+        statistics->written_registers |= board->x != x ? 1U << 2 : 0;
+        return;
+    }
+    statistics->redundant_writes += was && before == register_value(board, number) ? 1 : 0;
+    statistics->written_registers = (uint16_t)(statistics->written_registers | 1U << number);
+}
+
+void trace_statistics_add(struct trace_statistics *statistics, const struct trace_access *access) {
+    struct board *board = &statistics->board;
+    unsigned offset = (uint16_t)(access->port - board->desc.base);
+    if (access->is_read) {
+        statistics->reads++;
+        board_read(board, access->port, access->width);
+        return;
+    }
+    statistics->writes++;
+    bool is_odd = (offset & 1) != 0;
+    bool is_position = offset / 2 == 2 || offset / 2 == 3;
+    if (offset >= BOARD_PORTS || (is_odd && (access->width == BUS_WORD || !is_position))) {
+        /* Elsewhere, split in two or without effect: nothing to be redundant. */
+        board_write(board, access->port, access->value, access->width);
+    } else if (offset == 2 * REGISTER_RED && access->width == BUS_WORD &&
+               board->desc.profile == BOARD_LATER) {
+        add_fill(statistics, access);
+    } else {
+        add_write(statistics, access, offset / 2);
+    }
+}
+
+struct trace_pixels trace_statistics_pixels(const struct trace_statistics *statistics) {
+    struct trace_pixels pixels = {0, 0, 0};
+    for (size_t i = 0; i < (size_t)BOARD_WIDTH * BOARD_HEIGHT; i++) {
+        if (statistics->touched[i] == 0) {
+            pixels.never++;
+        } else if (statistics->touched[i] <= PRIMARIES) {
+            pixels.once++;
+        } else {
+            pixels.again++;
+        }
+    }
+    return pixels;
+}

@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: MIT */
+/* The image: rows of a picture, and their way to the board. */
+#include "image.h"
+
+#include "board.h"
+#include "camera.h"
+#include "tree.h"
+
+#define IMAGE_TEXT(name)    IMAGE_TEXT_(name)
+#define IMAGE_TEXT_(name)   #name
+#define IMAGE_SYMBOL(name)  IMAGE_SYMBOL_(name)
+#define IMAGE_SYMBOL_(name) image_##name
+
+static void image_row(const struct scene *scene, uint16_t y, uint8_t *rgb,
+                      struct render_counts *counts) {
+    for (uint16_t x = 0; x < scene->width; x++) {
+        const struct ray ray = camera_ray(scene, x, y);
+        struct colours colour = tree_colour(scene, &ray, counts);
+        *rgb++ = colour_level(colour.red);
+        *rgb++ = colour_level(colour.green);
+        *rgb++ = colour_level(colour.blue);
+    }
+}
+
+static void image_draw(const struct scene *scene, const struct drawing *drawing) {
+    uint8_t rgb[3 * FEATURE_WIDTH];
+    /* A picture of up to 320 x 200 is shown with 2 x 2 dots a pixel. */
+    uint8_t dots = scene->width <= BOARD_WIDTH / 2 && scene->height <= BOARD_HEIGHT / 2 ? 2 : 1;
+    uint16_t y = drawing->first;
+    board_start(drawing->base);
+    for (; y < drawing->last; y++) {
+        if (drawing->source) {
+            if (!drawing->source(drawing->context, y, rgb)) {
+                return;
+            }
+        } else {
+            struct render_counts ignored = {0, 0, 0, 0, 0};
+            image_row(scene, y, rgb, &ignored);
+        }
+        board_row(drawing->base, y, rgb, scene->width, dots);
+    }
+    if (y == scene->height) {
+        board_blank(drawing->base, (uint16_t)(y * dots), BOARD_HEIGHT);
+    }
+}
+
+extern const struct image IMAGE_SYMBOL(REAL_NAME);
+
+const struct image IMAGE_SYMBOL(REAL_NAME) = {IMAGE_TEXT(REAL_NAME), image_row, image_draw};

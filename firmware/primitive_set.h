@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: MIT */
+/* A set of primitives, one bit each: where a ray is, and what a surface bounds. */
+#ifndef SUPERFRAME_PRIMITIVE_SET_H
+#define SUPERFRAME_PRIMITIVE_SET_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "feature_set.h"
+
+enum { PRIMITIVES_MOST = 32 * FEATURE_PRIMITIVE_WORDS };
+
+struct primitive_set {
+    uint32_t word[FEATURE_PRIMITIVE_WORDS];
+};
+
+static inline bool set_has(const struct primitive_set *set, uint8_t primitive) {
+    return (set->word[primitive >> 5] >> (primitive & 31) & 1) != 0;
+}
+
+static inline void set_include(struct primitive_set *set, uint8_t primitive) {
+    set->word[primitive >> 5] |= (uint32_t)1 << (primitive & 31);
+}
+
+static inline void set_clear(struct primitive_set *set) {
+    for (uint8_t i = 0; i < FEATURE_PRIMITIVE_WORDS; i++) {
+        set->word[i] = 0;
+    }
+}
+
+/* Enters what the set is outside of and leaves what it is inside of. */
+static inline void set_toggle(struct primitive_set *set, const struct primitive_set *which) {
+    for (uint8_t i = 0; i < FEATURE_PRIMITIVE_WORDS; i++) {
+        set->word[i] ^= which->word[i];
+    }
+}
+
+#endif

@@ -1,0 +1,188 @@
+/* SPDX-License-Identifier: MIT */
+/* The walk of a ray from crossing to crossing, and CSG as a Boolean function of what it is inside.
+ */
+#include "ray.h"
+
+#include "solids.h"
+
+/* The nearest place where a primitive is entered or left. */
+struct crossing {
+    real_length t;
+    uint16_t surface;
+    uint8_t primitive, face;
+    bool leaving;
+    struct primitive_set toggled; /* all primitives that the surface bounds there */
+};
+
+/* What a search for the next crossing goes by. */
+struct search {
+    const struct scene *scene;
+    struct local_ray world;
+    const struct primitive_set *only; /* the primitives to look at; NULL: all */
+    uint16_t surface;                 /* that the ray starts on */
+};
+
+/* Whether the primitive is crossed at or after `from`. What the ray is inside of, it leaves, at
+ * `from` if rounding has put the end before it; what it is outside of, it enters ahead, or at
+ * `from` if more than noise of the stretch is left there. */
+static bool primitive_crossing(const struct segment *segment, bool inside, real_length from,
+                               struct crossing *crossing) {
+    crossing->leaving = inside;
+    if (inside) {
+        crossing->t = length_less(from, segment->out) ? segment->out : from;
+        crossing->face = segment->out_face;
+        return true;
+    }
+    if (!segment->hit || !length_less(from, segment->out)) {
+        return false;
+    }
+    crossing->face = segment->in_face;
+    if (length_less(from, segment->in)) {
+        crossing->t = segment->in;
+        return true;
+    }
+    crossing->t = from;
+    return length_less(LENGTH_NOISE, length_subtract(segment->out, from));
+}
+
+/* Whether `found` comes before `best`. At one distance exits come first, then entries in the order
+ * of the table, exits in the reverse one: the order in which nested walls are crossed. */
+static bool crossing_precedes(const struct crossing *found, const struct crossing *best) {
+    return length_less(found->t, best->t) || (found->leaving && !length_less(best->t, found->t));
+}
+
+/* Two crossings of one surface are one event, whatever rounding says of their distances. */
+static bool crossings_coincide(const struct crossing *a, const struct crossing *b) {
+    return a->surface == b->surface && length_less(a->t, length_add(b->t, LENGTH_NOISE)) &&
+           length_less(b->t, length_add(a->t, LENGTH_NOISE));
+}
+
+static bool next_crossing(const struct search *search, const struct primitive_set *inside,
+                          real_length from, struct crossing *best, struct render_counts *counts) {
+    const struct scene *scene = search->scene;
+    best->t = LENGTH_FAR;
+    best->surface = SURFACE_NONE;
+    best->leaving = false;
+    for (uint8_t i = 0; i < scene->primitive_count; i++) {
+        if (search->only && !set_has(search->only, i)) {
+            continue;
+        }
+        bool is_inside = set_has(inside, i);
+        bool starts_there =
+            search->surface != SURFACE_NONE && set_has(&scene->surfaces[search->surface], i);
+        if (starts_there && !is_inside) {
+            continue; /* convex: a ray that has left its surface does not come back */
+        }
+        const struct primitive *primitive = &scene->primitives[i];
+        counts->solid_tests++;
+        struct segment segment = primitive_segment(scene, primitive, &search->world,
+                                                   starts_there ? search->surface : SURFACE_NONE);
+        struct crossing found;
+        if (!primitive_crossing(&segment, is_inside, from, &found) ||
+            !length_less(found.t, LENGTH_FAR)) {
+            continue;
+        }
+        found.surface = primitive_surface(scene, primitive, found.face);
+        if (best->surface != SURFACE_NONE && crossings_coincide(&found, best)) {
+            set_include(&best->toggled, i);
+        } else if (crossing_precedes(&found, best)) {
+            found.primitive = i;
+            set_clear(&found.toggled);
+            set_include(&found.toggled, i);
+            *best = found;
+        }
+    }
+    return best->surface != SURFACE_NONE;
+}
+
+/* Runs an object's postfix program on the bits of the set; the stack of Booleans is one word. */
+static bool object_holds(const struct scene *scene, const struct object *object,
+                         const struct primitive_set *inside) {
+    const uint8_t *program = &scene->programs[object->program];
+    if (!FEATURE_CSG || object->length == 1) {
+        return set_has(inside, program[0]);
+    }
+    uint32_t stack = 0;
+    for (uint8_t i = 0; i < object->length; i++) {
+        uint8_t code = program[i];
+        if (code < PROGRAM_UNION) {
+            stack = stack << 1 | (uint32_t)set_has(inside, code);
+            continue;
+        }
+        uint32_t right = stack & 1, left = stack >> 1 & 1;
+        uint32_t value = code == PROGRAM_UNION          ? left | right
+                         : code == PROGRAM_INTERSECTION ? left & right
+                                                        : left & ~right & 1;
+        stack = (stack >> 2) << 1 | value;
+    }
+    return (stack & 1) != 0;
+}
+
+/* The object that fills the place where these primitives overlap: the last one that holds it. */
+static uint8_t object_at(const struct scene *scene, const struct primitive_set *inside,
+                         bool shadow_only) {
+    uint8_t i = (uint8_t)(scene->object_count - 1);
+    for (; i > OBJECT_AIR; i--) {
+        const struct object *object = &scene->objects[i];
+        if ((!shadow_only || object->in_shadow_test) && object_holds(scene, object, inside)) {
+            break;
+        }
+    }
+    return i;
+}
+
+static void describe_hit(const struct scene *scene, const struct ray *ray,
+                         const struct crossing *crossing, struct hit *hit) {
+    const struct primitive *primitive = &scene->primitives[crossing->primitive];
+    hit->t = crossing->t;
+    hit->surface = crossing->surface;
+    hit->primitive = crossing->primitive;
+    hit->face = crossing->face;
+    hit->leaving = crossing->leaving;
+    hit->where = point_along(ray->origin, crossing->t, ray->direction);
+    struct direction outward = primitive_normal(scene, primitive, crossing->face, hit->where);
+    hit->normal = crossing->leaving ? direction_negate(outward) : outward;
+}
+
+bool ray_hit(const struct scene *scene, const struct ray *ray, struct hit *hit,
+             struct render_counts *counts) {
+    const struct search search = {scene, local_ray_world(ray->origin, ray->direction), 0,
+                                  ray->surface};
+    real_length from = REAL_LENGTH(0.0);
+    struct crossing crossing;
+    hit->inside_before = ray->inside;
+    hit->before = ray->object;
+    while (next_crossing(&search, &hit->inside_before, from, &crossing, counts)) {
+        hit->inside_after = hit->inside_before;
+        set_toggle(&hit->inside_after, &crossing.toggled);
+        hit->after = object_at(scene, &hit->inside_after, false);
+        if (scene->objects[hit->after].material != scene->objects[hit->before].material) {
+            describe_hit(scene, ray, &crossing, hit);
+            return true;
+        }
+        hit->inside_before = hit->inside_after;
+        hit->before = hit->after;
+        from = crossing.t;
+    }
+    return false;
+}
+
+bool ray_is_shadowed(const struct scene *scene, const struct ray *ray, real_length distance,
+                     struct render_counts *counts) {
+    const struct search search = {scene, local_ray_world(ray->origin, ray->direction),
+                                  &scene->shadow_primitives, ray->surface};
+    struct primitive_set inside = ray->inside;
+    real_length from = REAL_LENGTH(0.0);
+    struct crossing crossing;
+    counts->shadow_rays++;
+    while (
+        !scene->materials[scene->objects[object_at(scene, &inside, true)].material].casts_shadow) {
+        if (!next_crossing(&search, &inside, from, &crossing, counts) ||
+            !length_less(crossing.t, distance)) {
+            return false;
+        }
+        set_toggle(&inside, &crossing.toggled);
+        from = crossing.t;
+    }
+    return true;
+}

@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: MIT */
+/* A ray that knows where it is, and the next boundary of a medium on its way. */
+#ifndef SUPERFRAME_RAY_H
+#define SUPERFRAME_RAY_H
+
+#include "image.h"
+#include "scene.h"
+
+/* What a ray carries from one boundary to the next. The set of primitives it is inside of is what
+ * decides where it may enter and leave, not the sign of a distance that rounding has touched. */
+struct ray {
+    struct point origin;
+    struct direction direction;
+    struct primitive_set inside;
+    uint16_t surface; /* that it starts on, or SURFACE_NONE */
+    uint8_t object;   /* that it runs in */
+};
+
+/* A boundary between two materials. */
+struct hit {
+    real_length t;
+    struct point where;
+    struct direction normal; /* turned towards the arriving ray */
+    uint16_t surface;
+    uint8_t primitive, face;
+    uint8_t before, after; /* materials on the near and the far side */
+    bool leaving;          /* the primitive is left, not entered */
+    struct primitive_set inside_before, inside_after;
+};
+
+/* The nearest boundary between different materials; false if the ray leaves the scene: then
+ * hit->before is the object that it ends in, OBJECT_AIR unless something is wrong. */
+bool ray_hit(const struct scene *scene, const struct ray *ray, struct hit *hit,
+             struct render_counts *counts);
+
+/* Whether something stands within `distance` of a ray's origin that keeps light off (Eq. (1), A).
+ */
+bool ray_is_shadowed(const struct scene *scene, const struct ray *ray, real_length distance,
+                     struct render_counts *counts);
+
+#endif

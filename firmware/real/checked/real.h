@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: MIT */
+/* The arithmetic checked: fx, with what each operation did recorded in a table. */
+#ifndef SUPERFRAME_REAL_H
+#define SUPERFRAME_REAL_H
+
+#define REAL_NAME checked
+
+#include "../fixed_operations.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+/* What one operation has done since the start. `largest` is the greatest magnitude that a result
+ * had before it was saturated, in LSB of the result (of Q22.40 for areas, which come saturated). */
+struct fixed_record {
+    uint32_t calls; /* stops at its end, as saturations does */
+    uint32_t saturations;
+    uint64_t largest;
+};
+
+/* By operation; defined in record.c. Not for several threads: this image runs in one. Writable, and
+ * so a test may clear it. */
+extern struct fixed_record fixed_records[FIXED_OPERATION_COUNT];
+
+/* The names of the operations, as in strict/real.h. */
+extern const char *const fixed_record_names[FIXED_OPERATION_COUNT];
+
+static inline void fixed_watch(enum fixed_operation operation, int64_t exact, bool saturated) {
+    struct fixed_record *record = &fixed_records[operation];
+    uint64_t magnitude = exact < 0 ? 0 - (uint64_t)exact : (uint64_t)exact;
+    record->calls += record->calls < UINT32_MAX;
+    record->saturations += saturated && record->saturations < UINT32_MAX;
+    if (magnitude > record->largest) {
+        record->largest = magnitude;
+    }
+}
+
+#include "../fixed.h"
+
+#endif

@@ -1,0 +1,21 @@
+/* SPDX-License-Identifier: MIT */
+/* The arithmetic f32: IEEE float. */
+#ifndef SUPERFRAME_REAL_H
+#define SUPERFRAME_REAL_H
+
+#define REAL_NAME f32
+
+typedef float floating;
+
+extern float sqrtf(float);
+
+static inline floating floating_root(floating x) {
+    return sqrtf(x);
+}
+
+/* 4 units in the last place at 512. */
+#define LENGTH_NOISE ((floating)0x1p-12)
+
+#include "../floating.h"
+
+#endif

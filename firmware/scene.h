@@ -1,0 +1,138 @@
+/* SPDX-License-Identifier: MIT */
+/* The const tables of a compiled scene: all that the renderer knows. */
+#ifndef SUPERFRAME_SCENE_H
+#define SUPERFRAME_SCENE_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "primitive_set.h"
+#include "vector.h"
+
+/* Written by the scene compiler, for one arithmetic. Lengths are in scaled units: the file's, less
+ * a centre, times a power of two, so that whatever is bounded lies within +-512. */
+
+enum { SURFACE_NONE = 0xFFFF };
+
+/* What is around everything: object 0, which no program describes, of material 0. */
+enum { OBJECT_AIR = 0, MATERIAL_AIR = 0 };
+
+/* A rotated system of coordinates: local = axes . (p - origin). */
+struct frame {
+    struct point origin;
+    struct direction axis[3];
+};
+
+enum { FRAME_WORLD = 0xFF };
+
+enum primitive_kind { PRIMITIVE_BOX, PRIMITIVE_BALL };
+
+/* Names an entry of the table of its kind. All primitives so far are convex. */
+struct primitive {
+    uint8_t kind;  /* enum primitive_kind */
+    uint8_t index; /* into the table of that kind */
+    uint8_t frame; /* into frames, or FRAME_WORLD */
+};
+
+/* The points with minimum <= p < maximum. Faces: 0 1 2 the low ones of x y z, 3 4 5 the high ones.
+ */
+struct box {
+    struct point minimum, maximum;
+    uint16_t surface[6];
+};
+
+/* |p - centre|^2 < square_radius. */
+struct ball {
+    struct point centre;
+    real_area square_radius;
+    uint16_t surface;
+};
+
+/* A CSG object: a Boolean function of the primitives that a point is in, as a postfix program.
+ * Where objects overlap, the later one in the table fills the place. */
+struct object {
+    uint16_t program; /* first byte in programs */
+    uint8_t length;
+    uint8_t material;
+    bool in_shadow_test; /* it, or what it may cut away from, can keep light off a surface */
+};
+
+/* Bytes of a program: below PROGRAM_UNION the number of a primitive. */
+enum { PROGRAM_UNION = 0xFD, PROGRAM_INTERSECTION = 0xFE, PROGRAM_DIFFERENCE = 0xFF };
+
+/* Cells of two colours. */
+struct pattern {
+    uint8_t frame;
+    uint8_t axes; /* bit 0, 1, 2: the colour changes along x, y, z */
+    struct point origin;
+    struct point size;
+    struct colours colour; /* of the odd cells */
+};
+
+enum { PATTERN_NONE = 0xFF };
+
+struct material {
+    struct colours colour;     /* Ic */
+    struct colours ambient;    /* the whole ambient term: a Ia or a Ic */
+    real_energy ambient_share; /* a, where the term follows the pattern's colour; else 0 */
+    real_energy diffuse;       /* rho_d */
+    real_energy specular;      /* rho_s; the mirror coefficient w of an opaque material */
+    uint16_t gloss;            /* g */
+    bool transparent;
+    bool casts_shadow;
+    bool absorbs;
+    uint8_t pattern;        /* into patterns, or PATTERN_NONE */
+    uint8_t optical;        /* equal for two materials if their indices are */
+    real_index ior;         /* n */
+    real_index inverse_ior; /* 1 / n */
+    real_extinction absorption[3];
+};
+
+struct light {
+    bool parallel;
+    struct direction towards; /* parallel: where the light comes from */
+    struct point position;    /* otherwise */
+    struct colours colour;    /* Ip */
+};
+
+/* The ray of dot (x, y) of a w x h picture: forward + (2x+1-w) column + (2y+1-h) row, normalised;
+ * column and row are scaled up by 2^shift. */
+struct camera {
+    struct point eye;
+    struct direction forward;
+    struct direction column, row; /* not of length 1: half the pixel pitch times 2^shift */
+    uint8_t shift;
+    struct primitive_set inside; /* the primitives that the eye is strictly inside of */
+    uint8_t object;              /* and the object there */
+};
+
+struct scene {
+    uint16_t width, height;
+    uint8_t depth;         /* the paper's N */
+    real_energy threshold; /* a branch that weighs less is not followed */
+    struct colours background;
+    bool blinn;             /* highlight by beta instead of alpha */
+    bool fades;             /* C + D is there */
+    real_length fade_start; /* C, in scaled units */
+    int8_t fade_exponent;   /* 2^this scaled units make one of the file's */
+    struct camera camera;
+
+    uint8_t primitive_count, object_count, light_count;
+    const struct frame *frames;
+    const struct primitive *primitives;
+    const struct box *boxes;
+    const struct ball *balls;
+    const struct primitive_set *surfaces; /* by surface: the primitives that it bounds */
+    const uint8_t *programs;
+    const struct object *objects;     /* [OBJECT_AIR] first */
+    const struct material *materials; /* [MATERIAL_AIR] first */
+    const struct pattern *patterns;
+    const struct light *lights;
+
+    /* What can stand between a surface and a light: the primitives of the objects that are marked
+     * in_shadow_test. */
+    struct primitive_set shadow_primitives;
+    bool has_shadows;
+};
+
+#endif

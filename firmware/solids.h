@@ -1,0 +1,104 @@
+/* SPDX-License-Identifier: MIT */
+/* Where a ray runs inside a primitive: one function a kind. */
+#ifndef SUPERFRAME_SOLIDS_H
+#define SUPERFRAME_SOLIDS_H
+
+#include "scene.h"
+
+/* A ray in the coordinates of a primitive's frame. */
+struct local_ray {
+    struct point origin;
+    struct direction direction;
+    real_slope slope[3]; /* of the direction's components; unset where one is zero */
+};
+
+/* The stretch in .. out of a ray that lies inside a convex primitive. Where the ray misses, `hit`
+ * is false and the ends are those of the nearest approach: a ray that is known to be inside leaves
+ * there. */
+struct segment {
+    real_length in, out;
+    uint8_t in_face, out_face;
+    bool hit;
+};
+
+struct local_ray local_ray_world(struct point origin, struct direction direction);
+
+struct local_ray local_ray_in(const struct frame *frame, struct point origin,
+                              struct direction direction);
+
+/* One axis of a box's test. */
+struct slab {
+    real_length origin, minimum, maximum;
+    real_unit direction;
+    real_slope slope;
+};
+
+static inline void box_clip(const struct slab *slab, uint8_t axis, const uint16_t *surface,
+                            uint16_t skip, struct segment *segment) {
+    if (unit_is_zero(slab->direction)) {
+        if (length_less(slab->origin, slab->minimum) || !length_less(slab->origin, slab->maximum)) {
+            segment->hit = false;
+        }
+        return;
+    }
+    real_length low = length_over(length_subtract(slab->minimum, slab->origin), slab->slope);
+    real_length high = length_over(length_subtract(slab->maximum, slab->origin), slab->slope);
+    bool backwards = unit_is_negative(slab->direction);
+    uint8_t low_face = axis, high_face = (uint8_t)(axis + 3);
+    real_length in = backwards ? high : low;
+    real_length out = backwards ? low : high;
+    uint8_t in_face = backwards ? high_face : low_face;
+    uint8_t out_face = backwards ? low_face : high_face;
+    if (length_less(segment->in, in)) {
+        segment->in = in;
+        segment->in_face = in_face;
+    }
+    if (length_less(out, segment->out) && surface[out_face] != skip) {
+        segment->out = out;
+        segment->out_face = out_face;
+    }
+}
+
+/* `skip` is the surface that the ray starts on: it cannot be where the ray leaves. */
+static inline struct segment box_segment(const struct box *box, const struct local_ray *ray,
+                                         uint16_t skip) {
+    struct segment segment = {length_negate(LENGTH_FAR), LENGTH_FAR, 0, 0, true};
+    const struct slab x = {ray->origin.x, box->minimum.x, box->maximum.x, ray->direction.x,
+                           ray->slope[0]};
+    const struct slab y = {ray->origin.y, box->minimum.y, box->maximum.y, ray->direction.y,
+                           ray->slope[1]};
+    const struct slab z = {ray->origin.z, box->minimum.z, box->maximum.z, ray->direction.z,
+                           ray->slope[2]};
+    box_clip(&x, 0, box->surface, skip, &segment);
+    box_clip(&y, 1, box->surface, skip, &segment);
+    box_clip(&z, 2, box->surface, skip, &segment);
+    segment.hit = segment.hit && length_less(segment.in, segment.out);
+    return segment;
+}
+
+/* The discriminant as r^2 - |foot|^2, foot being the point of the ray nearest to the centre: no
+ * cancellation for a small ball far away. */
+static inline struct segment ball_segment(const struct ball *ball, struct point origin,
+                                          struct direction direction) {
+    struct point p = point_subtract(origin, ball->centre);
+    real_length middle = length_negate(point_dot(p, direction));
+    real_area square =
+        area_subtract(ball->square_radius, point_norm(point_along(p, middle, direction)));
+    real_length half = length_root(square);
+    struct segment segment = {length_subtract(middle, half), length_add(middle, half), 0, 0,
+                              !area_is_negative(square)};
+    return segment;
+}
+
+/* The stretch of a ray inside a primitive; world is the same ray in world coordinates. */
+struct segment primitive_segment(const struct scene *scene, const struct primitive *primitive,
+                                 const struct local_ray *world, uint16_t skip);
+
+uint16_t primitive_surface(const struct scene *scene, const struct primitive *primitive,
+                           uint8_t face);
+
+/* The outward normal at a point of a face. */
+struct direction primitive_normal(const struct scene *scene, const struct primitive *primitive,
+                                  uint8_t face, struct point where);
+
+#endif

@@ -1,0 +1,12 @@
+/* SPDX-License-Identifier: MIT */
+/* A bus with nothing plugged in: writes go nowhere, reads give FFh. */
+#ifndef SUPERFRAME_HAL_NULL_BUS_H
+#define SUPERFRAME_HAL_NULL_BUS_H
+
+#include "bus.h"
+
+/* Sets up *bus as an empty slot. It never fails. Stands behind a recorder when nothing but the
+ * trace is wanted. What an undecoded read gives: FFh (DOSBox-X, NP2kai; grade A). */
+void null_bus_init(struct bus *bus);
+
+#endif

@@ -1,0 +1,283 @@
+/* SPDX-License-Identifier: MIT */
+/* A compiled scene as the firmware's tables in memory, in one arithmetic. */
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "arithmetic.h"
+#include "compiled_scene.h"
+#include "scene.h"
+
+/* Compiled once for each arithmetic; the include path says which. */
+
+#define NAME_JOIN(prefix, name)  NAME_JOIN_(prefix, name)
+#define NAME_JOIN_(prefix, name) prefix##name
+#define IMAGE                    NAME_JOIN(image_, REAL_NAME)
+#define ARITHMETIC               NAME_JOIN(arithmetic_, REAL_NAME)
+
+/* The tables and the scene that points to them, in one block. */
+struct loaded {
+    struct scene scene; /* first: the block is freed through it */
+    struct frame frames[COMPILED_FRAMES_MOST];
+    struct primitive primitives[COMPILED_PRIMITIVES_MOST];
+    struct box boxes[COMPILED_PRIMITIVES_MOST];
+    struct ball balls[COMPILED_PRIMITIVES_MOST];
+    struct primitive_set surfaces[COMPILED_SURFACES_MOST];
+    uint8_t programs[COMPILED_PROGRAM_BYTES_MOST];
+    struct object objects[COMPILED_OBJECTS_MOST];
+    struct material materials[COMPILED_MATERIALS_MOST];
+    struct pattern patterns[COMPILED_MATERIALS_MOST];
+    struct light lights[SCENE_LIGHTS_MOST];
+};
+
+static struct point point_of(const double p[3]) {
+    struct point point = {REAL_LENGTH(p[0]), REAL_LENGTH(p[1]), REAL_LENGTH(p[2])};
+    return point;
+}
+
+static struct direction direction_of(const double d[3]) {
+    struct direction direction = {REAL_UNIT(d[0]), REAL_UNIT(d[1]), REAL_UNIT(d[2])};
+    return direction;
+}
+
+static struct colours colours_of(const double c[3]) {
+    struct colours colours = {REAL_COLOUR(c[0]), REAL_COLOUR(c[1]), REAL_COLOUR(c[2])};
+    return colours;
+}
+
+static struct primitive_set set_of(const struct compiled_set *from) {
+    struct primitive_set set;
+    for (int i = 0; i < FEATURE_PRIMITIVE_WORDS; i++) {
+        set.word[i] = from->word[i];
+    }
+    return set;
+}
+
+static void load_solids(struct loaded *to, const struct compiled_scene *from) {
+    for (int i = 0; i < from->frame_count; i++) {
+        to->frames[i].origin = point_of(from->frames[i].origin);
+        for (int j = 0; j < 3; j++) {
+            to->frames[i].axis[j] = direction_of(from->frames[i].axis[j]);
+        }
+    }
+    for (int i = 0; i < from->primitive_count; i++) {
+        const struct compiled_primitive *primitive = &from->primitives[i];
+        to->primitives[i].kind = primitive->kind;
+        to->primitives[i].index = primitive->index;
+        to->primitives[i].frame = primitive->frame;
+    }
+    for (int i = 0; i < from->box_count; i++) {
+        to->boxes[i].minimum = point_of(from->boxes[i].minimum);
+        to->boxes[i].maximum = point_of(from->boxes[i].maximum);
+        for (int j = 0; j < 6; j++) {
+            to->boxes[i].surface[j] = from->boxes[i].surface[j];
+        }
+    }
+    for (int i = 0; i < from->ball_count; i++) {
+        const struct compiled_ball *ball = &from->balls[i];
+        to->balls[i].centre = point_of(ball->centre);
+        to->balls[i].square_radius = REAL_AREA(ball->radius * ball->radius);
+        to->balls[i].surface = ball->surface;
+    }
+    for (int i = 0; i < from->surface_count; i++) {
+        to->surfaces[i] = set_of(&from->surfaces[i]);
+    }
+}
+
+static void load_objects(struct loaded *to, const struct compiled_scene *from) {
+    for (int i = 0; i < from->program_length; i++) {
+        to->programs[i] = from->programs[i];
+    }
+    for (int i = 0; i < from->object_count; i++) {
+        to->objects[i].program = from->objects[i].program;
+        to->objects[i].length = from->objects[i].length;
+        to->objects[i].material = from->objects[i].material;
+        to->objects[i].in_shadow_test = from->objects[i].in_shadow_test;
+    }
+}
+
+static void load_materials(struct loaded *to, const struct compiled_scene *from) {
+    for (int i = 0; i < from->material_count; i++) {
+        const struct compiled_material *source = &from->materials[i];
+        struct material *material = &to->materials[i];
+        material->colour = colours_of(source->colour);
+        material->ambient = colours_of(source->ambient);
+        material->ambient_share = REAL_ENERGY(source->ambient_share);
+        material->diffuse = REAL_ENERGY(source->diffuse);
+        material->specular = REAL_ENERGY(source->specular);
+        material->gloss = source->gloss;
+        material->transparent = source->transparent;
+        material->casts_shadow = source->casts_shadow;
+        material->absorbs = source->absorbs;
+        material->pattern = source->pattern;
+        material->optical = source->optical;
+        material->ior = REAL_INDEX(source->ior);
+        material->inverse_ior = REAL_INDEX(source->inverse_ior);
+        for (int j = 0; j < 3; j++) {
+            material->absorption[j] = REAL_EXTINCTION(source->absorption[j]);
+        }
+    }
+    for (int i = 0; i < from->pattern_count; i++) {
+        const struct compiled_pattern *source = &from->patterns[i];
+        to->patterns[i].frame = source->frame;
+        to->patterns[i].axes = source->axes;
+        to->patterns[i].origin = point_of(source->origin);
+        to->patterns[i].size = point_of(source->size);
+        to->patterns[i].colour = colours_of(source->colour);
+    }
+}
+
+static void load_lights(struct loaded *to, const struct compiled_scene *from) {
+    for (int i = 0; i < from->light_count; i++) {
+        to->lights[i].parallel = from->lights[i].parallel;
+        to->lights[i].towards = direction_of(from->lights[i].towards);
+        to->lights[i].position = point_of(from->lights[i].position);
+        to->lights[i].colour = colours_of(from->lights[i].colour);
+    }
+}
+
+static void load_camera(struct camera *camera, const struct compiled_camera *from) {
+    camera->eye = point_of(from->eye);
+    camera->forward = direction_of(from->forward);
+    camera->column = direction_of(from->column);
+    camera->row = direction_of(from->row);
+    camera->shift = from->shift;
+    camera->inside = set_of(&from->inside);
+    camera->object = from->object;
+}
+
+static void load_scene(struct loaded *to, const struct compiled_scene *from) {
+    struct scene *scene = &to->scene;
+    scene->width = from->width;
+    scene->height = from->height;
+    scene->depth = from->depth;
+    scene->threshold = REAL_ENERGY(from->threshold);
+    scene->background = colours_of(from->background);
+    scene->blinn = from->blinn;
+    scene->fades = from->fades;
+    scene->fade_start = REAL_LENGTH(from->fade_start);
+    scene->fade_exponent = from->fade_exponent;
+    load_camera(&scene->camera, &from->camera);
+    scene->primitive_count = from->primitive_count;
+    scene->object_count = from->object_count;
+    scene->light_count = from->light_count;
+    scene->frames = to->frames;
+    scene->primitives = to->primitives;
+    scene->boxes = to->boxes;
+    scene->balls = to->balls;
+    scene->surfaces = to->surfaces;
+    scene->programs = to->programs;
+    scene->objects = to->objects;
+    scene->materials = to->materials;
+    scene->patterns = to->patterns;
+    scene->lights = to->lights;
+    scene->shadow_primitives = set_of(&from->shadow_primitives);
+    scene->has_shadows = from->has_shadows;
+}
+
+static bool fail(const struct compiled_scene *from, unsigned line, const char *what,
+                 struct scene_error *error) {
+    /* One scaled unit's smallest step in fixed point is 2^-20. */
+    snprintf(error->text, sizeof error->text, "%.200s:%u: %s", from->path, line, what);
+    return false;
+}
+
+static bool equal(real_length a, real_length b) {
+    return !length_less(a, b) && !length_less(b, a);
+}
+
+/* One of a box's two faces across an axis. */
+struct face {
+    double place;
+    uint16_t surface;
+    uint8_t frame;
+    unsigned line;
+};
+
+/* Faces that differ in the file but not in this arithmetic would be a wall that light never sees.
+ */
+static bool faces_are_distinct(const struct compiled_scene *from, int axis,
+                               struct scene_error *error) {
+    struct face faces[2 * COMPILED_PRIMITIVES_MOST];
+    int count = 0;
+    for (int i = 0; i < from->primitive_count; i++) {
+        const struct compiled_primitive *primitive = &from->primitives[i];
+        if (primitive->kind != PRIMITIVE_BOX) {
+            continue;
+        }
+        const struct compiled_box *box = &from->boxes[primitive->index];
+        const struct face low = {box->minimum[axis], box->surface[axis], primitive->frame,
+                                 primitive->line};
+        const struct face high = {box->maximum[axis], box->surface[axis + 3], primitive->frame,
+                                  primitive->line};
+        faces[count++] = low;
+        faces[count++] = high;
+    }
+    for (int i = 0; i < count; i++) {
+        for (int j = 0; j < i; j++) {
+            if (faces[i].frame == faces[j].frame && faces[i].surface != faces[j].surface &&
+                equal(REAL_LENGTH(faces[i].place), REAL_LENGTH(faces[j].place))) {
+                return fail(from, faces[i].line,
+                            "a wall thinner than this arithmetic resolves: make it thicker, the "
+                            "scene smaller, or choose another --arith",
+                            error);
+            }
+        }
+    }
+    return true;
+}
+
+static bool balls_are_distinct(const struct compiled_scene *from, struct scene_error *error) {
+    for (int i = 0; i < from->primitive_count; i++) {
+        if (from->primitives[i].kind != PRIMITIVE_BALL) {
+            continue;
+        }
+        const struct compiled_ball *ball = &from->balls[from->primitives[i].index];
+        real_length radius = REAL_LENGTH(ball->radius);
+        if (!length_less(REAL_LENGTH(0.0), radius)) {
+            return fail(from, from->primitives[i].line,
+                        "a ball smaller than this arithmetic resolves: make it larger, the scene "
+                        "smaller, or choose another --arith",
+                        error);
+        }
+        for (int j = 0; j < i; j++) {
+            const struct compiled_ball *other = &from->balls[from->primitives[j].index];
+            if (from->primitives[j].kind == PRIMITIVE_BALL && ball->surface != other->surface &&
+                equal(radius, REAL_LENGTH(other->radius)) &&
+                equal(REAL_LENGTH(ball->centre[0]), REAL_LENGTH(other->centre[0])) &&
+                equal(REAL_LENGTH(ball->centre[1]), REAL_LENGTH(other->centre[1])) &&
+                equal(REAL_LENGTH(ball->centre[2]), REAL_LENGTH(other->centre[2]))) {
+                return fail(from, from->primitives[i].line,
+                            "a shell thinner than this arithmetic resolves: make it thicker, the "
+                            "scene smaller, or choose another --arith",
+                            error);
+            }
+        }
+    }
+    return true;
+}
+
+static struct scene *load(const struct compiled_scene *from, struct scene_error *error) {
+    for (int axis = 0; axis < 3; axis++) {
+        if (!faces_are_distinct(from, axis, error)) {
+            return NULL;
+        }
+    }
+    if (!balls_are_distinct(from, error)) {
+        return NULL;
+    }
+    struct loaded *loaded = calloc(1, sizeof *loaded);
+    if (!loaded) {
+        snprintf(error->text, sizeof error->text, "%.200s: out of memory", from->path);
+        return NULL;
+    }
+    load_scene(loaded, from);
+    load_solids(loaded, from);
+    load_objects(loaded, from);
+    load_materials(loaded, from);
+    load_lights(loaded, from);
+    return &loaded->scene;
+}
+
+extern const struct image IMAGE;
+
+const struct arithmetic ARITHMETIC = {&IMAGE, load};

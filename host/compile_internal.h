@@ -1,0 +1,65 @@
+/* SPDX-License-Identifier: MIT */
+/* What the parts of the scene compiler share. */
+#ifndef SUPERFRAME_COMPILE_INTERNAL_H
+#define SUPERFRAME_COMPILE_INTERNAL_H
+
+#include "affine.h"
+#include "bounds.h"
+#include "compiled_scene.h"
+
+/* Bounded content lies within this, what is unbounded ends at twice that (firmware/scene.h). */
+#define COMPILE_EXTENT 512.0
+#define COMPILE_WORLD  1024.0
+
+/* Surfaces and coordinates (in scaled units) nearer than this are one: some units in the last place
+ * of a double at 512. */
+#define COMPILE_SAME 0x1p-40
+
+/* A plane in scaled world coordinates, for finding faces that coincide. */
+struct compile_plane {
+    double normal[3]; /* the first component that is not zero is positive */
+    double offset;
+};
+
+struct compiler {
+    const struct scene_description *description;
+    struct compiled_scene *scene;
+    struct scene_error *error;
+    struct affine scaling;                               /* the file's coordinates to scaled ones */
+    unsigned line;                                       /* of the node or object at work */
+    struct compile_plane planes[COMPILED_SURFACES_MOST]; /* by surface; normal null: no plane */
+    struct bounds object_bounds[COMPILED_OBJECTS_MOST];  /* by compiled object, scaled */
+};
+
+/* Records why the scene is refused (line 0: of the whole file) and returns false. */
+bool compile_fail(struct compiler *compiler, unsigned line, const char *format, ...)
+#if defined(__GNUC__)
+    __attribute__((format(printf, 3, 4)))
+#endif
+    ;
+
+/* Centre and scale: from the bounds of what is bounded, the eye and the point lights. */
+bool compile_scaling(struct compiler *compiler);
+
+/* Objects, programs, primitives, surfaces. */
+bool compile_objects(struct compiler *compiler);
+
+/* A leaf's primitive, the same for the same solid; -1 with the failure recorded. The placement goes
+ * from the leaf's own coordinates to scaled ones. */
+int compile_primitive(struct compiler *compiler, const struct solid_node *leaf,
+                      const struct affine *placement);
+
+/* The surface of a plane, given in scaled world coordinates; one that coincides is found again.
+ * Returns SURFACE number, or -1 with the failure recorded. */
+int compile_plane_surface(struct compiler *compiler, const double normal[3], double offset);
+
+/* A new surface of its own. */
+int compile_new_surface(struct compiler *compiler);
+
+/* Camera, lights, materials, and what can throw shadows. */
+bool compile_view(struct compiler *compiler);
+bool compile_materials(struct compiler *compiler);
+void compile_lights(struct compiler *compiler);
+void compile_shadows(struct compiler *compiler);
+
+#endif

@@ -1,0 +1,233 @@
+/* SPDX-License-Identifier: MIT */
+/* The scene compiler: camera, lights, materials, and what can keep light off. */
+#include "compile_internal.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { KIND_BOX, KIND_BALL };
+enum { WORLD_FRAME = 0xFF, NO_PATTERN = 0xFF };
+
+static void scaled_point(const struct compiler *compiler, const double point[3], double out[3]) {
+    affine_point(&compiler->scaling, point, out);
+}
+
+/* Whether the eye is strictly inside a primitive. */
+static bool is_inside(const struct compiled_scene *scene,
+                      const struct compiled_primitive *primitive, const double point[3]) {
+    if (primitive->kind == KIND_BALL) {
+        const struct compiled_ball *ball = &scene->balls[primitive->index];
+        double p[3] = {point[0] - ball->centre[0], point[1] - ball->centre[1],
+                       point[2] - ball->centre[2]};
+        return vector_dot(p, p) < ball->radius * ball->radius;
+    }
+    const struct compiled_box *box = &scene->boxes[primitive->index];
+    for (int i = 0; i < 3; i++) {
+        double x = primitive->frame == WORLD_FRAME
+                       ? point[i]
+                       : vector_dot(point, scene->frames[primitive->frame].axis[i]);
+        if (!(x > box->minimum[i] && x < box->maximum[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* The object that the eye is in: what ray_hit()'s programs say, in the host's words. */
+static uint8_t object_of(const struct compiled_scene *scene, const struct compiled_set *inside) {
+    for (uint8_t i = (uint8_t)(scene->object_count - 1); i > 0; i--) {
+        const struct compiled_object *object = &scene->objects[i];
+        uint32_t stack = 0;
+        for (uint8_t j = 0; j < object->length; j++) {
+            uint8_t code = scene->programs[object->program + j];
+            uint32_t right = stack & 1, left = stack >> 1 & 1;
+            if (code < 0xFD) {
+                stack = stack << 1 | (inside->word[code / 32] >> code % 32 & 1);
+            } else {
+                uint32_t value = code == 0xFD   ? left | right
+                                 : code == 0xFE ? left & right
+                                                : left & ~right & 1;
+                stack = (stack >> 2) << 1 | value;
+            }
+        }
+        if (stack & 1) {
+            return i;
+        }
+    }
+    return 0;
+}
+
+static void compile_camera(struct compiler *compiler, const double right[3], const double up[3],
+                           double pitch) {
+    struct compiled_scene *scene = compiler->scene;
+    struct compiled_camera *camera = &scene->camera;
+    double largest = 0;
+    for (int i = 0; i < 3; i++) {
+        camera->column[i] = right[i] * pitch / 2;
+        camera->row[i] = -up[i] * pitch / 2;
+        largest = fmax(largest, fmax(fabs(camera->column[i]), fabs(camera->row[i])));
+    }
+    while (camera->shift < 16 && ldexp(largest, camera->shift + 1) < 1) {
+        camera->shift++;
+    }
+    for (int i = 0; i < 3; i++) {
+        camera->column[i] = ldexp(camera->column[i], camera->shift);
+        camera->row[i] = ldexp(camera->row[i], camera->shift);
+    }
+    for (uint8_t i = 0; i < scene->primitive_count; i++) {
+        if (is_inside(scene, &scene->primitives[i], camera->eye)) {
+            camera->inside.word[i / 32] |= (uint32_t)1 << i % 32;
+        }
+    }
+    camera->object = object_of(scene, &camera->inside);
+}
+
+bool compile_view(struct compiler *compiler) {
+    const struct scene_description *description = compiler->description;
+    const struct scene_camera *view = &description->camera;
+    struct compiled_scene *scene = compiler->scene;
+    double right[3], up[3];
+    for (int i = 0; i < 3; i++) {
+        scene->camera.forward[i] = view->look_at[i] - view->eye[i];
+        scene->background[i] = description->background[i];
+    }
+    vector_cross(scene->camera.forward, view->up, right);
+    if (!vector_normalise(scene->camera.forward) || !vector_normalise(right)) {
+        return compile_fail(
+            compiler, view->line,
+            "the camera looks along `up`, or at itself: give another look_at or up");
+    }
+    vector_cross(right, scene->camera.forward, up);
+    scaled_point(compiler, view->eye, scene->camera.eye);
+    scene->width = (uint16_t)description->width;
+    scene->height = (uint16_t)description->height;
+    scene->depth = (uint8_t)description->depth;
+    scene->threshold = description->threshold;
+    scene->blinn = description->highlight == HIGHLIGHT_BLINN;
+    scene->fades = description->has_attenuation;
+    scene->fade_start = ldexp(description->attenuation_constant, scene->exponent);
+    scene->fade_exponent = (int8_t)scene->exponent;
+    if (scene->fades && scene->fade_start >= COMPILE_WORLD) {
+        return compile_fail(compiler, 0,
+                            "the constant C of C + D is too large for the scene: at "
+                            "most %g is allowed",
+                            ldexp(COMPILE_WORLD, -scene->exponent));
+    }
+    const double half_width = tan(view->field_of_view * 3.14159265358979323846 / 360);
+    compile_camera(compiler, right, up, 2 * half_width / description->width);
+    return true;
+}
+
+void compile_lights(struct compiler *compiler) {
+    const struct scene_description *description = compiler->description;
+    struct compiled_scene *scene = compiler->scene;
+    scene->light_count = (uint8_t)description->light_count;
+    for (size_t i = 0; i < description->light_count; i++) {
+        const struct scene_light *light = &description->lights[i];
+        struct compiled_light *compiled = &scene->lights[i];
+        compiled->parallel = light->parallel;
+        memcpy(compiled->colour, light->colour, sizeof compiled->colour);
+        if (light->parallel) {
+            for (int j = 0; j < 3; j++) {
+                compiled->towards[j] = -light->direction[j];
+            }
+            vector_normalise(compiled->towards);
+        } else {
+            scaled_point(compiler, light->position, compiled->position);
+        }
+    }
+}
+
+static uint8_t optical_class(const struct compiled_scene *scene, uint8_t material) {
+    uint8_t i = 0;
+    while (scene->materials[i].ior < scene->materials[material].ior ||
+           scene->materials[i].ior > scene->materials[material].ior) {
+        i++;
+    }
+    return i;
+}
+
+static void compile_pattern(struct compiler *compiler, const struct scene_pattern *pattern,
+                            struct compiled_material *material) {
+    struct compiled_scene *scene = compiler->scene;
+    if (!pattern->present) {
+        material->pattern = NO_PATTERN;
+        return;
+    }
+    material->pattern = scene->pattern_count;
+    struct compiled_pattern *compiled = &scene->patterns[scene->pattern_count++];
+    compiled->frame = WORLD_FRAME;
+    memcpy(compiled->colour, pattern->colour, sizeof compiled->colour);
+    scaled_point(compiler, pattern->origin, compiled->origin);
+    for (int i = 0; i < 3; i++) {
+        compiled->size[i] = ldexp(pattern->size[i], scene->exponent);
+        if (pattern->size[i] > 0) {
+            compiled->axes = (uint8_t)(compiled->axes | 1 << i);
+        }
+    }
+}
+
+bool compile_materials(struct compiler *compiler) {
+    const struct scene_description *description = compiler->description;
+    struct compiled_scene *scene = compiler->scene;
+    struct compiled_material *air = &scene->materials[0];
+    air->transparent = true;
+    air->pattern = NO_PATTERN;
+    air->ior = air->inverse_ior = 1;
+    scene->material_count = (uint8_t)(description->material_count + 1);
+    for (size_t i = 0; i < description->material_count; i++) {
+        const struct scene_material *from = &description->materials[i];
+        struct compiled_material *to = &scene->materials[i + 1];
+        to->diffuse = from->diffuse;
+        to->specular = from->specular;
+        to->gloss = (uint16_t)from->gloss;
+        to->transparent = from->transparent;
+        to->casts_shadow = from->casts_shadow || !from->transparent;
+        to->ior = from->transparent ? from->ior : 1;
+        to->inverse_ior = 1 / to->ior;
+        to->ambient_share = from->ambient_is_own ? from->ambient : 0;
+        for (int j = 0; j < 3; j++) {
+            to->colour[j] = from->colour[j];
+            to->ambient[j] = from->ambient_is_own ? 0 : from->ambient * description->ambient[j];
+            to->absorption[j] = ldexp(from->absorption[j], -scene->exponent);
+            to->absorbs = to->absorbs || from->absorption[j] > 0;
+        }
+        if (to->absorption[0] >= 8 || to->absorption[1] >= 8 || to->absorption[2] >= 8) {
+            return compile_fail(compiler, from->line,
+                                "absorption too strong for the size of the scene: at most %g is "
+                                "allowed; an opaque material looks the same",
+                                ldexp(7.99, scene->exponent));
+        }
+        compile_pattern(compiler, &from->pattern, to);
+        to->optical = optical_class(scene, (uint8_t)(i + 1));
+    }
+    return true;
+}
+
+static void include_program(struct compiled_scene *scene, const struct compiled_object *object) {
+    for (uint8_t i = 0; i < object->length; i++) {
+        uint8_t code = scene->programs[object->program + i];
+        if (code < 0xFD) {
+            scene->shadow_primitives.word[code / 32] |= (uint32_t)1 << code % 32;
+        }
+    }
+}
+
+/* What can keep light off: the objects that cast shadows, and those after them that may fill some
+ * of their place with something that does not. */
+void compile_shadows(struct compiler *compiler) {
+    struct compiled_scene *scene = compiler->scene;
+    for (uint8_t i = 1; i < scene->object_count; i++) {
+        struct compiled_object *object = &scene->objects[i];
+        bool matters = scene->materials[object->material].casts_shadow;
+        scene->has_shadows = scene->has_shadows || (matters && scene->light_count > 0);
+        for (uint8_t j = 1; j < i && !matters; j++) {
+            matters = scene->materials[scene->objects[j].material].casts_shadow &&
+                      bounds_overlap(&compiler->object_bounds[i], &compiler->object_bounds[j]);
+        }
+        object->in_shadow_test = matters;
+        if (matters) {
+            include_program(scene, object);
+        }
+    }
+}

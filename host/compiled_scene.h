@@ -1,0 +1,123 @@
+/* SPDX-License-Identifier: MIT */
+/* A compiled scene before it takes on an arithmetic: the firmware's tables, in doubles. */
+#ifndef SUPERFRAME_COMPILED_SCENE_H
+#define SUPERFRAME_COMPILED_SCENE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "scene_description.h"
+
+/* Member by member what firmware/scene.h holds; read its comments there. Lengths are scaled
+ * already. host/arithmetic/load.c turns this into tables in memory, host/emit.c into C source. */
+
+enum {
+    COMPILED_PRIMITIVES_MOST = 128,
+    COMPILED_SURFACES_MOST = 768,
+    COMPILED_FRAMES_MOST = 128,
+    COMPILED_OBJECTS_MOST = 128,
+    COMPILED_PROGRAM_BYTES_MOST = 4096,
+    COMPILED_MATERIALS_MOST = SCENE_MATERIALS_MOST + 1
+};
+
+struct compiled_set {
+    uint32_t word[COMPILED_PRIMITIVES_MOST / 32];
+};
+
+struct compiled_frame {
+    double origin[3];
+    double axis[3][3];
+};
+
+struct compiled_primitive {
+    uint8_t kind, index, frame;
+    unsigned line; /* of the scene file, for what an arithmetic may find wrong with it */
+};
+
+struct compiled_box {
+    double minimum[3], maximum[3];
+    uint16_t surface[6];
+};
+
+struct compiled_ball {
+    double centre[3];
+    double radius;
+    uint16_t surface;
+};
+
+struct compiled_object {
+    uint16_t program;
+    uint8_t length;
+    uint8_t material;
+    bool in_shadow_test;
+};
+
+struct compiled_pattern {
+    uint8_t frame;
+    uint8_t axes;
+    double origin[3], size[3], colour[3];
+};
+
+struct compiled_material {
+    double colour[3], ambient[3];
+    double ambient_share, diffuse, specular;
+    uint16_t gloss;
+    bool transparent, casts_shadow, absorbs;
+    uint8_t pattern, optical;
+    double ior, inverse_ior;
+    double absorption[3];
+};
+
+struct compiled_light {
+    bool parallel;
+    double towards[3], position[3], colour[3];
+};
+
+struct compiled_camera {
+    double eye[3], forward[3], column[3], row[3];
+    uint8_t shift;
+    struct compiled_set inside;
+    uint8_t object;
+};
+
+struct compiled_scene {
+    uint16_t width, height;
+    uint8_t depth;
+    double threshold;
+    double background[3];
+    bool blinn, fades;
+    double fade_start;
+    int8_t fade_exponent;
+    struct compiled_camera camera;
+
+    char path[256]; /* of the scene file, for messages */
+
+    /* How the file's coordinates became these: scaled = (p - centre) * 2^exponent. */
+    double centre[3];
+    int exponent;
+
+    uint8_t primitive_count, frame_count, box_count, ball_count, object_count, pattern_count;
+    uint8_t material_count, light_count;
+    uint16_t surface_count, program_length;
+    struct compiled_frame frames[COMPILED_FRAMES_MOST];
+    struct compiled_primitive primitives[COMPILED_PRIMITIVES_MOST];
+    struct compiled_box boxes[COMPILED_PRIMITIVES_MOST];
+    struct compiled_ball balls[COMPILED_PRIMITIVES_MOST];
+    struct compiled_set surfaces[COMPILED_SURFACES_MOST];
+    uint8_t programs[COMPILED_PROGRAM_BYTES_MOST];
+    struct compiled_object objects[COMPILED_OBJECTS_MOST];
+    struct compiled_material materials[COMPILED_MATERIALS_MOST];
+    struct compiled_pattern patterns[COMPILED_MATERIALS_MOST];
+    struct compiled_light lights[SCENE_LIGHTS_MOST];
+
+    struct compiled_set shadow_primitives;
+    bool has_shadows;
+};
+
+/* Flattens, centres, scales and analyses a scene. NULL with *error filled where the scene cannot be
+ * rendered (the line is that of the culprit). The caller frees the result with free(). */
+struct compiled_scene *scene_compile(const struct scene_description *description,
+                                     struct scene_error *error);
+
+#endif

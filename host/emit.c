@@ -1,0 +1,209 @@
+/* SPDX-License-Identifier: MIT */
+/* A compiled scene as C source. */
+#include "emit.h"
+
+#include <ctype.h>
+
+/* Numbers are written as hexadecimal floating constants: exact, whatever compiler reads them. */
+
+static void emit_vector(FILE *out, const char *role, const double v[3]) {
+    fprintf(out, "{%s(%a), %s(%a), %s(%a)}", role, v[0], role, v[1], role, v[2]);
+}
+
+static void emit_set(FILE *out, const struct compiled_set *set) {
+    fprintf(out, "{{");
+    for (int i = 0; i < COMPILED_PRIMITIVES_MOST / 32; i++) {
+        fprintf(out, "%s0x%08lXu", i ? ", " : "", (unsigned long)set->word[i]);
+    }
+    fprintf(out, "}}");
+}
+
+static const char *truth(bool value) {
+    return value ? "true" : "false";
+}
+
+static void emit_frames(FILE *out, const struct compiled_scene *scene) {
+    fprintf(out, "\nstatic const struct frame frames[] = {\n");
+    for (int i = 0; i < scene->frame_count; i++) {
+        fprintf(out, "    {");
+        emit_vector(out, "REAL_LENGTH", scene->frames[i].origin);
+        fprintf(out, ", {");
+        for (int j = 0; j < 3; j++) {
+            emit_vector(out, "REAL_UNIT", scene->frames[i].axis[j]);
+            fprintf(out, "%s", j < 2 ? ", " : "}},\n");
+        }
+    }
+    fprintf(out, "};\n");
+}
+
+static void emit_boxes(FILE *out, const struct compiled_scene *scene) {
+    fprintf(out, "\nstatic const struct box boxes[] = {\n");
+    for (int i = 0; i < scene->box_count; i++) {
+        const struct compiled_box *box = &scene->boxes[i];
+        fprintf(out, "    {");
+        emit_vector(out, "REAL_LENGTH", box->minimum);
+        fprintf(out, ",\n     ");
+        emit_vector(out, "REAL_LENGTH", box->maximum);
+        fprintf(out, ",\n     {%u, %u, %u, %u, %u, %u}},\n", box->surface[0], box->surface[1],
+                box->surface[2], box->surface[3], box->surface[4], box->surface[5]);
+    }
+    fprintf(out, "};\n");
+}
+
+static void emit_balls(FILE *out, const struct compiled_scene *scene) {
+    fprintf(out, "\nstatic const struct ball balls[] = {\n");
+    for (int i = 0; i < scene->ball_count; i++) {
+        const struct compiled_ball *ball = &scene->balls[i];
+        fprintf(out, "    {");
+        emit_vector(out, "REAL_LENGTH", ball->centre);
+        fprintf(out, ", REAL_AREA(%a), %u},\n", ball->radius * ball->radius, ball->surface);
+    }
+    fprintf(out, "};\n");
+}
+
+static void emit_primitives(FILE *out, const struct compiled_scene *scene) {
+    fprintf(out, "\nstatic const struct primitive primitives[] = {\n");
+    for (int i = 0; i < scene->primitive_count; i++) {
+        const struct compiled_primitive *primitive = &scene->primitives[i];
+        fprintf(out, "    {%u, %u, %u},\n", primitive->kind, primitive->index, primitive->frame);
+    }
+    fprintf(out, "};\n\nstatic const struct primitive_set surfaces[] = {\n");
+    for (int i = 0; i < scene->surface_count; i++) {
+        fprintf(out, "    ");
+        emit_set(out, &scene->surfaces[i]);
+        fprintf(out, ",\n");
+    }
+    fprintf(out, "};\n");
+}
+
+static void emit_objects(FILE *out, const struct compiled_scene *scene) {
+    fprintf(out, "\nstatic const uint8_t programs[] = {");
+    for (int i = 0; i < scene->program_length; i++) {
+        fprintf(out, "%s0x%02X,", i % 16 ? " " : "\n    ", scene->programs[i]);
+    }
+    fprintf(out, "\n};\n\nstatic const struct object objects[] = {\n");
+    for (int i = 0; i < scene->object_count; i++) {
+        const struct compiled_object *object = &scene->objects[i];
+        fprintf(out, "    {%u, %u, %u, %s},\n", object->program, object->length, object->material,
+                truth(object->in_shadow_test));
+    }
+    fprintf(out, "};\n");
+}
+
+static void emit_materials(FILE *out, const struct compiled_scene *scene) {
+    fprintf(out, "\nstatic const struct material materials[] = {\n");
+    for (int i = 0; i < scene->material_count; i++) {
+        const struct compiled_material *material = &scene->materials[i];
+        fprintf(out, "    {");
+        emit_vector(out, "REAL_COLOUR", material->colour);
+        fprintf(out, ",\n     ");
+        emit_vector(out, "REAL_COLOUR", material->ambient);
+        fprintf(out, ",\n     REAL_ENERGY(%a), REAL_ENERGY(%a), REAL_ENERGY(%a), %u,\n     ",
+                material->ambient_share, material->diffuse, material->specular, material->gloss);
+        fprintf(out, "%s, %s, %s, %u, %u, REAL_INDEX(%a), REAL_INDEX(%a),\n     ",
+                truth(material->transparent), truth(material->casts_shadow),
+                truth(material->absorbs), material->pattern, material->optical, material->ior,
+                material->inverse_ior);
+        emit_vector(out, "REAL_EXTINCTION", material->absorption);
+        fprintf(out, "},\n");
+    }
+    fprintf(out, "};\n");
+}
+
+static void emit_patterns(FILE *out, const struct compiled_scene *scene) {
+    fprintf(out, "\nstatic const struct pattern patterns[] = {\n");
+    for (int i = 0; i < scene->pattern_count; i++) {
+        const struct compiled_pattern *pattern = &scene->patterns[i];
+        fprintf(out, "    {%u, %u, ", pattern->frame, pattern->axes);
+        emit_vector(out, "REAL_LENGTH", pattern->origin);
+        fprintf(out, ", ");
+        emit_vector(out, "REAL_LENGTH", pattern->size);
+        fprintf(out, ",\n     ");
+        emit_vector(out, "REAL_COLOUR", pattern->colour);
+        fprintf(out, "},\n");
+    }
+    fprintf(out, "};\n");
+}
+
+static void emit_lights(FILE *out, const struct compiled_scene *scene) {
+    fprintf(out, "\nstatic const struct light lights[] = {\n");
+    for (int i = 0; i < scene->light_count; i++) {
+        const struct compiled_light *light = &scene->lights[i];
+        fprintf(out, "    {%s, ", truth(light->parallel));
+        emit_vector(out, "REAL_UNIT", light->towards);
+        fprintf(out, ",\n     ");
+        emit_vector(out, "REAL_LENGTH", light->position);
+        fprintf(out, ", ");
+        emit_vector(out, "REAL_COLOUR", light->colour);
+        fprintf(out, "},\n");
+    }
+    fprintf(out, "};\n");
+}
+
+static void emit_camera(FILE *out, const struct compiled_camera *camera) {
+    fprintf(out, "    {");
+    emit_vector(out, "REAL_LENGTH", camera->eye);
+    fprintf(out, ",\n     ");
+    emit_vector(out, "REAL_UNIT", camera->forward);
+    fprintf(out, ",\n     ");
+    emit_vector(out, "REAL_UNIT", camera->column);
+    fprintf(out, ",\n     ");
+    emit_vector(out, "REAL_UNIT", camera->row);
+    fprintf(out, ",\n     %u, ", camera->shift);
+    emit_set(out, &camera->inside);
+    fprintf(out, ", %u},\n", camera->object);
+}
+
+/* A table's name, or 0 where it has no entries: C99 knows no empty arrays. */
+static const char *table(int count, const char *name) {
+    return count > 0 ? name : "0";
+}
+
+static void emit_scene(FILE *out, const struct compiled_scene *scene, const char *name) {
+    fprintf(out, "\nextern const struct scene scene_%s;\n\nconst struct scene scene_%s = {\n", name,
+            name);
+    fprintf(out, "    %u, %u, %u, REAL_ENERGY(%a),\n    ", scene->width, scene->height,
+            scene->depth, scene->threshold);
+    emit_vector(out, "REAL_COLOUR", scene->background);
+    fprintf(out, ",\n    %s, %s, REAL_LENGTH(%a), %d,\n", truth(scene->blinn), truth(scene->fades),
+            scene->fade_start, scene->fade_exponent);
+    emit_camera(out, &scene->camera);
+    fprintf(out, "    %u, %u, %u,\n", scene->primitive_count, scene->object_count,
+            scene->light_count);
+    fprintf(out, "    %s, %s, %s, %s, %s, %s, objects, materials, %s, %s,\n    ",
+            table(scene->frame_count, "frames"), table(scene->primitive_count, "primitives"),
+            table(scene->box_count, "boxes"), table(scene->ball_count, "balls"),
+            table(scene->surface_count, "surfaces"), table(scene->program_length, "programs"),
+            table(scene->pattern_count, "patterns"), table(scene->light_count, "lights"));
+    emit_set(out, &scene->shadow_primitives);
+    fprintf(out, ", %s};\n", truth(scene->has_shadows));
+}
+
+int scene_emit(FILE *out, const struct compiled_scene *scene, const char *name) {
+    char symbol[64];
+    size_t length = 0;
+    for (; name[length] != '\0' && length + 1 < sizeof symbol; length++) {
+        symbol[length] = '_';
+        if (isalnum((unsigned char)name[length])) {
+            symbol[length] = name[length];
+        }
+    }
+    symbol[length] = '\0';
+    fprintf(out, "/* The tables of the scene \"%s\", made by `superframe compile`. */\n", symbol);
+    fprintf(out, "/* scaled = (p - (%.17g, %.17g, %.17g)) * 2^%d */\n", scene->centre[0],
+            scene->centre[1], scene->centre[2], scene->exponent);
+    fprintf(out, "#include \"scene.h\"\n");
+    void (*const emitters[])(FILE *, const struct compiled_scene *) = {
+        emit_frames,  emit_primitives, emit_boxes,    emit_balls,
+        emit_objects, emit_materials,  emit_patterns, emit_lights};
+    const int counts[] = {scene->frame_count,   scene->primitive_count, scene->box_count,
+                          scene->ball_count,    scene->object_count,    scene->material_count,
+                          scene->pattern_count, scene->light_count};
+    for (size_t i = 0; i < sizeof emitters / sizeof emitters[0]; i++) {
+        if (counts[i] > 0) {
+            emitters[i](out, scene);
+        }
+    }
+    emit_scene(out, scene, symbol);
+    return ferror(out) ? -1 : 0;
+}

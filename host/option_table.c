@@ -1,0 +1,258 @@
+/* SPDX-License-Identifier: MIT */
+/* The table of options: what each may be, and where it goes in struct options. */
+#include "options.h"
+
+#include <string.h>
+
+#include "arithmetic.h"
+#include "values.h"
+
+#define BIT(command) (1u << COMMAND_##command)
+
+enum {
+    SCENE_READERS = BIT(RENDER) | BIT(CHECK) | BIT(COMPILE),
+    BOARD_USERS = BIT(RENDER) | BIT(REPLAY)
+};
+
+static enum value_verdict verdict(bool is_allowed) {
+    return is_allowed ? VALUE_TAKEN : VALUE_WRONG;
+}
+
+/* The place of a value among words, or -1. */
+static int find_word(const char *value, const char *const *words) {
+    for (int i = 0; words[i] != NULL; i++) {
+        if (strcmp(value, words[i]) == 0) {
+            return i;
+        }
+    }
+    return -1;
+}
+
+/* Whether value is the word alone or "word:..." */
+static bool is_kind(const char *value, const char *word) {
+    size_t length = strlen(word);
+    return strncmp(value, word, length) == 0 && (value[length] == '\0' || value[length] == ':');
+}
+
+static enum value_verdict not_built(struct options *options, const char *value) {
+    (void)options;
+    (void)value;
+    return VALUE_NOT_BUILT;
+}
+
+static enum value_verdict set_help(struct options *options, const char *value) {
+    (void)value;
+    options->help = true;
+    return VALUE_TAKEN;
+}
+
+static enum value_verdict set_output(struct options *options, const char *value) {
+    options->output = value;
+    return verdict(value[0] != '\0');
+}
+
+static enum value_verdict set_arithmetic(struct options *options, const char *value) {
+    options->arithmetic = value;
+    return verdict(arithmetic_find(value) != NULL);
+}
+
+static enum value_verdict set_depth(struct options *options, const char *value) {
+    unsigned long depth;
+    if (!value_whole(value, 0, SCENE_DEPTH_MOST, &depth)) {
+        return VALUE_WRONG;
+    }
+    options->overrides.has_depth = true;
+    options->overrides.depth = (int)depth;
+    return VALUE_TAKEN;
+}
+
+static enum value_verdict set_threshold(struct options *options, const char *value) {
+    options->overrides.has_threshold = true;
+    return verdict(value_real(value, 0, 1, &options->overrides.threshold));
+}
+
+/* Only noted: whether it goes with the others is for options_parse() to say. */
+static enum value_verdict set_error(struct options *options, const char *value) {
+    double error;
+    options->has_error = true;
+    return verdict(value_real(value, 0, 255, &error));
+}
+
+static enum value_verdict set_size(struct options *options, const char *value) {
+    unsigned long width, height;
+    if (!value_pair(value, 'x', 1, BOARD_WIDTH, BOARD_HEIGHT, &width, &height)) {
+        return VALUE_WRONG;
+    }
+    options->overrides.has_size = true;
+    options->overrides.width = (int)width;
+    options->overrides.height = (int)height;
+    return VALUE_TAKEN;
+}
+
+static enum value_verdict set_model(struct options *options, const char *value) {
+    static const char *const later[] = {"simple", "wavelength", "absorption", NULL};
+    if (find_word(value, later) >= 0) {
+        return VALUE_NOT_BUILT;
+    }
+    options->overrides.has_model = true;
+    options->overrides.model = MODEL_FRESNEL;
+    return verdict(strcmp(value, "fresnel") == 0);
+}
+
+static enum value_verdict set_highlight(struct options *options, const char *value) {
+    static const char *const words[] = {"phong", "blinn", NULL};
+    int word = find_word(value, words);
+    options->overrides.has_highlight = true;
+    options->overrides.highlight = word == 1 ? HIGHLIGHT_BLINN : HIGHLIGHT_PHONG;
+    return verdict(word >= 0);
+}
+
+static enum value_verdict set_colour(struct options *options, const char *value) {
+    static const char *const later[] = {"dither", "exposures", NULL};
+    if (find_word(value, later) >= 0 || is_kind(value, "bits")) {
+        return VALUE_NOT_BUILT;
+    }
+    options->overrides.has_colour = true;
+    options->overrides.colour = COLOUR_FULL;
+    return verdict(strcmp(value, "full") == 0);
+}
+
+static enum value_verdict set_bus(struct options *options, const char *value) {
+    static const char trace[] = "trace:";
+    if (is_kind(value, "usb") || is_kind(value, "hid") || strcmp(value, "ports") == 0) {
+        return VALUE_NOT_BUILT;
+    }
+    if (strncmp(value, trace, sizeof trace - 1) == 0) {
+        options->bus = BUS_CHOICE_TRACE;
+        options->bus_file = value + sizeof trace - 1;
+        return verdict(options->bus_file[0] != '\0');
+    }
+    options->bus = BUS_CHOICE_EMULATOR;
+    return verdict(strcmp(value, "emulator") == 0);
+}
+
+static enum value_verdict set_trace(struct options *options, const char *value) {
+    options->trace = value;
+    return verdict(value[0] != '\0');
+}
+
+static enum value_verdict set_rows(struct options *options, const char *value) {
+    unsigned long first, last;
+    if (!value_pair(value, ':', 0, BOARD_HEIGHT, BOARD_HEIGHT, &first, &last) || first >= last) {
+        return VALUE_WRONG;
+    }
+    options->has_rows = true;
+    options->first_row = (unsigned)first;
+    options->last_row = (unsigned)last;
+    return VALUE_TAKEN;
+}
+
+static enum value_verdict set_profile(struct options *options, const char *value) {
+    return verdict(board_profile_from_text(value, &options->profile));
+}
+
+static enum value_verdict set_base(struct options *options, const char *value) {
+    unsigned long base;
+    if (!value_port(value, &base) || !board_base_is_offered((uint16_t)base)) {
+        return VALUE_WRONG;
+    }
+    options->base = (uint16_t)base;
+    return VALUE_TAKEN;
+}
+
+static enum value_verdict set_tail(struct options *options, const char *value) {
+    (void)options;
+    return strcmp(value, "estimate") == 0 ? VALUE_NOT_BUILT
+                                          : verdict(strcmp(value, "black") == 0);
+}
+
+static enum value_verdict set_jobs(struct options *options, const char *value) {
+    unsigned long jobs;
+    if (!value_whole(value, 1, OPTIONS_JOBS_MOST, &jobs)) {
+        return VALUE_WRONG;
+    }
+    options->jobs = (unsigned)jobs;
+    return VALUE_TAKEN;
+}
+
+static enum value_verdict set_stats(struct options *options, const char *value) {
+    options->stats = value;
+    return verdict(value[0] != '\0');
+}
+
+static enum value_verdict set_strict(struct options *options, const char *value) {
+    options->strict = true;
+    options->has_strict_grade = value != NULL;
+    return verdict(value == NULL || board_grade_from_text(value, &options->strict_grade));
+}
+
+static enum value_verdict set_quiet(struct options *options, const char *value) {
+    (void)value;
+    options->quiet = true;
+    return VALUE_TAKEN;
+}
+
+static enum value_verdict set_within(struct options *options, const char *value) {
+    unsigned long within;
+    if (!value_whole(value, 0, 255, &within)) {
+        return VALUE_WRONG;
+    }
+    options->within = (int)within;
+    return VALUE_TAKEN;
+}
+
+static enum value_verdict set_share(struct options *options, const char *value) {
+    return verdict(value_real(value, 0, 100, &options->share));
+}
+
+static enum value_verdict set_json(struct options *options, const char *value) {
+    (void)value;
+    options->json = true;
+    return VALUE_TAKEN;
+}
+
+const struct option_entry option_table[] = {
+    {"output", 'o', "FILE", BIT(RENDER) | BIT(COMPILE) | BIT(REPLAY), set_output, "a file's name or -",
+     "where the result goes; - is standard output"},
+    {"arith", 0, "NAME", BIT(RENDER), set_arithmetic, arithmetic_names,
+     "the firmware's arithmetic (fx)"},
+    {"depth", 0, "N", SCENE_READERS, set_depth, "a whole number 0..255",
+     "the paper's depth level (the scene's)"},
+    {"threshold", 0, "E", SCENE_READERS, set_threshold, "a number or a fraction 0..1",
+     "the weight under which a branch ends (the scene's)"},
+    {"error", 0, "LSB", SCENE_READERS, set_error, "a number 0..255",
+     "the accuracy asked for, instead of a threshold"},
+    {"size", 0, "WxH", SCENE_READERS, set_size, "1x1..640x400",
+     "the pixels rendered (the scene's)"},
+    {"model", 0, "MODEL", SCENE_READERS, set_model, "fresnel",
+     "how light is reflected and refracted (the scene's)"},
+    {"highlight", 0, "KIND", SCENE_READERS, set_highlight, "phong or blinn",
+     "how highlights are computed (the scene's)"},
+    {"colour", 0, "MODE", SCENE_READERS, set_colour, "full", "the colours drawn (the scene's)"},
+    {"seed", 0, "S", BIT(RENDER), not_built, "", "of the random dither"},
+    {"bus", 0, "BUS", BIT(RENDER), set_bus, "emulator or trace:FILE",
+     "where the port accesses go (emulator)"},
+    {"trace", 0, "FILE", BIT(RENDER), set_trace, "a file's name",
+     "record every port access as well"},
+    {"rows", 0, "A:B", BIT(RENDER), set_rows, "A:B with 0 <= A < B <= 400",
+     "only rows A..B-1; the others are not touched"},
+    {"profile", 0, "BOARD", BOARD_USERS, set_profile, "1987 or later", "which board (1987)"},
+    {"base", 0, "PORT", BOARD_USERS, set_base, "00D0, 02D0, 04D0, 06D0, 08D0, 0AD0 or 0CD0",
+     "the jumper's base address (00D0)"},
+    {"tail", 0, "KIND", SCENE_READERS, set_tail, "black", "what a cut branch counts as (black)"},
+    {"verify", 0, NULL, BIT(RENDER), not_built, "", "read back over USB or HID"},
+    {"wait", 0, NULL, BIT(RENDER), not_built, "", "wait for an adapter"},
+    {"yes-these-ports-are-mine", 0, NULL, BIT(RENDER), not_built, "", "allow --bus ports"},
+    {"jobs", 0, "J", BIT(RENDER), set_jobs, "a whole number 1..256", "worker threads (1)"},
+    {"stats", 0, "FILE", BOARD_USERS, set_stats, "a file's name or -",
+     "write statistics as JSON; - is standard output"},
+    {"strict", 0, "[=GRADE]", BOARD_USERS, set_strict, "P, D, S, I or A",
+     "fail on violations; with a grade, also on whatever is no better known"},
+    {"within", 0, "LSB", BIT(COMPARE), set_within, "a whole number 0..255",
+     "the difference that a channel may have (1)"},
+    {"share", 0, "PERCENT", BIT(COMPARE), set_share, "a number 0..100",
+     "the pixels that must be within it (99.9)"},
+    {"json", 0, NULL, BIT(COMPARE), set_json, "", "print JSON"},
+    {"quiet", 0, NULL, BIT(RENDER), set_quiet, "", "no progress bar"},
+    {"help", 0, NULL, ~0u, set_help, "", "print this text"},
+    {NULL, 0, NULL, 0, NULL, NULL, NULL}};

@@ -1,0 +1,216 @@
+/* SPDX-License-Identifier: MIT */
+/* Reads a sub-command's options by the table, with getopt_long()'s conventions. */
+#include "options.h"
+
+#include <getopt.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "command.h"
+
+enum { ENTRIES_MOST = 48, LETTERS_MOST = 64, LONG_ONLY = 256 };
+
+static bool refuse(struct options_error *error, const char *format, ...)
+#if defined(__GNUC__)
+    __attribute__((format(printf, 2, 3)))
+#endif
+    ;
+
+static bool refuse(struct options_error *error, const char *format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    (void)vsnprintf(error->text, sizeof error->text, format, arguments);
+    va_end(arguments);
+    return false;
+}
+
+static bool is_optional(const struct option_entry *entry) {
+    return entry->value != NULL && entry->value[0] == '[';
+}
+
+/* getopt_long()'s own tables for one sub-command. The value of a long option is LONG_ONLY plus
+ * its place in option_table, so that the entry can be found again. */
+struct getopt_tables {
+    struct option longs[ENTRIES_MOST];
+    char letters[LETTERS_MOST];
+};
+
+static void make_tables(enum command_id command, struct getopt_tables *tables) {
+    size_t count = 0, letters = 0;
+    memset(tables, 0, sizeof *tables);
+    tables->letters[letters++] = ':'; /* a missing value is told from an unknown option */
+    for (int i = 0; option_table[i].name != NULL && count < ENTRIES_MOST - 1; i++) {
+        const struct option_entry *entry = &option_table[i];
+        if ((entry->commands & 1u << command) == 0) {
+            continue;
+        }
+        struct option *option = &tables->longs[count++];
+        option->name = entry->name;
+        option->has_arg = entry->value == NULL  ? no_argument
+                          : is_optional(entry) ? optional_argument
+                                               : required_argument;
+        option->val = LONG_ONLY + i;
+        if (entry->letter != 0) {
+            tables->letters[letters++] = entry->letter;
+            tables->letters[letters++] = ':';
+        }
+    }
+}
+
+static const struct option_entry *find_entry(int found) {
+    if (found >= LONG_ONLY) {
+        return &option_table[found - LONG_ONLY];
+    }
+    for (const struct option_entry *entry = option_table; entry->name != NULL; entry++) {
+        if (entry->letter == found) {
+            return entry;
+        }
+    }
+    return NULL;
+}
+
+static bool take(const struct option_entry *entry, const char *value, struct options *options,
+                 struct options_error *error) {
+    switch (entry->set(options, value)) {
+    case VALUE_TAKEN:
+        return true;
+    case VALUE_WRONG:
+        return refuse(error, "--%s: \"%.100s\" is not allowed; allowed is: %s", entry->name, value,
+                      entry->allowed);
+    case VALUE_NOT_BUILT:
+        break;
+    }
+    if (value == NULL || entry->allowed[0] == '\0') {
+        return refuse(error, "--%s: not built into this version", entry->name);
+    }
+    return refuse(error, "--%s %.100s: not built into this version; allowed is: %s", entry->name,
+                  value, entry->allowed);
+}
+
+static void set_defaults(struct options *options) {
+    memset(options, 0, sizeof *options);
+    options->arithmetic = "fx";
+    options->base = BOARD_FACTORY_BASE;
+    options->jobs = 1;
+    options->within = 1;
+    options->share = 99.9;
+}
+
+/* True if both are given, but not the same place. */
+static bool differ(const char *a, const char *b) {
+    return a == NULL || b == NULL || strcmp(a, b) != 0;
+}
+
+/* Options that exclude each other. */
+static bool check_together(enum command_id command, const struct options *options,
+                           struct options_error *error) {
+    if (options->has_error && options->overrides.has_threshold) {
+        return refuse(error, "--error and --threshold exclude each other; give one of them");
+    }
+    if (options->has_error) {
+        return refuse(error, "--error: not built into this version; allowed is: --threshold");
+    }
+    if (options->bus == BUS_CHOICE_TRACE) {
+        const char *with = options->output != NULL  ? "--output"
+                           : options->trace != NULL ? "--trace"
+                           : options->strict        ? "--strict"
+                                                    : NULL;
+        if (with != NULL) {
+            return refuse(error, "%s goes with --bus emulator only; a trace has no board behind it",
+                          with);
+        }
+    }
+    if (!differ(options->output, options->stats) || !differ(options->output, options->trace) ||
+        !differ(options->stats, options->trace) || !differ(options->stats, options->bus_file)) {
+        return refuse(error, "two results can't go to the same place; give each its own file");
+    }
+    if (command == COMMAND_COMPILE && options->output == NULL) {
+        return refuse(error, "compile: -o FILE.c is lacking; -o - is standard output");
+    }
+    if (command == COMMAND_REPLAY && options->output == NULL && options->stats == NULL &&
+        !options->strict) {
+        return refuse(error, "replay: -o FILE.png is lacking (or --stats or --strict)");
+    }
+    return true;
+}
+
+static bool check_operands(const struct command *command, const struct options *options,
+                           struct options_error *error) {
+    int count = options->operand_count;
+    if (count < command->least) {
+        return refuse(error, "%s: %s is lacking; usage: superframe %s %s [options]", command->name,
+                      command->operands, command->name, command->operands);
+    }
+    if (count > command->most) {
+        return refuse(error, "%s: \"%.100s\" is one too many; usage: superframe %s %s [options]",
+                      command->name, options->operands[command->most], command->name,
+                      command->operands);
+    }
+    return true;
+}
+
+/* getopt_long() leaves in optopt the letter of a short option, the value of a long one that takes
+ * no argument but got one, or 0. */
+static bool refuse_unknown(const char *command, const char *culprit, struct options_error *error) {
+    if (optopt >= LONG_ONLY) {
+        return refuse(error, "--%s: takes no value", option_table[optopt - LONG_ONLY].name);
+    }
+    if (optopt != 0) {
+        return refuse(error, "%s: no option -%c; try superframe %s --help", command, optopt,
+                      command);
+    }
+    return refuse(error, "%s: no option %.100s; try superframe %s --help", command, culprit,
+                  command);
+}
+
+bool options_parse(enum command_id command, int argc, char **argv, struct options *options,
+                   struct options_error *error) {
+    struct getopt_tables tables;
+    const char *name = commands[command].name;
+    int found;
+    make_tables(command, &tables);
+    set_defaults(options);
+    opterr = 0; /* the messages are this program's own */
+    optind = 0; /* starts afresh: a test parses many command lines */
+    while ((found = getopt_long(argc, argv, tables.letters, tables.longs, NULL)) != -1) {
+        const char *culprit = optind > 0 && optind <= argc ? argv[optind - 1] : "";
+        if (found == ':') {
+            return refuse(error, "%s: %.100s lacks its value; try superframe %s --help", name,
+                          culprit, name);
+        }
+        if (found == '?') {
+            return refuse_unknown(name, culprit, error);
+        }
+        const struct option_entry *entry = find_entry(found);
+        if (entry == NULL || !take(entry, optarg, options, error)) {
+            return false;
+        }
+        if (options->help) {
+            return true;
+        }
+    }
+    options->operands = argv + optind;
+    options->operand_count = argc - optind;
+    return check_operands(&commands[command], options, error) &&
+           check_together(command, options, error);
+}
+
+void options_print(FILE *out, enum command_id command) {
+    for (const struct option_entry *entry = option_table; entry->name != NULL; entry++) {
+        char left[64], letter[8] = "    ";
+        if ((entry->commands & 1u << command) == 0 || entry->allowed == NULL) {
+            continue;
+        }
+        if (entry->letter != 0) {
+            (void)snprintf(letter, sizeof letter, "-%c, ", entry->letter);
+        }
+        (void)snprintf(left, sizeof left, "%s--%s%s%s", letter, entry->name,
+                       entry->value == NULL || is_optional(entry) ? "" : " ",
+                       entry->value == NULL ? "" : entry->value);
+        (void)fprintf(out, "  %-26s %s\n", left, entry->help);
+        if (entry->allowed[0] != '\0') {
+            (void)fprintf(out, "  %-26s allowed: %s\n", "", entry->allowed);
+        }
+    }
+}

@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: MIT */
+/* What the command line may put in the place of what a scene file says. */
+#ifndef SUPERFRAME_OVERRIDES_H
+#define SUPERFRAME_OVERRIDES_H
+
+#include <stdbool.h>
+
+#include "scene_description.h"
+
+/* All zero: the scene as it is. */
+struct scene_overrides {
+    bool has_depth, has_threshold, has_size, has_model, has_highlight, has_colour;
+    int depth;         /* 0..255 */
+    double threshold;  /* 0..1 */
+    int width, height; /* 1..640, 1..400 pixels */
+    enum scene_model model;
+    enum scene_highlight highlight;
+    enum scene_colour colour;
+};
+
+/* Puts them into the description. */
+void scene_override(struct scene_description *description, const struct scene_overrides *overrides);
+
+#endif

@@ -1,0 +1,53 @@
+/* SPDX-License-Identifier: MIT */
+/* The buses behind the ports, put together: a hash of the writes, a recorder, the board. */
+#ifndef SUPERFRAME_PORT_CHAIN_H
+#define SUPERFRAME_PORT_CHAIN_H
+
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#include "board.h"
+#include "bus.h"
+#include "picture.h"
+#include "trace_hash.h"
+#include "trace_recorder.h"
+
+/* About a megabyte: make it with port_chain_new(). */
+struct port_chain {
+    struct trace_hash hash; /* outermost: hash.bus is the one to bind */
+    bool is_recording;
+    struct trace_recorder recorder;
+    bool has_board;
+    struct board_bus board_bus;
+    struct bus null_bus; /* in the board's place where there is none */
+    struct board board;
+    uint8_t rgb[PICTURE_BYTES]; /* what the CRT shows: port_chain_picture() draws it */
+    enum picture_state picture_state;
+};
+
+/* A chain without a recorder. has_board: ends at a board of that desc, else at an empty slot. NULL
+ * if out of memory or the desc is none. */
+struct port_chain *port_chain_new(const struct board_desc *desc, bool has_board);
+
+/* Puts a recorder into the chain, before any access. The file stays the caller's. */
+void port_chain_record(struct port_chain *chain, FILE *file, enum trace_format format);
+
+/* Ends the recording, if there is one; the status of the whole chain. No access may follow. */
+enum bus_status port_chain_finish(struct port_chain *chain);
+
+/* Draws into chain->rgb. */
+void port_chain_picture(struct port_chain *chain);
+
+/* Port accesses so far. */
+uint64_t port_chain_writes(const struct port_chain *chain);
+uint64_t port_chain_reads(const struct port_chain *chain);
+
+/* Whether a strict check holds: no violation and, with a grade, nothing relied on that is no
+ * better known. What was relied on is printed to standard error. */
+bool port_chain_holds(const struct port_chain *chain, bool has_grade, enum board_grade grade);
+
+/* Harmless on NULL. Unbinds the chain if it is bound. */
+void port_chain_free(struct port_chain *chain);
+
+#endif

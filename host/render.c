@@ -1,0 +1,220 @@
+/* SPDX-License-Identifier: MIT */
+/* The render job: rows from worker threads, drawn in order through the firmware's driver. */
+#include "render.h"
+
+#include <pthread.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "bus.h"
+
+enum { ROWS_AHEAD = 4 }; /* of the drawing, for each worker: so that none waits for a slow row */
+
+/* A place for one row of the window. */
+struct row_slot {
+    bool is_ready;
+    struct render_counts counts;
+    uint8_t *rgb;
+};
+
+/* One render at work. The window is the rows that may be computed ahead of the drawing. */
+struct renderer {
+    const struct render_job *job;
+    const struct scene *scene;
+    struct render_totals totals;
+    struct timespec began;
+
+    pthread_mutex_t mutex; /* guards what follows, and is_ready of the slots */
+    pthread_cond_t row_is_ready, window_moved;
+    unsigned next;  /* the row that the next idle worker takes */
+    unsigned drawn; /* rows before it are drawn: the window begins here */
+    bool is_over;
+
+    unsigned window; /* its size in rows */
+    struct row_slot *slots;
+    uint8_t *pixels; /* of all slots */
+};
+
+static double seconds_since(const struct timespec *began) {
+    struct timespec now;
+    (void)clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)(now.tv_sec - began->tv_sec) + (double)(now.tv_nsec - began->tv_nsec) * 1e-9;
+}
+
+static void add_row(struct renderer *renderer, const struct render_counts *counts) {
+    struct render_totals *totals = &renderer->totals;
+    totals->rays += counts->rays;
+    totals->shadow_rays += counts->shadow_rays;
+    totals->nodes += counts->nodes;
+    totals->solid_tests += counts->solid_tests;
+    totals->leaked_rays += counts->leaked_rays;
+    totals->rows++;
+    totals->seconds = seconds_since(&renderer->began);
+    if (renderer->job->progress != NULL) {
+        renderer->job->progress(renderer->job->context, totals);
+    }
+}
+
+static bool must_stop(const struct renderer *renderer) {
+    const volatile sig_atomic_t *stop = renderer->job->stop;
+    return (stop != NULL && *stop != 0) || bus_bound_status() != BUS_OK;
+}
+
+/* The row_source of one job: the drawing thread computes. */
+static bool compute_row(void *context, uint16_t y, uint8_t *rgb) {
+    struct renderer *renderer = context;
+    struct render_counts counts = {0, 0, 0, 0, 0};
+    if (must_stop(renderer)) {
+        return false;
+    }
+    renderer->job->arithmetic->image->row(renderer->scene, y, rgb, &counts);
+    add_row(renderer, &counts);
+    return true;
+}
+
+/* Gives the next row of the window to a worker; false when none is left. */
+static bool take_row(struct renderer *renderer, unsigned *y) {
+    (void)pthread_mutex_lock(&renderer->mutex);
+    while (!renderer->is_over && renderer->next < renderer->job->last_row &&
+           renderer->next >= renderer->drawn + renderer->window) {
+        (void)pthread_cond_wait(&renderer->window_moved, &renderer->mutex);
+    }
+    bool has_row = !renderer->is_over && renderer->next < renderer->job->last_row;
+    if (has_row) {
+        *y = renderer->next++;
+    }
+    (void)pthread_mutex_unlock(&renderer->mutex);
+    return has_row;
+}
+
+static void *work(void *context) {
+    struct renderer *renderer = context;
+    unsigned y;
+    while (take_row(renderer, &y)) {
+        struct row_slot *slot = &renderer->slots[y % renderer->window];
+        memset(&slot->counts, 0, sizeof slot->counts);
+        renderer->job->arithmetic->image->row(renderer->scene, (uint16_t)y, slot->rgb,
+                                              &slot->counts);
+        (void)pthread_mutex_lock(&renderer->mutex);
+        slot->is_ready = true;
+        (void)pthread_cond_signal(&renderer->row_is_ready);
+        (void)pthread_mutex_unlock(&renderer->mutex);
+    }
+    return NULL;
+}
+
+/* The row_source of several jobs: waits for the row and makes room in the window. The driver asks
+ * for each row once, from the first to the last. */
+static bool fetch_row(void *context, uint16_t y, uint8_t *rgb) {
+    struct renderer *renderer = context;
+    struct row_slot *slot = &renderer->slots[y % renderer->window];
+    if (must_stop(renderer)) {
+        return false;
+    }
+    (void)pthread_mutex_lock(&renderer->mutex);
+    while (!slot->is_ready) {
+        (void)pthread_cond_wait(&renderer->row_is_ready, &renderer->mutex);
+    }
+    memcpy(rgb, slot->rgb, (size_t)renderer->job->scene->width * 3);
+    struct render_counts counts = slot->counts;
+    slot->is_ready = false;
+    renderer->drawn = (unsigned)y + 1;
+    (void)pthread_cond_broadcast(&renderer->window_moved);
+    (void)pthread_mutex_unlock(&renderer->mutex);
+    add_row(renderer, &counts);
+    return true;
+}
+
+static void draw(struct renderer *renderer, row_source *source) {
+    const struct render_job *job = renderer->job;
+    struct drawing drawing = {job->base, (uint16_t)job->first_row, (uint16_t)job->last_row, source,
+                              renderer};
+    job->arithmetic->image->draw(renderer->scene, &drawing);
+}
+
+/* Starts up to job->jobs workers; returns how many there are. Signals are for the drawing thread:
+ * it is the one that reads the flag. */
+static unsigned start_workers(struct renderer *renderer, pthread_t *workers) {
+    unsigned started = 0;
+    sigset_t all, before;
+    (void)sigfillset(&all);
+    (void)pthread_sigmask(SIG_SETMASK, &all, &before);
+    while (started < renderer->job->jobs &&
+           pthread_create(&workers[started], NULL, work, renderer) == 0) {
+        started++;
+    }
+    (void)pthread_sigmask(SIG_SETMASK, &before, NULL);
+    return started;
+}
+
+static bool draw_with_workers(struct renderer *renderer) {
+    pthread_t *workers = calloc(renderer->job->jobs, sizeof *workers);
+    if (workers == NULL) {
+        return false;
+    }
+    (void)pthread_mutex_init(&renderer->mutex, NULL);
+    (void)pthread_cond_init(&renderer->row_is_ready, NULL);
+    (void)pthread_cond_init(&renderer->window_moved, NULL);
+    unsigned started = start_workers(renderer, workers);
+    if (started > 0) {
+        draw(renderer, fetch_row);
+    }
+    (void)pthread_mutex_lock(&renderer->mutex);
+    renderer->is_over = true;
+    (void)pthread_cond_broadcast(&renderer->window_moved);
+    (void)pthread_mutex_unlock(&renderer->mutex);
+    for (unsigned i = 0; i < started; i++) {
+        (void)pthread_join(workers[i], NULL);
+    }
+    (void)pthread_cond_destroy(&renderer->window_moved);
+    (void)pthread_cond_destroy(&renderer->row_is_ready);
+    (void)pthread_mutex_destroy(&renderer->mutex);
+    free(workers);
+    return started > 0;
+}
+
+static bool make_window(struct renderer *renderer) {
+    size_t row_bytes = (size_t)renderer->job->scene->width * 3;
+    renderer->window = renderer->job->jobs * ROWS_AHEAD;
+    renderer->next = renderer->drawn = renderer->job->first_row;
+    renderer->slots = calloc(renderer->window, sizeof *renderer->slots);
+    renderer->pixels = malloc(renderer->window * row_bytes);
+    if (renderer->slots == NULL || renderer->pixels == NULL) {
+        return false;
+    }
+    for (unsigned i = 0; i < renderer->window; i++) {
+        renderer->slots[i].rgb = renderer->pixels + i * row_bytes;
+    }
+    return true;
+}
+
+bool render(const struct render_job *job, struct render_totals *totals,
+            struct scene_error *error) {
+    struct renderer renderer;
+    struct scene *scene = job->arithmetic->load(job->scene, error);
+    if (scene == NULL) {
+        return false;
+    }
+    memset(&renderer, 0, sizeof renderer);
+    renderer.job = job;
+    renderer.scene = scene;
+    (void)clock_gettime(CLOCK_MONOTONIC, &renderer.began);
+    bool is_done = true;
+    if (job->jobs <= 1) {
+        draw(&renderer, compute_row);
+    } else {
+        is_done = make_window(&renderer) && draw_with_workers(&renderer);
+    }
+    if (!is_done) {
+        (void)snprintf(error->text, sizeof error->text,
+                       "no memory or threads for --jobs %u; fewer are allowed", job->jobs);
+    }
+    renderer.totals.seconds = seconds_since(&renderer.began);
+    *totals = renderer.totals;
+    free(renderer.slots);
+    free(renderer.pixels);
+    free(scene);
+    return is_done;
+}

@@ -1,0 +1,63 @@
+/* SPDX-License-Identifier: MIT */
+/* The statistics of a run as a JSON object. */
+#include "stats.h"
+
+#include <inttypes.h>
+
+void stats_write_string(FILE *out, const char *text) {
+    (void)fputc('"', out);
+    for (; *text != '\0'; text++) {
+        unsigned letter = (unsigned char)*text;
+        if (letter < 0x20 || letter == '"' || letter == '\\') {
+            (void)fprintf(out, "\\u%04x", letter);
+        } else {
+            (void)fputc((int)letter, out);
+        }
+    }
+    (void)fputc('"', out);
+}
+
+static void write_count(FILE *out, const char *key, uint64_t count) {
+    (void)fprintf(out, "  \"%s\": %" PRIu64 ",\n", key, count);
+}
+
+static void write_render(FILE *out, const struct run_stats *stats) {
+    const struct compiled_scene *compiled = stats->compiled;
+    const struct render_totals *totals = stats->totals;
+    (void)fputs("  \"scene\": ", out);
+    stats_write_string(out, stats->scene);
+    (void)fputs(",\n  \"arith\": ", out);
+    stats_write_string(out, stats->arithmetic);
+    (void)fprintf(out, ",\n  \"depth\": %u,\n  \"threshold\": %.17g,\n", compiled->depth,
+                  compiled->threshold);
+    write_count(out, "width", compiled->width);
+    write_count(out, "height", compiled->height);
+    write_count(out, "pixels", (uint64_t)compiled->width * totals->rows);
+    write_count(out, "nodes", totals->nodes);
+    write_count(out, "rays", totals->rays);
+    write_count(out, "shadow_rays", totals->shadow_rays);
+    write_count(out, "solid_tests", totals->solid_tests);
+    write_count(out, "leaked_rays", totals->leaked_rays);
+}
+
+void stats_write(FILE *out, const struct run_stats *stats) {
+    struct port_chain *chain = stats->chain;
+    (void)fputs("{\n", out);
+    if (stats->totals != NULL) {
+        write_render(out, stats);
+    }
+    write_count(out, "port_writes", port_chain_writes(chain));
+    write_count(out, "port_reads", port_chain_reads(chain));
+    (void)fprintf(out, "  \"trace_hash\": \"%016" PRIx64 "\",\n", trace_hash_value(&chain->hash));
+    if (chain->has_board) {
+        port_chain_picture(chain);
+        (void)fprintf(out, "  \"frame_crc\": \"%08" PRIx32 "\",\n", picture_crc(chain->rgb));
+        write_count(out, "violations", board_violations(&chain->board));
+    } else {
+        (void)fputs("  \"frame_crc\": null,\n  \"violations\": null,\n", out);
+    }
+    if (stats->totals != NULL) {
+        (void)fprintf(out, "  \"render_seconds\": %.6f,\n", stats->totals->seconds);
+    }
+    (void)fprintf(out, "  \"total_seconds\": %.6f\n}\n", stats->total_seconds);
+}

@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: MIT */
+/* The statistics of a run as a JSON object. */
+#ifndef SUPERFRAME_STATS_H
+#define SUPERFRAME_STATS_H
+
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#include "port_chain.h"
+#include "render.h"
+
+/* What there is to tell; NULL where there is none of it. */
+struct run_stats {
+    const char *scene, *arithmetic;
+    const struct compiled_scene *compiled;
+    const struct render_totals *totals; /* of a render; NULL: a replay, which has only the ports */
+    struct port_chain *chain;           /* its picture is drawn if it has a board */
+    double total_seconds;
+};
+
+/* Writes the object and a line's end. The keys are those of the command's documentation;
+ * frame_crc and violations are null where no board was behind the ports. */
+void stats_write(FILE *out, const struct run_stats *stats);
+
+/* Writes a string in JSON's quotes. Bytes that are not ASCII go out as they are. */
+void stats_write_string(FILE *out, const char *text);
+
+#endif

@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: MIT */
+/* Numbers as people write them on a command line, read to the last letter. */
+#ifndef SUPERFRAME_VALUES_H
+#define SUPERFRAME_VALUES_H
+
+#include <stdbool.h>
+
+/* Reads decimal digits only, low..high. False, and *value untouched, if it is anything else. */
+bool value_whole(const char *text, unsigned long low, unsigned long high, unsigned long *value);
+
+/* Reads a decimal number, or a fraction "A/B" of two, low..high. No infinity, no NaN, no
+ * hexadecimal digits, no blanks. False, and *value untouched, if it is anything else. */
+bool value_real(const char *text, double low, double high, double *value);
+
+/* Reads "AxB" or another pair with a letter between, each low..its own most. */
+bool value_pair(const char *text, char between, unsigned long low, unsigned long first_most,
+                unsigned long second_most, unsigned long *first, unsigned long *second);
+
+/* Reads up to four hexadecimal digits, with 0x before or h behind if one likes. */
+bool value_port(const char *text, unsigned long *value);
+
+#endif
