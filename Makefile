@@ -6,6 +6,7 @@
 ifeq ($(origin CC),default)
 CC      := gcc
 endif
+OBJCOPY ?= objcopy
 BUILD   ?= build
 SCENE   ?= fig3
 SETUP   ?= yes
@@ -23,6 +24,7 @@ ARITHMETICS := fx f32 f64 f128
 CONFIGURATIONS := release sanitized
 CFLAGS_release   := $(OPTIMISE) $(DEBUG)
 CFLAGS_sanitized := -O1 $(DEBUG) -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+LDFLAGS_release   :=
 LDFLAGS_sanitized := -fsanitize=address,undefined
 
 HAL_SOURCES      := $(wildcard hal/*.c)
@@ -51,13 +53,23 @@ LIBS    := -lpng -lconfig -lxxhash -lz -lquadmath -lm -lpthread
 all: $(BUILD)/superframe ## Build the program (the default)
 
 $(BUILD)/superframe: $(BUILD)/release/superframe
-	@cp $< $@
+	@cp $< $@.new && mv -f $@.new $@
+
+.DELETE_ON_ERROR:
+.SECONDARY:
 
 # Compiler and flags of the last build: when they change, everything is compiled again.
 $(BUILD)/flags: FORCE | setup
 	@mkdir -p $(@D)
 	@echo '$(subst ','\'',$(CC) $(WARNINGS) $(FLOATING) $(foreach configuration,$(CONFIGURATIONS),$(CFLAGS_$(configuration))))' > $@.new
 	@cmp -s $@.new $@ && rm $@.new || mv $@.new $@
+
+# The list of sources: when a file goes away, what was linked from it is linked again.
+$(BUILD)/sources: FORCE
+	@mkdir -p $(@D)
+	@echo $(HAL_SOURCES) $(EMULATOR_SOURCES) $(FIRMWARE_SOURCES) $(PER_ARITHMETIC_SOURCES) $(HOST_SOURCES) > $@.new
+	@cmp -s $@.new $@ && rm $@.new || mv $@.new $@
+
 .PHONY: FORCE
 FORCE:
 
@@ -87,8 +99,8 @@ $$(BUILD)/$(1)/builtin_scenes.o: $$(BUILD)/builtin_scenes.c host/builtin_scenes.
 	@mkdir -p $$(@D)
 	$$(CC) $$(WARNINGS) $$(CFLAGS_$(1)) -Ihost -c -o $$@ $$<
 
-$$(BUILD)/$(1)/superframe: $$(BUILD)/$(1)/host/main.o $$($(1)_LIBRARY)
-	$$(CC) $$(LDFLAGS_$(1)) -o $$@ $$^ $$(LIBS)
+$$(BUILD)/$(1)/superframe: $$(BUILD)/$(1)/host/main.o $$($(1)_LIBRARY) $$(BUILD)/sources
+	$$(CC) $$(LDFLAGS_$(1)) -o $$@ $$(filter %.o,$$^) $$(LIBS)
 
 $$(foreach arithmetic,$$(ARITHMETICS),$$(eval $$(call image_rules,$(1),$$(arithmetic))))
 endef
@@ -106,9 +118,13 @@ $$(BUILD)/$(1)/$(2)/host/%.o: host/%.c $$(BUILD)/flags | setup
 	@mkdir -p $$(@D)
 	$$(CC) $$(WARNINGS) $$(FLOATING) $$(CFLAGS_$(1)) -Ifirmware/real/$(2) -Ifirmware/features/full $$(INCLUDE_host) -MMD -MP -c -o $$@ $$<
 
-$$(BUILD)/$(1)/image_$(2).o: $$($(1)_$(2)_OBJECTS)
-	$$(CC) -r -nostdlib -o $$@ $$^
-	objcopy --keep-global-symbol=arithmetic_$(2) $$@
+$$(BUILD)/$(1)/image_$(2).o: $$($(1)_$(2)_OBJECTS) $$(BUILD)/sources
+	$$(CC) -r -nostdlib -o $$@ $$(filter %.o,$$^)
+	$$(OBJCOPY) --keep-global-symbol=arithmetic_$(2) $$@
+
+# The firmware without what the host adds to it: tests/check_symbols.sh reads this.
+$$(BUILD)/$(1)/firmware_$(2).o: $$(FIRMWARE_SOURCES:%.c=$$(BUILD)/$(1)/$(2)/%.o) $$(BUILD)/sources
+	$$(CC) -r -nostdlib -o $$@ $$(filter %.o,$$^)
 endef
 
 $(foreach configuration,$(CONFIGURATIONS),$(eval $(call configuration_rules,$(configuration))))
@@ -135,8 +151,8 @@ $(BUILD)/sanitized/tests/%_test.o: tests/%_test.c $(BUILD)/flags | setup
 	@mkdir -p $(@D)
 	$(CC) $(WARNINGS) $(POSIX) $(CFLAGS_sanitized) $(INCLUDE_tests) -MMD -MP -c -o $@ $<
 
-$(TEST_PROGRAMS): %: %.o $(sanitized_LIBRARY)
-	$(CC) $(LDFLAGS_sanitized) -o $@ $^ -lcmocka $(LIBS)
+$(TEST_PROGRAMS): %: %.o $(sanitized_LIBRARY) $(BUILD)/sources
+	$(CC) $(LDFLAGS_sanitized) -o $@ $(filter %.o,$^) -lcmocka $(LIBS)
 
 define real_test_rules
 $$(BUILD)/sanitized/tests/real/%_test_$(1).o: tests/real/%_test.c $$(BUILD)/flags | setup
@@ -148,9 +164,28 @@ $$(BUILD)/sanitized/tests/real/%_test_$(1): $$(BUILD)/sanitized/tests/real/%_tes
 endef
 $(foreach arithmetic,$(ARITHMETICS),$(eval $(call real_test_rules,$(arithmetic))))
 
+FIRMWARE_IMAGES := $(BUILD)/release/firmware_fx.o $(BUILD)/release/firmware_f32.o $(BUILD)/release/firmware_f64.o
+TEST_SCRIPTS := tests/check_includes.sh tests/check_symbols.sh tests/check_recursion.sh
+
 .PHONY: test
-test: $(TEST_PROGRAMS) $(REAL_TEST_PROGRAMS) $(BUILD)/superframe ## Run every test (under the address and undefined-behaviour sanitizers)
-	@sh tests/run.sh $(BUILD) $(TEST_PROGRAMS) $(REAL_TEST_PROGRAMS)
+test: $(TEST_PROGRAMS) $(REAL_TEST_PROGRAMS) $(BUILD)/superframe $(BUILD)/sanitized/superframe $(FIRMWARE_IMAGES) strict ## Run every test (under the address and undefined-behaviour sanitizers)
+	@sh tests/run.sh $(BUILD) $(TEST_SCRIPTS) $(TEST_PROGRAMS) $(REAL_TEST_PROGRAMS)
+
+# ---- Checks that run nothing ----------------------------------------------------------------
+
+.PHONY: strict
+strict: | setup ## Compile the firmware with one opaque type for each role: no raw arithmetic passes
+	$(CC) $(WARNINGS) -ffreestanding -Ifirmware/real/strict -Ifirmware/features/full $(INCLUDE_firmware) -fsyntax-only $(FIRMWARE_SOURCES)
+
+# Everything is read as it is compiled; the firmware in fixed and in floating point, where the ranges
+# of divisors are proved in comments, which the analyser can't read.
+TIDY := clang-tidy --quiet
+.PHONY: lint
+lint: | setup ## Read the source with clang-tidy and cppcheck, and check its style
+	sh tests/check_style.sh
+	cppcheck --quiet --std=c99 --enable=warning,performance,portability --suppressions-list=tests/cppcheck_suppressions.txt --error-exitcode=1 $(INCLUDE_host) -Ifirmware/real/fx -Ifirmware/features/full hal emulator host firmware
+	printf '%s\n' $(HAL_SOURCES) $(EMULATOR_SOURCES) $(HOST_SOURCES) | xargs -P 2 -n 8 sh -c '$(TIDY) "$$@" -- -std=c99 $(POSIX) $(INCLUDE_host)' tidy
+	printf '%s\n' fx f64 | xargs -P 2 -I % $(TIDY) --checks=-clang-analyzer-core.DivideZero $(FIRMWARE_SOURCES) $(PER_ARITHMETIC_SOURCES) -- -std=c99 -Ifirmware/real/% -Ifirmware/features/full $(INCLUDE_host)
 
 # ---- The machine ----------------------------------------------------------------------------
 
@@ -175,4 +210,4 @@ clean: ## Remove everything that was built
 help: ## List the targets
 	@sed -n 's/^\([a-zA-Z0-9_-]*\):.*## \(.*\)/  \1\t\2/p' $(MAKEFILE_LIST) | expand -t 22
 
--include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
+-include $(shell find $(CONFIGURATIONS:%=$(BUILD)/%) -name '*.d' 2>/dev/null)

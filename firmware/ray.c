@@ -22,27 +22,44 @@ struct search {
     uint16_t surface;                 /* that the ray starts on */
 };
 
-/* Whether the primitive is crossed at or after `from`. What the ray is inside of, it leaves, at
- * `from` if rounding has put the end before it; what it is outside of, it enters ahead, or at
- * `from` if more than noise of the stretch is left there. */
-static bool primitive_crossing(const struct segment *segment, bool inside, real_length from,
-                               struct crossing *crossing) {
-    crossing->leaving = inside;
-    if (inside) {
-        crossing->t = length_less(from, segment->out) ? segment->out : from;
-        crossing->face = segment->out_face;
-        return true;
+static void set_crossing(struct crossing *crossing, real_length t, uint8_t face) {
+    crossing->t = t;
+    crossing->face = face;
+}
+
+/* Where a ray that is inside leaves: at the end of the stretch that it is in, or at `from` where
+ * rounding has put that end before it. */
+static void leaving_crossing(const struct segment segments[2], uint8_t count, real_length from,
+                             struct crossing *crossing) {
+    const struct segment *segment = &segments[0];
+    if (count == 2 && !length_less(from, segments[0].out) &&
+        !length_less(length_subtract(from, segments[0].out),
+                     length_subtract(segments[1].in, from))) {
+        segment = &segments[1];
     }
-    if (!segment->hit || !length_less(from, segment->out)) {
-        return false;
+    set_crossing(crossing, length_less(from, segment->out) ? segment->out : from,
+                 segment->out_face);
+}
+
+/* Where a ray that is outside enters, if it does: ahead, or at `from` where more than noise is left
+ * of a stretch that has begun, unless it starts on that surface. */
+static bool entering_crossing(const struct segment segments[2], uint8_t count, real_length from,
+                              bool starts_there, struct crossing *crossing) {
+    for (uint8_t i = 0; i < count; i++) {
+        const struct segment *segment = &segments[i];
+        if (!segment->hit || !length_less(from, segment->out)) {
+            continue;
+        }
+        if (length_less(from, segment->in)) {
+            set_crossing(crossing, segment->in, segment->in_face);
+            return true;
+        }
+        if (!starts_there && length_less(LENGTH_NOISE, length_subtract(segment->out, from))) {
+            set_crossing(crossing, from, segment->in_face);
+            return true;
+        }
     }
-    crossing->face = segment->in_face;
-    if (length_less(from, segment->in)) {
-        crossing->t = segment->in;
-        return true;
-    }
-    crossing->t = from;
-    return length_less(LENGTH_NOISE, length_subtract(segment->out, from));
+    return false;
 }
 
 /* Whether `found` comes before `best`. At one distance exits come first, then entries in the order
@@ -57,32 +74,42 @@ static bool crossings_coincide(const struct crossing *a, const struct crossing *
            length_less(b->t, length_add(a->t, LENGTH_NOISE));
 }
 
+/* The next crossing of one primitive at or after `from`. */
+static bool primitive_crossing(const struct search *search, uint8_t index, bool inside,
+                               real_length from, struct crossing *crossing,
+                               struct render_counts *counts) {
+    const struct scene *scene = search->scene;
+    const struct primitive *primitive = &scene->primitives[index];
+    bool starts_there =
+        search->surface != SURFACE_NONE && set_has(&scene->surfaces[search->surface], index);
+    if (starts_there && !inside && primitive->convex) {
+        return false; /* a ray that has left its surface does not come back */
+    }
+    struct segment segments[2];
+    counts->solid_tests++;
+    uint8_t count = primitive_segments(scene, primitive, &search->world,
+                                       starts_there ? search->surface : SURFACE_NONE, segments);
+    crossing->leaving = inside;
+    if (inside) {
+        leaving_crossing(segments, count, from, crossing);
+    } else if (!entering_crossing(segments, count, from, starts_there, crossing)) {
+        return false;
+    }
+    crossing->surface = primitive_surface(scene, primitive, crossing->face);
+    return length_less(crossing->t, LENGTH_FAR);
+}
+
 static bool next_crossing(const struct search *search, const struct primitive_set *inside,
                           real_length from, struct crossing *best, struct render_counts *counts) {
-    const struct scene *scene = search->scene;
     best->t = LENGTH_FAR;
     best->surface = SURFACE_NONE;
     best->leaving = false;
-    for (uint8_t i = 0; i < scene->primitive_count; i++) {
-        if (search->only && !set_has(search->only, i)) {
-            continue;
-        }
-        bool is_inside = set_has(inside, i);
-        bool starts_there =
-            search->surface != SURFACE_NONE && set_has(&scene->surfaces[search->surface], i);
-        if (starts_there && !is_inside) {
-            continue; /* convex: a ray that has left its surface does not come back */
-        }
-        const struct primitive *primitive = &scene->primitives[i];
-        counts->solid_tests++;
-        struct segment segment = primitive_segment(scene, primitive, &search->world,
-                                                   starts_there ? search->surface : SURFACE_NONE);
+    for (uint8_t i = 0; i < search->scene->primitive_count; i++) {
         struct crossing found;
-        if (!primitive_crossing(&segment, is_inside, from, &found) ||
-            !length_less(found.t, LENGTH_FAR)) {
+        if ((search->only && !set_has(search->only, i)) ||
+            !primitive_crossing(search, i, set_has(inside, i), from, &found, counts)) {
             continue;
         }
-        found.surface = primitive_surface(scene, primitive, found.face);
         if (best->surface != SURFACE_NONE && crossings_coincide(&found, best)) {
             set_include(&best->toggled, i);
         } else if (crossing_precedes(&found, best)) {

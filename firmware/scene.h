@@ -25,13 +25,14 @@ struct frame {
 
 enum { FRAME_WORLD = 0xFF };
 
-enum primitive_kind { PRIMITIVE_BOX, PRIMITIVE_BALL };
+enum primitive_kind { PRIMITIVE_BOX, PRIMITIVE_BALL, PRIMITIVE_POLYHEDRON, PRIMITIVE_QUADRIC };
 
-/* Names an entry of the table of its kind. All primitives so far are convex. */
+/* Names an entry of the table of its kind. */
 struct primitive {
     uint8_t kind;  /* enum primitive_kind */
     uint8_t index; /* into the table of that kind */
     uint8_t frame; /* into frames, or FRAME_WORLD */
+    bool convex;   /* a ray meets it in one stretch */
 };
 
 /* The points with minimum <= p < maximum. Faces: 0 1 2 the low ones of x y z, 3 4 5 the high ones.
@@ -45,6 +46,28 @@ struct box {
 struct ball {
     struct point centre;
     real_area square_radius;
+    uint16_t surface;
+};
+
+/* normal . p < offset. */
+struct plane {
+    struct direction normal;
+    real_length offset;
+    uint16_t surface;
+};
+
+/* The points behind all of its planes, at most 255; its faces are numbered like them. */
+struct polyhedron {
+    uint16_t first; /* into planes */
+    uint8_t count;
+};
+
+/* square . (x^2, y^2, z^2) + 2 linear z + constant < 0, in a frame that has the surface's own axes;
+ * the largest of |square| is 1. */
+struct quadric {
+    struct direction square; /* not of length 1 */
+    real_length linear;
+    real_area constant;
     uint16_t surface;
 };
 
@@ -122,6 +145,9 @@ struct scene {
     const struct primitive *primitives;
     const struct box *boxes;
     const struct ball *balls;
+    const struct polyhedron *polyhedra;
+    const struct plane *planes;
+    const struct quadric *quadrics;
     const struct primitive_set *surfaces; /* by surface: the primitives that it bounds */
     const uint8_t *programs;
     const struct object *objects;     /* [OBJECT_AIR] first */

@@ -12,9 +12,9 @@ struct local_ray {
     real_slope slope[3]; /* of the direction's components; unset where one is zero */
 };
 
-/* The stretch in .. out of a ray that lies inside a convex primitive. Where the ray misses, `hit`
- * is false and the ends are those of the nearest approach: a ray that is known to be inside leaves
- * there. */
+/* The stretch in .. out of a ray that lies inside a primitive. Where the ray misses, `hit` is false
+ * and the ends are those of the nearest approach: a ray that is known to be inside leaves there.
+ * Ends at LENGTH_FAR are none. */
 struct segment {
     real_length in, out;
     uint8_t in_face, out_face;
@@ -90,9 +90,11 @@ static inline struct segment ball_segment(const struct ball *ball, struct point 
     return segment;
 }
 
-/* The stretch of a ray inside a primitive; world is the same ray in world coordinates. */
-struct segment primitive_segment(const struct scene *scene, const struct primitive *primitive,
-                                 const struct local_ray *world, uint16_t skip);
+/* The stretches of a ray inside a primitive, one or two, in order: their number. world is the ray
+ * in world coordinates; skip is the surface of the primitive that it starts on, or SURFACE_NONE. */
+uint8_t primitive_segments(const struct scene *scene, const struct primitive *primitive,
+                           const struct local_ray *world, uint16_t skip,
+                           struct segment segments[2]);
 
 uint16_t primitive_surface(const struct scene *scene, const struct primitive *primitive,
                            uint8_t face);

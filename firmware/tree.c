@@ -70,8 +70,8 @@ static void visit(struct tree *tree, const struct branch *branch, const struct h
     struct direction d = branch->ray.direction;
     struct split split;
     if (FEATURE_TRANSPARENCY && material->transparent) {
-        split = optics_transparent(&scene->materials[hit->before], &scene->materials[hit->after], d,
-                                   hit->normal);
+        split = optics_transparent(material_of(scene, hit->before), material_of(scene, hit->after),
+                                   d, hit->normal);
     } else {
         split.mirrored = mirror_direction(d, incidence_cosine(d, hit->normal), hit->normal);
         split.reflectance = material->specular;

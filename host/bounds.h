@@ -22,6 +22,11 @@ bool bounds_are_finite(const struct bounds *bounds);
 bool bounds_are_empty(const struct bounds *bounds);
 bool bounds_overlap(const struct bounds *a, const struct bounds *b);
 
+/* Of a polyhedron's corners; everything if it is unbounded, nothing if it is empty. */
+struct bounds polyhedron_bounds(const struct affine *map, const struct solid_node *node);
+
+bool polyhedron_is_bounded(const struct solid_node *node);
+
 /* Bounds of a CSG tree, from the rules of its operations: what it returns may be larger than the
  * solid, never smaller. outer is the placement of the node's parent. */
 struct bounds solid_bounds(const struct scene_description *description, int node,

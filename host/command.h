@@ -19,9 +19,9 @@ enum exit_status {
 /* A sub-command. */
 struct command {
     const char *name;
-    const char *operands; /* for the usage line */
-    const char *summary;  /* one sentence */
-    int least, most;      /* how many operands it takes */
+    const char *operands;                      /* for the usage line */
+    const char *summary;                       /* one sentence */
+    int least, most;                           /* how many operands it takes */
     int (*run)(const struct options *options); /* NULL: not built yet */
 };
 

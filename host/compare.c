@@ -49,9 +49,9 @@ uint64_t comparison_within(const struct comparison *comparison, unsigned within)
 }
 
 double comparison_share(const struct comparison *comparison, unsigned within) {
-    return comparison->pixels == 0 ? 100
-                                   : 100.0 * (double)comparison_within(comparison, within) /
-                                         (double)comparison->pixels;
+    return comparison->pixels == 0
+               ? 100
+               : 100.0 * (double)comparison_within(comparison, within) / (double)comparison->pixels;
 }
 
 bool comparison_holds(const struct comparison *comparison, unsigned within, double share) {

@@ -6,6 +6,7 @@
 #include "affine.h"
 #include "bounds.h"
 #include "compiled_scene.h"
+#include "quadric_form.h"
 
 /* Bounded content lies within this, what is unbounded ends at twice that (firmware/scene.h). */
 #define COMPILE_EXTENT 512.0
@@ -44,10 +45,41 @@ bool compile_scaling(struct compiler *compiler);
 /* Objects, programs, primitives, surfaces. */
 bool compile_objects(struct compiler *compiler);
 
-/* A leaf's primitive, the same for the same solid; -1 with the failure recorded. The placement goes
- * from the leaf's own coordinates to scaled ones. */
-int compile_primitive(struct compiler *compiler, const struct solid_node *leaf,
-                      const struct affine *placement);
+/* Appends one byte to the program of the object at work. */
+bool compile_append(struct compiler *compiler, uint8_t code);
+
+/* Appends a leaf's program: one primitive, or a quadric and the slab that ends it. The placement
+ * goes from the leaf's own coordinates to scaled ones. The same solid gives the same primitive. */
+bool compile_leaf(struct compiler *compiler, const struct solid_node *leaf,
+                  const struct affine *placement);
+
+/* A primitive of that kind, or of the same solid if there is one; -1 with the failure recorded. */
+int compile_box(struct compiler *compiler, const struct solid_node *leaf,
+                const struct affine *placement);
+int compile_world_box(struct compiler *compiler, const double low[3], const double high[3]);
+int compile_half_space(struct compiler *compiler, const struct scene_plane *plane,
+                       const struct affine *placement);
+int compile_polyhedron(struct compiler *compiler, const struct scene_plane *planes, size_t count,
+                       const struct affine *placement);
+int compile_quadric(struct compiler *compiler, const struct quadric_form *form);
+
+/* A new entry of the table of primitives, with what is common to all kinds. */
+int compile_new_primitive(struct compiler *compiler, uint8_t kind, uint8_t index, uint8_t frame,
+                          bool convex);
+
+/* Says that a surface bounds a primitive. */
+void compile_bind_surface(struct compiler *compiler, int surface, int primitive);
+
+/* The frame with this origin and these axes, or WORLD_FRAME; -1 with the failure recorded. */
+int compile_frame(struct compiler *compiler, const double origin[3], double axis[3][3]);
+
+/* Whether two scaled numbers, or points, are one to the compiler: COMPILE_SAME. */
+bool compile_same(double a, double b);
+bool compile_same_point(const double a[3], const double b[3]);
+
+/* A plane after a placement: its outward normal, of length 1, and its offset. */
+struct scene_plane compile_placed_plane(const struct scene_plane *plane,
+                                        const struct affine *placement);
 
 /* The surface of a plane, given in scaled world coordinates; one that coincides is found again.
  * Returns SURFACE number, or -1 with the failure recorded. */

@@ -5,8 +5,6 @@
 #include <math.h>
 #include <string.h>
 
-/* Same numbers as firmware/scene.h, which needs an arithmetic. */
-enum { CODE_UNION = 0xFD, CODE_INTERSECTION = 0xFE, CODE_DIFFERENCE = 0xFF };
 enum { PROGRAM_DEPTH_MOST = 32 };
 
 /* What is to be applied to a solid after it: cutters, from the inside out. */
@@ -35,7 +33,7 @@ static bool is_leaf(const struct solid_node *node) {
     return node->kind < SOLID_UNION;
 }
 
-static bool append(struct compiler *compiler, uint8_t code) {
+bool compile_append(struct compiler *compiler, uint8_t code) {
     struct compiled_scene *scene = compiler->scene;
     struct compiled_object *object = &scene->objects[scene->object_count];
     if (scene->program_length == COMPILED_PROGRAM_BYTES_MOST || object->length == 255) {
@@ -53,19 +51,18 @@ static bool append_program(struct compiler *compiler, int index, const struct af
     const struct solid_node *node = &compiler->description->nodes[index];
     struct affine placement = affine_compose(outer, &node->placement);
     if (is_leaf(node)) {
-        if (depth >= PROGRAM_DEPTH_MOST) {
+        if (depth + 2 > PROGRAM_DEPTH_MOST) { /* a leaf may take two places */
             return compile_fail(compiler, node->line,
                                 "solids nested deeper than %d levels: build the parts flatter",
                                 PROGRAM_DEPTH_MOST);
         }
-        int primitive = compile_primitive(compiler, node, &placement);
-        return primitive >= 0 && append(compiler, (uint8_t)primitive);
+        return compile_leaf(compiler, node, &placement);
     }
     for (size_t i = 0; i < node->child_count; i++) {
         if (!append_program(compiler, node->children[i], &placement, depth + (i > 0))) {
             return false;
         }
-        if (i > 0 && !append(compiler, code_of(node->kind))) {
+        if (i > 0 && !compile_append(compiler, code_of(node->kind))) {
             return false;
         }
     }
@@ -100,7 +97,7 @@ static bool add_object(struct compiler *compiler, const struct instance *instanc
     }
     for (const struct cutter *cutter = instance->cutters; cutter; cutter = cutter->next) {
         if (!append_program(compiler, cutter->node, &cutter->placement, 1) ||
-            !append(compiler, cutter->code)) {
+            !compile_append(compiler, cutter->code)) {
             return false;
         }
         if (cutter->code == CODE_INTERSECTION) {

@@ -5,10 +5,6 @@
 #include <math.h>
 #include <string.h>
 
-/* Same numbers as firmware/scene.h, which needs an arithmetic. */
-enum { KIND_BOX, KIND_BALL };
-enum { WORLD_FRAME = 0xFF };
-
 int compile_new_surface(struct compiler *compiler) {
     struct compiled_scene *scene = compiler->scene;
     if (scene->surface_count == COMPILED_SURFACES_MOST) {
@@ -19,12 +15,12 @@ int compile_new_surface(struct compiler *compiler) {
     return scene->surface_count++;
 }
 
-static bool same(double a, double b) {
+bool compile_same(double a, double b) {
     return fabs(a - b) <= COMPILE_SAME;
 }
 
-static bool same_point(const double a[3], const double b[3]) {
-    return same(a[0], b[0]) && same(a[1], b[1]) && same(a[2], b[2]);
+bool compile_same_point(const double a[3], const double b[3]) {
+    return compile_same(a[0], b[0]) && compile_same(a[1], b[1]) && compile_same(a[2], b[2]);
 }
 
 int compile_plane_surface(struct compiler *compiler, const double normal[3], double offset) {
@@ -37,8 +33,8 @@ int compile_plane_surface(struct compiler *compiler, const double normal[3], dou
         plane.offset = -plane.offset;
     }
     for (int i = 0; i < compiler->scene->surface_count; i++) {
-        if (same_point(plane.normal, compiler->planes[i].normal) &&
-            same(plane.offset, compiler->planes[i].offset)) {
+        if (compile_same_point(plane.normal, compiler->planes[i].normal) &&
+            compile_same(plane.offset, compiler->planes[i].offset)) {
             return i;
         }
     }
@@ -49,11 +45,12 @@ int compile_plane_surface(struct compiler *compiler, const double normal[3], dou
     return surface;
 }
 
-static void bound_by(struct compiled_scene *scene, int surface, int primitive) {
-    scene->surfaces[surface].word[primitive / 32] |= (uint32_t)1 << primitive % 32;
+void compile_bind_surface(struct compiler *compiler, int surface, int primitive) {
+    compiler->scene->surfaces[surface].word[primitive / 32] |= (uint32_t)1 << primitive % 32;
 }
 
-static int new_primitive(struct compiler *compiler, uint8_t kind, uint8_t index, uint8_t frame) {
+int compile_new_primitive(struct compiler *compiler, uint8_t kind, uint8_t index, uint8_t frame,
+                          bool convex) {
     struct compiled_scene *scene = compiler->scene;
     if (scene->primitive_count == COMPILED_PRIMITIVES_MOST) {
         compile_fail(compiler, compiler->line, "more than %d different solids",
@@ -64,38 +61,38 @@ static int new_primitive(struct compiler *compiler, uint8_t kind, uint8_t index,
     primitive->kind = kind;
     primitive->index = index;
     primitive->frame = frame;
+    primitive->convex = convex;
     primitive->line = compiler->line;
     return scene->primitive_count++;
 }
 
-/* The frame with these axes through the scaled world's origin; the world's own if they are its. */
-static int frame_of(struct compiler *compiler, double axis[3][3]) {
+int compile_frame(struct compiler *compiler, const double origin[3], double axis[3][3]) {
     struct compiled_scene *scene = compiler->scene;
-    if (same_point(axis[0], affine_identity.m[0]) && same_point(axis[1], affine_identity.m[1]) &&
-        same_point(axis[2], affine_identity.m[2])) {
-        return WORLD_FRAME;
-    }
     int i = 0;
     for (; i < scene->frame_count; i++) {
         const struct compiled_frame *frame = &scene->frames[i];
-        if (same_point(axis[0], frame->axis[0]) && same_point(axis[1], frame->axis[1]) &&
-            same_point(axis[2], frame->axis[2])) {
+        if (compile_same_point(origin, frame->origin) &&
+            compile_same_point(axis[0], frame->axis[0]) &&
+            compile_same_point(axis[1], frame->axis[1]) &&
+            compile_same_point(axis[2], frame->axis[2])) {
             return i;
         }
     }
     if (i == COMPILED_FRAMES_MOST) {
-        compile_fail(compiler, compiler->line, "more than %d different rotations",
+        compile_fail(compiler, compiler->line, "more than %d different places and rotations",
                      COMPILED_FRAMES_MOST);
         return -1;
     }
+    memcpy(scene->frames[i].origin, origin, sizeof scene->frames[i].origin);
     memcpy(scene->frames[i].axis, axis, sizeof scene->frames[i].axis);
     scene->frame_count++;
     return i;
 }
 
 /* Sorts axes that are the world's, up to order and sign, into the world's order: a box turned by
- * quarter turns is a box of the world. permutation[i] is the axis that became axis i. */
-static void straighten(double axis[3][3], int permutation[3], double sign[3]) {
+ * quarter turns is a box of the world. permutation[i] is the axis that became axis i. False, and
+ * nothing sorted, if they are not. */
+static bool straighten(double axis[3][3], int permutation[3], double sign[3]) {
     double sorted[3][3];
     bool straight = true;
     for (int i = 0; i < 3; i++) {
@@ -105,7 +102,7 @@ static void straighten(double axis[3][3], int permutation[3], double sign[3]) {
     for (int world = 0; world < 3 && straight; world++) {
         straight = false;
         for (int i = 0; i < 3; i++) {
-            if (same(fabs(axis[i][world]), 1)) {
+            if (compile_same(fabs(axis[i][world]), 1)) {
                 permutation[world] = i;
                 sign[world] = axis[i][world] < 0 ? -1 : 1;
                 straight = true;
@@ -121,6 +118,7 @@ static void straighten(double axis[3][3], int permutation[3], double sign[3]) {
             sign[i] = 1;
         }
     }
+    return straight;
 }
 
 /* The axes of a placement whose axes stay at right angles, and how it stretches each; false if it
@@ -143,12 +141,13 @@ static int add_box(struct compiler *compiler, int frame, double axis[3][3], cons
     for (int i = 0; i < scene->primitive_count; i++) {
         const struct compiled_primitive *other = &scene->primitives[i];
         if (other->kind == KIND_BOX && other->frame == frame &&
-            same_point(low, scene->boxes[other->index].minimum) &&
-            same_point(high, scene->boxes[other->index].maximum)) {
+            compile_same_point(low, scene->boxes[other->index].minimum) &&
+            compile_same_point(high, scene->boxes[other->index].maximum)) {
             return i;
         }
     }
-    int primitive = new_primitive(compiler, KIND_BOX, scene->box_count, (uint8_t)frame);
+    int primitive =
+        compile_new_primitive(compiler, KIND_BOX, scene->box_count, (uint8_t)frame, true);
     if (primitive < 0) {
         return -1;
     }
@@ -165,21 +164,42 @@ static int add_box(struct compiler *compiler, int frame, double axis[3][3], cons
             vector_dot(axis[face % 3], plane->normal) < 0 ? -plane->offset : plane->offset;
         *(face < 3 ? &box->minimum[face] : &box->maximum[face - 3]) = place;
         box->surface[face] = (uint16_t)surface;
-        bound_by(scene, surface, primitive);
+        compile_bind_surface(compiler, surface, primitive);
     }
     return primitive;
 }
 
-static int box_primitive(struct compiler *compiler, const struct solid_node *leaf,
-                         const struct affine *placement) {
+int compile_world_box(struct compiler *compiler, const double low[3], const double high[3]) {
+    double axis[3][3];
+    for (int i = 0; i < 3; i++) {
+        memcpy(axis[i], affine_identity.m[i], sizeof axis[i]);
+    }
+    return add_box(compiler, WORLD_FRAME, axis, low, high);
+}
+
+/* A box whose axes the placement skews. */
+static int skewed_box(struct compiler *compiler, const struct solid_node *leaf,
+                      const struct affine *placement) {
+    struct scene_plane planes[6] = {{{0, 0, 0}, 0}};
+    for (int i = 0; i < 3; i++) {
+        planes[i].normal[i] = -1;
+        planes[i].offset = -leaf->a[i];
+        planes[i + 3].normal[i] = 1;
+        planes[i + 3].offset = leaf->b[i];
+    }
+    return compile_polyhedron(compiler, planes, 6, placement);
+}
+
+int compile_box(struct compiler *compiler, const struct solid_node *leaf,
+                const struct affine *placement) {
+    static const double origin[3] = {0, 0, 0};
     double axis[3][3], stretch[3], centre[3], sign[3], low[3], high[3];
     int permutation[3];
     if (!right_angled(placement, axis, stretch)) {
-        compile_fail(compiler, leaf->line, "a box that is skewed by its scale and rotate keys");
-        return -1;
+        return skewed_box(compiler, leaf, placement);
     }
-    affine_point(placement, (double[3]){0, 0, 0}, centre);
-    straighten(axis, permutation, sign);
+    affine_point(placement, origin, centre);
+    bool straight = straighten(axis, permutation, sign);
     for (int i = 0; i < 3; i++) {
         int from = permutation[i];
         double middle = vector_dot(centre, axis[i]);
@@ -188,105 +208,71 @@ static int box_primitive(struct compiler *compiler, const struct solid_node *lea
         low[i] = fmin(a, b);
         high[i] = fmax(a, b);
     }
-    int frame = frame_of(compiler, axis);
+    int frame = straight ? WORLD_FRAME : compile_frame(compiler, origin, axis);
     return frame < 0 ? -1 : add_box(compiler, frame, axis, low, high);
 }
 
-/* Half a world, as a box in a frame of its own whose x axis is the plane's normal. */
-static int half_space_primitive(struct compiler *compiler, const struct solid_node *leaf,
-                                const struct affine *placement) {
-    const struct scene_plane *plane = &leaf->planes[0];
-    /* A normal goes by the inverse transpose: the cross products of the other two axes. */
-    double column[3][3], normal[3] = {0, 0, 0}, on_plane[3], image[3];
+/* A placed leaf that is round about an axis: the quadric, then the slab that ends it. */
+static bool append_round(struct compiler *compiler, const struct solid_node *leaf,
+                         const struct affine *placement, const struct quadric_form *form) {
+    struct scene_plane ends[2];
+    double u[3], v[3];
+    int round = compile_quadric(compiler, form);
+    double length = leaf_axes(leaf, u, v, ends[0].normal);
     for (int i = 0; i < 3; i++) {
-        affine_axis(placement, i, column[i]);
-        on_plane[i] = plane->normal[i] * plane->offset;
+        ends[1].normal[i] = -ends[0].normal[i];
     }
-    for (int i = 0; i < 3; i++) {
-        double cofactor[3];
-        vector_cross(column[(i + 1) % 3], column[(i + 2) % 3], cofactor);
-        for (int j = 0; j < 3; j++) {
-            normal[j] += plane->normal[i] * cofactor[j];
-        }
-    }
-    double turn[3];
-    vector_cross(column[0], column[1], turn);
-    if (vector_dot(turn, column[2]) < 0) {
-        for (int j = 0; j < 3; j++) {
-            normal[j] = -normal[j]; /* the placement mirrors */
-        }
-    }
-    vector_normalise(normal);
-    affine_point(placement, on_plane, image);
-    double end = vector_dot(normal, image);
-    for (int i = 0; i < 3; i++) {
-        if (same(fabs(normal[i]), 1)) {
-            double low[3] = {-COMPILE_WORLD, -COMPILE_WORLD, -COMPILE_WORLD};
-            double high[3] = {COMPILE_WORLD, COMPILE_WORLD, COMPILE_WORLD};
-            double axis[3][3];
-            for (int j = 0; j < 3; j++) {
-                memcpy(axis[j], affine_identity.m[j], sizeof axis[j]);
-            }
-            *(normal[i] > 0 ? &high[i] : &low[i]) = end * normal[i];
-            return add_box(compiler, WORLD_FRAME, axis, low, high);
-        }
-    }
-    double axis[3][3];
-    memcpy(axis[0], normal, sizeof axis[0]);
-    int least = fabs(normal[0]) < fabs(normal[1]) ? 0 : 1;
-    vector_cross(normal, affine_identity.m[least], axis[1]);
-    vector_normalise(axis[1]);
-    vector_cross(axis[0], axis[1], axis[2]);
-    /* Its corners must not lie farther out than the world's. */
-    double reach = COMPILE_WORLD / sqrt(3);
-    const double low[3] = {-COMPILE_WORLD, -reach, -reach}, high[3] = {end, reach, reach};
-    int frame = frame_of(compiler, axis);
-    return frame < 0 ? -1 : add_box(compiler, frame, axis, low, high);
+    ends[0].offset = vector_dot(ends[0].normal, leaf->a) + length;
+    ends[1].offset = -vector_dot(ends[0].normal, leaf->a);
+    int slab = round < 0 ? -1 : compile_polyhedron(compiler, ends, 2, placement);
+    return slab >= 0 && compile_append(compiler, (uint8_t)round) &&
+           compile_append(compiler, (uint8_t)slab) && compile_append(compiler, CODE_INTERSECTION);
 }
 
-static int ball_primitive(struct compiler *compiler, const struct solid_node *leaf,
-                          const struct affine *placement) {
-    struct compiled_scene *scene = compiler->scene;
-    double axis[3][3], stretch[3], centre[3];
-    if (!right_angled(placement, axis, stretch) || !same(stretch[0] / stretch[1], 1) ||
-        !same(stretch[1] / stretch[2], 1)) {
-        compile_fail(compiler, leaf->line, "a ball that is stretched by its scale key");
-        return -1;
+/* A polyhedron has to have an inside and an end. */
+static bool check_polyhedron(struct compiler *compiler, const struct solid_node *leaf) {
+    if (!polyhedron_is_bounded(leaf)) {
+        return compile_fail(compiler, leaf->line,
+                            "a polyhedron without an end: add the planes that close it, or "
+                            "intersect half_spaces");
     }
-    affine_point(placement, leaf->a, centre);
-    double radius = leaf->radius * stretch[0];
-    for (int i = 0; i < scene->primitive_count; i++) {
-        const struct compiled_primitive *other = &scene->primitives[i];
-        if (other->kind == KIND_BALL && same_point(centre, scene->balls[other->index].centre) &&
-            same(radius, scene->balls[other->index].radius)) {
-            return i;
+    struct bounds bounds = polyhedron_bounds(&affine_identity, leaf);
+    for (int i = 0; i < 3; i++) {
+        if (!(bounds.low[i] < bounds.high[i])) {
+            return compile_fail(compiler, leaf->line,
+                                "an empty polyhedron: no point lies behind all of its planes; "
+                                "look for a normal that points inwards");
         }
     }
-    int primitive = new_primitive(compiler, KIND_BALL, scene->ball_count, WORLD_FRAME);
-    int surface = primitive < 0 ? -1 : compile_new_surface(compiler);
-    if (surface < 0) {
-        return -1;
-    }
-    struct compiled_ball *ball = &scene->balls[scene->ball_count++];
-    memcpy(ball->centre, centre, sizeof centre);
-    ball->radius = radius;
-    ball->surface = (uint16_t)surface;
-    bound_by(scene, surface, primitive);
-    return primitive;
+    return true;
 }
 
-int compile_primitive(struct compiler *compiler, const struct solid_node *leaf,
-                      const struct affine *placement) {
+bool compile_leaf(struct compiler *compiler, const struct solid_node *leaf,
+                  const struct affine *placement) {
+    struct quadric_form form;
+    int primitive = -1;
     compiler->line = leaf->line;
     switch (leaf->kind) {
     case SOLID_BOX:
-        return box_primitive(compiler, leaf, placement);
-    case SOLID_BALL:
-        return ball_primitive(compiler, leaf, placement);
+        primitive = compile_box(compiler, leaf, placement);
+        break;
     case SOLID_HALF_SPACE:
-        return half_space_primitive(compiler, leaf, placement);
+        primitive = compile_half_space(compiler, leaf->planes, placement);
+        break;
+    case SOLID_POLYHEDRON:
+        if (!check_polyhedron(compiler, leaf)) {
+            return false;
+        }
+        primitive = compile_polyhedron(compiler, leaf->planes, leaf->plane_count, placement);
+        break;
     default:
-        compile_fail(compiler, leaf->line, "a solid that the firmware does not know yet");
-        return -1;
+        form = quadric_form_of_leaf(leaf);
+        form = quadric_form_placed(&form, placement);
+        if (leaf->kind != SOLID_BALL && leaf->kind != SOLID_ELLIPSOID &&
+            leaf->kind != SOLID_QUADRIC) {
+            return append_round(compiler, leaf, placement, &form);
+        }
+        primitive = compile_quadric(compiler, &form);
     }
+    return primitive >= 0 && compile_append(compiler, (uint8_t)primitive);
 }

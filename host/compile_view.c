@@ -5,32 +5,61 @@
 #include <math.h>
 #include <string.h>
 
-enum { KIND_BOX, KIND_BALL };
-enum { WORLD_FRAME = 0xFF, NO_PATTERN = 0xFF };
-
 static void scaled_point(const struct compiler *compiler, const double point[3], double out[3]) {
     affine_point(&compiler->scaling, point, out);
 }
 
-/* Whether the eye is strictly inside a primitive. */
-static bool is_inside(const struct compiled_scene *scene,
-                      const struct compiled_primitive *primitive, const double point[3]) {
-    if (primitive->kind == KIND_BALL) {
-        const struct compiled_ball *ball = &scene->balls[primitive->index];
-        double p[3] = {point[0] - ball->centre[0], point[1] - ball->centre[1],
-                       point[2] - ball->centre[2]};
-        return vector_dot(p, p) < ball->radius * ball->radius;
-    }
-    const struct compiled_box *box = &scene->boxes[primitive->index];
-    for (int i = 0; i < 3; i++) {
-        double x = primitive->frame == WORLD_FRAME
-                       ? point[i]
-                       : vector_dot(point, scene->frames[primitive->frame].axis[i]);
-        if (!(x > box->minimum[i] && x < box->maximum[i])) {
+static bool is_inside_ball(const struct compiled_ball *ball, const double point[3]) {
+    const double p[3] = {point[0] - ball->centre[0], point[1] - ball->centre[1],
+                         point[2] - ball->centre[2]};
+    return vector_dot(p, p) < ball->radius * ball->radius;
+}
+
+static bool is_inside_box(const struct compiled_box *box, const double p[3]) {
+    return p[0] > box->minimum[0] && p[0] < box->maximum[0] && p[1] > box->minimum[1] &&
+           p[1] < box->maximum[1] && p[2] > box->minimum[2] && p[2] < box->maximum[2];
+}
+
+static bool is_inside_polyhedron(const struct compiled_scene *scene,
+                                 const struct compiled_polyhedron *polyhedron,
+                                 const double point[3]) {
+    for (int i = 0; i < polyhedron->count; i++) {
+        const struct compiled_plane *plane = &scene->planes[polyhedron->first + i];
+        if (vector_dot(plane->normal, point) >= plane->offset) {
             return false;
         }
     }
     return true;
+}
+
+static bool is_inside_quadric(const struct compiled_quadric *quadric, const double p[3]) {
+    const double squares[3] = {p[0] * p[0], p[1] * p[1], p[2] * p[2]};
+    return vector_dot(quadric->square, squares) + 2 * quadric->linear * p[2] + quadric->constant <
+           0;
+}
+
+/* Whether a point is strictly inside a primitive. */
+static bool is_inside(const struct compiled_scene *scene,
+                      const struct compiled_primitive *primitive, const double point[3]) {
+    double p[3] = {point[0], point[1], point[2]};
+    if (primitive->frame != WORLD_FRAME) {
+        const struct compiled_frame *frame = &scene->frames[primitive->frame];
+        const double from[3] = {point[0] - frame->origin[0], point[1] - frame->origin[1],
+                                point[2] - frame->origin[2]};
+        for (int i = 0; i < 3; i++) {
+            p[i] = vector_dot(from, frame->axis[i]);
+        }
+    }
+    switch (primitive->kind) {
+    case KIND_BALL:
+        return is_inside_ball(&scene->balls[primitive->index], p);
+    case KIND_POLYHEDRON:
+        return is_inside_polyhedron(scene, &scene->polyhedra[primitive->index], p);
+    case KIND_QUADRIC:
+        return is_inside_quadric(&scene->quadrics[primitive->index], p);
+    default:
+        return is_inside_box(&scene->boxes[primitive->index], p);
+    }
 }
 
 /* The object that the eye is in: what ray_hit()'s programs say, in the host's words. */
@@ -41,12 +70,12 @@ static uint8_t object_of(const struct compiled_scene *scene, const struct compil
         for (uint8_t j = 0; j < object->length; j++) {
             uint8_t code = scene->programs[object->program + j];
             uint32_t right = stack & 1, left = stack >> 1 & 1;
-            if (code < 0xFD) {
+            if (code < CODE_UNION) {
                 stack = stack << 1 | (inside->word[code / 32] >> code % 32 & 1);
             } else {
-                uint32_t value = code == 0xFD   ? left | right
-                                 : code == 0xFE ? left & right
-                                                : left & ~right & 1;
+                uint32_t value = code == CODE_UNION          ? left | right
+                                 : code == CODE_INTERSECTION ? left & right
+                                                             : left & ~right & 1;
                 stack = (stack >> 2) << 1 | value;
             }
         }
@@ -207,7 +236,7 @@ bool compile_materials(struct compiler *compiler) {
 static void include_program(struct compiled_scene *scene, const struct compiled_object *object) {
     for (uint8_t i = 0; i < object->length; i++) {
         uint8_t code = scene->programs[object->program + i];
-        if (code < 0xFD) {
+        if (code < CODE_UNION) {
             scene->shadow_primitives.word[code / 32] |= (uint32_t)1 << code % 32;
         }
     }

@@ -16,6 +16,7 @@ enum {
     COMPILED_PRIMITIVES_MOST = 128,
     COMPILED_SURFACES_MOST = 768,
     COMPILED_FRAMES_MOST = 128,
+    COMPILED_PLANES_MOST = 512,
     COMPILED_OBJECTS_MOST = 128,
     COMPILED_PROGRAM_BYTES_MOST = 4096,
     COMPILED_MATERIALS_MOST = SCENE_MATERIALS_MOST + 1
@@ -32,6 +33,7 @@ struct compiled_frame {
 
 struct compiled_primitive {
     uint8_t kind, index, frame;
+    bool convex;
     unsigned line; /* of the scene file, for what an arithmetic may find wrong with it */
 };
 
@@ -43,6 +45,23 @@ struct compiled_box {
 struct compiled_ball {
     double centre[3];
     double radius;
+    uint16_t surface;
+};
+
+struct compiled_plane {
+    double normal[3];
+    double offset;
+    uint16_t surface;
+};
+
+struct compiled_polyhedron {
+    uint16_t first;
+    uint8_t count;
+};
+
+struct compiled_quadric {
+    double square[3];
+    double linear, constant;
     uint16_t surface;
 };
 
@@ -97,13 +116,16 @@ struct compiled_scene {
     double centre[3];
     int exponent;
 
-    uint8_t primitive_count, frame_count, box_count, ball_count, object_count, pattern_count;
-    uint8_t material_count, light_count;
-    uint16_t surface_count, program_length;
+    uint8_t primitive_count, frame_count, box_count, ball_count, polyhedron_count, quadric_count;
+    uint8_t object_count, pattern_count, material_count, light_count;
+    uint16_t surface_count, program_length, plane_count;
     struct compiled_frame frames[COMPILED_FRAMES_MOST];
     struct compiled_primitive primitives[COMPILED_PRIMITIVES_MOST];
     struct compiled_box boxes[COMPILED_PRIMITIVES_MOST];
     struct compiled_ball balls[COMPILED_PRIMITIVES_MOST];
+    struct compiled_polyhedron polyhedra[COMPILED_PRIMITIVES_MOST];
+    struct compiled_plane planes[COMPILED_PLANES_MOST];
+    struct compiled_quadric quadrics[COMPILED_PRIMITIVES_MOST];
     struct compiled_set surfaces[COMPILED_SURFACES_MOST];
     uint8_t programs[COMPILED_PROGRAM_BYTES_MOST];
     struct compiled_object objects[COMPILED_OBJECTS_MOST];
@@ -113,6 +135,20 @@ struct compiled_scene {
 
     struct compiled_set shadow_primitives;
     bool has_shadows;
+};
+
+/* The numbers that programs and tables are made of; firmware/scene.h has the same, but needs an
+ * arithmetic. host/arithmetic/load.c holds the two against each other. */
+enum {
+    KIND_BOX = 0,
+    KIND_BALL = 1,
+    KIND_POLYHEDRON = 2,
+    KIND_QUADRIC = 3,
+    CODE_UNION = 0xFD,
+    CODE_INTERSECTION = 0xFE,
+    CODE_DIFFERENCE = 0xFF,
+    WORLD_FRAME = 0xFF,
+    NO_PATTERN = 0xFF
 };
 
 /* Flattens, centres, scales and analyses a scene. NULL with *error filled where the scene cannot be

@@ -61,11 +61,39 @@ static void emit_balls(FILE *out, const struct compiled_scene *scene) {
     fprintf(out, "};\n");
 }
 
+static void emit_polyhedra(FILE *out, const struct compiled_scene *scene) {
+    fprintf(out, "\nstatic const struct polyhedron polyhedra[] = {\n");
+    for (int i = 0; i < scene->polyhedron_count; i++) {
+        fprintf(out, "    {%u, %u},\n", scene->polyhedra[i].first, scene->polyhedra[i].count);
+    }
+    fprintf(out, "};\n\nstatic const struct plane planes[] = {\n");
+    for (int i = 0; i < scene->plane_count; i++) {
+        const struct compiled_plane *plane = &scene->planes[i];
+        fprintf(out, "    {");
+        emit_vector(out, "REAL_UNIT", plane->normal);
+        fprintf(out, ", REAL_LENGTH(%a), %u},\n", plane->offset, plane->surface);
+    }
+    fprintf(out, "};\n");
+}
+
+static void emit_quadrics(FILE *out, const struct compiled_scene *scene) {
+    fprintf(out, "\nstatic const struct quadric quadrics[] = {\n");
+    for (int i = 0; i < scene->quadric_count; i++) {
+        const struct compiled_quadric *quadric = &scene->quadrics[i];
+        fprintf(out, "    {");
+        emit_vector(out, "REAL_UNIT", quadric->square);
+        fprintf(out, ",\n     REAL_LENGTH(%a), REAL_AREA(%a), %u},\n", quadric->linear,
+                quadric->constant, quadric->surface);
+    }
+    fprintf(out, "};\n");
+}
+
 static void emit_primitives(FILE *out, const struct compiled_scene *scene) {
     fprintf(out, "\nstatic const struct primitive primitives[] = {\n");
     for (int i = 0; i < scene->primitive_count; i++) {
         const struct compiled_primitive *primitive = &scene->primitives[i];
-        fprintf(out, "    {%u, %u, %u},\n", primitive->kind, primitive->index, primitive->frame);
+        fprintf(out, "    {%u, %u, %u, %s},\n", primitive->kind, primitive->index, primitive->frame,
+                truth(primitive->convex));
     }
     fprintf(out, "};\n\nstatic const struct primitive_set surfaces[] = {\n");
     for (int i = 0; i < scene->surface_count; i++) {
@@ -170,11 +198,13 @@ static void emit_scene(FILE *out, const struct compiled_scene *scene, const char
     emit_camera(out, &scene->camera);
     fprintf(out, "    %u, %u, %u,\n", scene->primitive_count, scene->object_count,
             scene->light_count);
-    fprintf(out, "    %s, %s, %s, %s, %s, %s, objects, materials, %s, %s,\n    ",
+    fprintf(out, "    %s, %s, %s, %s, %s, %s, %s, %s, %s, objects, materials, %s, %s,\n    ",
             table(scene->frame_count, "frames"), table(scene->primitive_count, "primitives"),
             table(scene->box_count, "boxes"), table(scene->ball_count, "balls"),
-            table(scene->surface_count, "surfaces"), table(scene->program_length, "programs"),
-            table(scene->pattern_count, "patterns"), table(scene->light_count, "lights"));
+            table(scene->polyhedron_count, "polyhedra"), table(scene->plane_count, "planes"),
+            table(scene->quadric_count, "quadrics"), table(scene->surface_count, "surfaces"),
+            table(scene->program_length, "programs"), table(scene->pattern_count, "patterns"),
+            table(scene->light_count, "lights"));
     emit_set(out, &scene->shadow_primitives);
     fprintf(out, ", %s};\n", truth(scene->has_shadows));
 }
@@ -194,11 +224,12 @@ int scene_emit(FILE *out, const struct compiled_scene *scene, const char *name) 
             scene->centre[1], scene->centre[2], scene->exponent);
     fprintf(out, "#include \"scene.h\"\n");
     void (*const emitters[])(FILE *, const struct compiled_scene *) = {
-        emit_frames,  emit_primitives, emit_boxes,    emit_balls,
-        emit_objects, emit_materials,  emit_patterns, emit_lights};
-    const int counts[] = {scene->frame_count,   scene->primitive_count, scene->box_count,
-                          scene->ball_count,    scene->object_count,    scene->material_count,
-                          scene->pattern_count, scene->light_count};
+        emit_frames,   emit_primitives, emit_boxes,     emit_balls,    emit_polyhedra,
+        emit_quadrics, emit_objects,    emit_materials, emit_patterns, emit_lights};
+    const int counts[] = {scene->frame_count,  scene->primitive_count,  scene->box_count,
+                          scene->ball_count,   scene->polyhedron_count, scene->quadric_count,
+                          scene->object_count, scene->material_count,   scene->pattern_count,
+                          scene->light_count};
     for (size_t i = 0; i < sizeof emitters / sizeof emitters[0]; i++) {
         if (counts[i] > 0) {
             emitters[i](out, scene);

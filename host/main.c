@@ -24,7 +24,7 @@ static void print_help(void) {
 static int run_command(enum command_id id, int argc, char **argv) {
     const struct command *command = &commands[id];
     struct options options;
-    struct options_error error;
+    struct options_error error = {""};
     if (command->run == NULL) {
         return bad_input("%s: not built into this version; superframe --help lists what is",
                          command->name);
@@ -33,8 +33,8 @@ static int run_command(enum command_id id, int argc, char **argv) {
         return bad_input("%s", error.text);
     }
     if (options.help) {
-        (void)printf("%s\n\nusage: superframe %s %s [options]\n\n", command->summary,
-                     command->name, command->operands);
+        (void)printf("%s\n\nusage: superframe %s %s [options]\n\n", command->summary, command->name,
+                     command->operands);
         options_print(stdout, id);
         return STATUS_DONE;
     }
@@ -74,11 +74,12 @@ static bool hold_standard_streams(void) {
 }
 
 int main(int argc, char **argv) {
-    /* A closed pipe is an error of a write, with a message, not a death. */
+    /* A closed pipe or a file over its limit is an error of a write, with a message, not a death. */
     struct sigaction ignore;
     memset(&ignore, 0, sizeof ignore);
     ignore.sa_handler = SIG_IGN;
-    if (!hold_standard_streams() || sigaction(SIGPIPE, &ignore, NULL) != 0) {
+    if (!hold_standard_streams() || sigaction(SIGPIPE, &ignore, NULL) != 0 ||
+        sigaction(SIGXFSZ, &ignore, NULL) != 0) {
         return STATUS_FAILED;
     }
 

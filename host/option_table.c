@@ -162,8 +162,7 @@ static enum value_verdict set_base(struct options *options, const char *value) {
 
 static enum value_verdict set_tail(struct options *options, const char *value) {
     (void)options;
-    return strcmp(value, "estimate") == 0 ? VALUE_NOT_BUILT
-                                          : verdict(strcmp(value, "black") == 0);
+    return strcmp(value, "estimate") == 0 ? VALUE_NOT_BUILT : verdict(strcmp(value, "black") == 0);
 }
 
 static enum value_verdict set_jobs(struct options *options, const char *value) {
@@ -212,16 +211,15 @@ static enum value_verdict set_json(struct options *options, const char *value) {
 }
 
 const struct option_entry option_table[] = {
-    {"output", 'o', "FILE", BIT(RENDER) | BIT(COMPILE) | BIT(REPLAY), set_output, "a file's name or -",
-     "where the result goes; - is standard output"},
+    {"output", 'o', "FILE", BIT(RENDER) | BIT(COMPILE) | BIT(REPLAY), set_output,
+     "a file's name or -", "where the result goes; - is standard output"},
     {"arith", 0, "NAME", BIT(RENDER), set_arithmetic, arithmetic_names,
      "the firmware's arithmetic (fx)"},
     {"depth", 0, "N", SCENE_READERS, set_depth, "a whole number 0..255",
      "the paper's depth level (the scene's)"},
     {"threshold", 0, "E", SCENE_READERS, set_threshold, "a number or a fraction 0..1",
      "the weight under which a branch ends (the scene's)"},
-    {"error", 0, "LSB", SCENE_READERS, set_error, "a number 0..255",
-     "the accuracy asked for, instead of a threshold"},
+    {"error", 0, "LSB", SCENE_READERS, set_error, "a number 0..255", NULL},
     {"size", 0, "WxH", SCENE_READERS, set_size, "1x1..640x400",
      "the pixels rendered (the scene's)"},
     {"model", 0, "MODEL", SCENE_READERS, set_model, "fresnel",
@@ -229,7 +227,7 @@ const struct option_entry option_table[] = {
     {"highlight", 0, "KIND", SCENE_READERS, set_highlight, "phong or blinn",
      "how highlights are computed (the scene's)"},
     {"colour", 0, "MODE", SCENE_READERS, set_colour, "full", "the colours drawn (the scene's)"},
-    {"seed", 0, "S", BIT(RENDER), not_built, "", "of the random dither"},
+    {"seed", 0, "S", BIT(RENDER), not_built, "", NULL},
     {"bus", 0, "BUS", BIT(RENDER), set_bus, "emulator or trace:FILE",
      "where the port accesses go (emulator)"},
     {"trace", 0, "FILE", BIT(RENDER), set_trace, "a file's name",
@@ -240,9 +238,9 @@ const struct option_entry option_table[] = {
     {"base", 0, "PORT", BOARD_USERS, set_base, "00D0, 02D0, 04D0, 06D0, 08D0, 0AD0 or 0CD0",
      "the jumper's base address (00D0)"},
     {"tail", 0, "KIND", SCENE_READERS, set_tail, "black", "what a cut branch counts as (black)"},
-    {"verify", 0, NULL, BIT(RENDER), not_built, "", "read back over USB or HID"},
-    {"wait", 0, NULL, BIT(RENDER), not_built, "", "wait for an adapter"},
-    {"yes-these-ports-are-mine", 0, NULL, BIT(RENDER), not_built, "", "allow --bus ports"},
+    {"verify", 0, NULL, BIT(RENDER), not_built, "", NULL},
+    {"wait", 0, NULL, BIT(RENDER), not_built, "", NULL},
+    {"yes-these-ports-are-mine", 0, NULL, BIT(RENDER), not_built, "", NULL},
     {"jobs", 0, "J", BIT(RENDER), set_jobs, "a whole number 1..256", "worker threads (1)"},
     {"stats", 0, "FILE", BOARD_USERS, set_stats, "a file's name or -",
      "write statistics as JSON; - is standard output"},

@@ -47,7 +47,7 @@ static void make_tables(enum command_id command, struct getopt_tables *tables) {
         }
         struct option *option = &tables->longs[count++];
         option->name = entry->name;
-        option->has_arg = entry->value == NULL  ? no_argument
+        option->has_arg = entry->value == NULL ? no_argument
                           : is_optional(entry) ? optional_argument
                                                : required_argument;
         option->val = LONG_ONLY + i;
@@ -199,7 +199,7 @@ bool options_parse(enum command_id command, int argc, char **argv, struct option
 void options_print(FILE *out, enum command_id command) {
     for (const struct option_entry *entry = option_table; entry->name != NULL; entry++) {
         char left[64], letter[8] = "    ";
-        if ((entry->commands & 1u << command) == 0 || entry->allowed == NULL) {
+        if ((entry->commands & 1u << command) == 0 || entry->help == NULL) {
             continue;
         }
         if (entry->letter != 0) {

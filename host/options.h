@@ -75,7 +75,7 @@ struct option_entry {
     unsigned commands; /* bit 1 << command_id for each that takes it */
     enum value_verdict (*set)(struct options *options, const char *value);
     const char *allowed; /* what the value may be, for messages and the help */
-    const char *help;
+    const char *help;    /* NULL: known, but not built into this version; the help leaves it out */
 };
 
 /* Ended by an entry without a name. */

@@ -31,8 +31,8 @@ void progress_line(char line[PROGRESS_LINE_SIZE], unsigned rows,
     }
     bar[BAR_WIDTH] = '\0';
     /* Rows differ in what they take; the mean so far is the honest guess. */
-    double left = so_far->rows == 0 ? SECONDS_SHOWN_MOST
-                                    : seconds / so_far->rows * (rows - so_far->rows);
+    double left =
+        so_far->rows == 0 ? SECONDS_SHOWN_MOST : seconds / so_far->rows * (rows - so_far->rows);
     unsigned left_seconds = left < SECONDS_SHOWN_MOST ? (unsigned)(left + 0.5) : SECONDS_SHOWN_MOST;
     rate_text(rate, sizeof rate, (double)(so_far->rays + so_far->shadow_rays) / seconds);
     (void)snprintf(line, PROGRESS_LINE_SIZE, "[%s] row %u of %u, %s rays/s, %u:%02u left", bar,

@@ -11,8 +11,8 @@
 /* The line on the terminal. */
 struct progress {
     bool is_shown;
-    unsigned rows;        /* to be drawn in all */
-    double last_drawn;    /* seconds since the start when the line was last drawn */
+    unsigned rows;     /* to be drawn in all */
+    double last_drawn; /* seconds since the start when the line was last drawn */
 };
 
 /* Sets the bar up for so many rows; shown only if standard error is a terminal and not quiet. */

@@ -6,9 +6,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #include "bus.h"
+#include "stopwatch.h"
 
 enum { ROWS_AHEAD = 4 }; /* of the drawing, for each worker: so that none waits for a slow row */
 
@@ -37,12 +37,6 @@ struct renderer {
     uint8_t *pixels; /* of all slots */
 };
 
-static double seconds_since(const struct timespec *began) {
-    struct timespec now;
-    (void)clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)(now.tv_sec - began->tv_sec) + (double)(now.tv_nsec - began->tv_nsec) * 1e-9;
-}
-
 static void add_row(struct renderer *renderer, const struct render_counts *counts) {
     struct render_totals *totals = &renderer->totals;
     totals->rays += counts->rays;
@@ -51,7 +45,7 @@ static void add_row(struct renderer *renderer, const struct render_counts *count
     totals->solid_tests += counts->solid_tests;
     totals->leaked_rays += counts->leaked_rays;
     totals->rows++;
-    totals->seconds = seconds_since(&renderer->began);
+    totals->seconds = stopwatch_seconds(&renderer->began);
     if (renderer->job->progress != NULL) {
         renderer->job->progress(renderer->job->context, totals);
     }
@@ -190,8 +184,7 @@ static bool make_window(struct renderer *renderer) {
     return true;
 }
 
-bool render(const struct render_job *job, struct render_totals *totals,
-            struct scene_error *error) {
+bool render(const struct render_job *job, struct render_totals *totals, struct scene_error *error) {
     struct renderer renderer;
     struct scene *scene = job->arithmetic->load(job->scene, error);
     if (scene == NULL) {
@@ -200,7 +193,7 @@ bool render(const struct render_job *job, struct render_totals *totals,
     memset(&renderer, 0, sizeof renderer);
     renderer.job = job;
     renderer.scene = scene;
-    (void)clock_gettime(CLOCK_MONOTONIC, &renderer.began);
+    renderer.began = stopwatch_start();
     bool is_done = true;
     if (job->jobs <= 1) {
         draw(&renderer, compute_row);
@@ -211,7 +204,7 @@ bool render(const struct render_job *job, struct render_totals *totals,
         (void)snprintf(error->text, sizeof error->text,
                        "no memory or threads for --jobs %u; fewer are allowed", job->jobs);
     }
-    renderer.totals.seconds = seconds_since(&renderer.began);
+    renderer.totals.seconds = stopwatch_seconds(&renderer.began);
     *totals = renderer.totals;
     free(renderer.slots);
     free(renderer.pixels);

@@ -21,9 +21,9 @@ struct render_totals {
 struct render_job {
     const struct arithmetic *arithmetic;
     const struct compiled_scene *scene;
-    uint16_t base;               /* the board's base address */
+    uint16_t base;                /* the board's base address */
     unsigned first_row, last_row; /* rows first .. last-1, within the scene's height */
-    unsigned jobs;               /* threads that compute: 1..256; 1: the caller's own thread */
+    unsigned jobs;                /* threads that compute: 1..256; 1: the caller's own thread */
 
     /* Not zero: the render ends after the row that is being drawn. NULL: it can't be stopped. */
     const volatile sig_atomic_t *stop;

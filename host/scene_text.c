@@ -49,6 +49,12 @@ static bool unexpected(struct checker *checker, const struct token *token, const
                       token_shown(token), token->start, wanted);
 }
 
+static bool unclosed(struct checker *checker) {
+    const struct bracket *bracket = &checker->stack[checker->depth];
+    return scene_fail(checker->reader, bracket->line, "this '%c' is never closed: '%c' is missing",
+                      bracket->open, closing(bracket->open));
+}
+
 static bool take_key(struct checker *checker, const struct token *token) {
     struct bracket *group = &checker->stack[checker->depth];
     for (size_t i = group->first_key; i < checker->key_count; i++) {
@@ -167,6 +173,9 @@ static bool take_value(struct checker *checker, const struct token *token) {
     if (token->kind == TOKEN_NAME) {
         return take_word(checker, token);
     }
+    if (token->kind == TOKEN_END && !is_group(bracket)) {
+        return unclosed(checker);
+    }
     if (token->kind == TOKEN_MARK || token->kind == TOKEN_END) {
         return unexpected(checker, token, "a value");
     }
@@ -189,8 +198,11 @@ static bool missing_separator(struct checker *checker, const struct token *token
                           token_shown(value), value->start, token_shown(token), token->start);
     }
     if (checker->expectation == AFTER_VALUE) {
+        char open = checker->stack[checker->depth].open;
         return unexpected(checker, token,
-                          is_group(&checker->stack[checker->depth]) ? "';'" : "',' or the end");
+                          open == '('   ? "',' or ')'"
+                          : open == '[' ? "',' or ']'"
+                                        : "';'");
     }
     return unexpected(checker, token, "a key");
 }
@@ -211,10 +223,7 @@ static bool take_key_or_end(struct checker *checker, const struct token *token) 
         if (bracket->open == '\0') {
             return true;
         }
-        return scene_fail(checker->reader, bracket->line,
-                          "this '%c' is never closed: '%c' is "
-                          "missing",
-                          bracket->open, closing(bracket->open));
+        return unclosed(checker);
     }
     return missing_separator(checker, token);
 }

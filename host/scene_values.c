@@ -71,7 +71,7 @@ static bool check_range(const struct scene_scope *scope, const char *key,
         return true;
     }
     return scene_fail(scope->reader, config_setting_source_line(setting),
-                      "'%s' of the %s is %.10g: %.10g to %.10g is allowed", key, scope->what, value,
+                      "'%s' of the %s is %.15g: %.10g to %.10g is allowed", key, scope->what, value,
                       range.least, range.most);
 }
 
@@ -342,5 +342,5 @@ bool scene_is_group(struct scene_reader *reader, const config_setting_t *element
         return true;
     }
     return scene_fail(reader, config_setting_source_line(element),
-                      "a %s has to be a group { }, and is %s", what, type_name(element));
+                      "the %s has to be a group { }, and is %s", what, type_name(element));
 }

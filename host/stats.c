@@ -48,6 +48,11 @@ void stats_write(FILE *out, const struct run_stats *stats) {
     }
     write_count(out, "port_writes", port_chain_writes(chain));
     write_count(out, "port_reads", port_chain_reads(chain));
+    if (stats->totals != NULL && stats->totals->rows > 0) {
+        double pixels = (double)stats->compiled->width * stats->totals->rows;
+        (void)fprintf(out, "  \"port_writes_per_pixel\": %.6f,\n",
+                      (double)port_chain_writes(chain) / pixels);
+    }
     (void)fprintf(out, "  \"trace_hash\": \"%016" PRIx64 "\",\n", trace_hash_value(&chain->hash));
     if (chain->has_board) {
         port_chain_picture(chain);

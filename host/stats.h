@@ -19,8 +19,8 @@ struct run_stats {
     double total_seconds;
 };
 
-/* Writes the object and a line's end. The keys are those of the command's documentation;
- * frame_crc and violations are null where no board was behind the ports. */
+/* Writes the object and a line's end. The keys are those that superframe(1) lists; frame_crc and
+ * violations are null where no board was behind the ports. */
 void stats_write(FILE *out, const struct run_stats *stats);
 
 /* Writes a string in JSON's quotes. Bytes that are not ASCII go out as they are. */

@@ -3,7 +3,8 @@
 #ifndef SUPERFRAME_TESTS_SCENE_READER_EXAMPLE_H
 #define SUPERFRAME_TESTS_SCENE_READER_EXAMPLE_H
 
-/* clang-format off: a line here is a line of the file, and the tests count them. */
+/* A line here is a line of the file, and the tests count them. */
+/* clang-format off */
 static const char SCENE_EXAMPLE[] =
     "version = 1;\n"                                                     /* 1 */
     "title = \"A \\\"test\\\"\"; # words\n"

@@ -60,8 +60,7 @@ typedef int64_t real_wide; /* 46 bits of fraction */
 /* 8 LSB. */
 #define LENGTH_NOISE ((real_length)8)
 
-/* ---- Lengths ----------------------------------------------------------------------------------
- */
+/* ---- Lengths --------------------------------------------------------------------------------- */
 
 static inline real_length length_add(real_length a, real_length b) {
     return fixed_saturated(FIXED_length_add, (int64_t)a + b);
@@ -77,6 +76,10 @@ static inline real_length length_negate(real_length a) {
 
 static inline bool length_less(real_length a, real_length b) {
     return a < b;
+}
+
+static inline bool length_is_zero(real_length a) {
+    return a == 0;
 }
 
 static inline real_length length_along(real_length origin, real_length t, real_unit u) {
@@ -118,8 +121,7 @@ static inline bool length_cell_is_odd(real_length a, real_length size) {
     return ((cell & 1) != 0) != (a < 0);
 }
 
-/* ---- Areas ------------------------------------------------------------------------------------
- */
+/* ---- Areas ----------------------------------------------------------------------------------- */
 
 static inline real_area area_product(real_length a, real_length b) {
     int64_t product = fixed_times(a, b);
@@ -180,8 +182,21 @@ static inline real_length length_root(real_area a) {
     return a <= 0 ? 0 : fixed_saturated(FIXED_length_root, fixed_nearest_root64((uint64_t)a));
 }
 
-/* ---- Directions and cosines -------------------------------------------------------------------
- */
+/* A / B of the raw values, by the reciprocal of B's 32 leading bits. */
+static inline real_length length_quotient(real_area a, real_length b) {
+    uint64_t area = fixed_magnitude64(a);
+    uint32_t divisor = fixed_magnitude(b);
+    unsigned zeros = fixed_leading_zeros(divisor);
+    uint32_t r = fixed_reciprocal(divisor << zeros); /* 2^62 / (B 2^zeros), at most 2^31 */
+    /* (A r) / 2^32 < 2^62: what the low half drops is below one. */
+    uint64_t quotient = (area >> 32) * r + ((area & UINT32_MAX) * r >> 32);
+    int64_t shifted = zeros < 30            ? fixed_rounded((int64_t)quotient, 30 - zeros)
+                      : quotient >> 31 != 0 ? (int64_t)1 << 32
+                                            : (int64_t)(quotient << (zeros - 30));
+    return fixed_saturated(FIXED_length_quotient, (a < 0) != (b < 0) ? -shifted : shifted);
+}
+
+/* ---- Directions and cosines ------------------------------------------------------------------ */
 
 static inline bool unit_is_zero(real_unit u) {
     return u == 0;
@@ -319,8 +334,7 @@ static inline real_unit unit_bent(real_unit d, real_index eta, real_index bend, 
     return fixed_result(FIXED_unit_bent, fixed_times(d, eta) + fixed_times(bend, n), 28);
 }
 
-/* ---- Indices of refraction --------------------------------------------------------------------
- */
+/* ---- Indices of refraction ------------------------------------------------------------------- */
 
 static inline real_index index_product(real_index a, real_index b) {
     return fixed_result(FIXED_index_product, fixed_times(a, b), 28);
@@ -342,8 +356,7 @@ static inline real_index index_subtract(real_index a, real_index b) {
     return fixed_saturated(FIXED_index_subtract, (int64_t)a - b);
 }
 
-/* ---- Energies ---------------------------------------------------------------------------------
- */
+/* ---- Energies -------------------------------------------------------------------------------- */
 
 static inline real_energy energy_product(real_energy a, real_energy b) {
     return fixed_result(FIXED_energy_product, fixed_times(a, b), 30);
@@ -404,8 +417,7 @@ static inline real_energy energy_transmitted(real_extinction extinction, real_le
                                        : fixed_exponential((uint64_t)fixed_times(extinction, way));
 }
 
-/* ---- Colours ----------------------------------------------------------------------------------
- */
+/* ---- Colours --------------------------------------------------------------------------------- */
 
 static inline real_colour colour_add(real_colour a, real_colour b) {
     return fixed_saturated(FIXED_colour_add, (int64_t)a + b);

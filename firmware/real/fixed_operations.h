@@ -12,6 +12,7 @@
     X(length_scaled)                                                                               \
     X(length_over)                                                                                 \
     X(length_root)                                                                                 \
+    X(length_quotient)                                                                             \
     X(area_product)                                                                                \
     X(area_norm)                                                                                   \
     X(area_add)                                                                                    \

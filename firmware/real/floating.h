@@ -46,6 +46,10 @@ static inline bool length_less(real_length a, real_length b) {
     return a < b;
 }
 
+static inline bool length_is_zero(real_length a) {
+    return !(a < 0) && !(a > 0);
+}
+
 static inline real_length length_along(real_length origin, real_length t, real_unit u) {
     return origin + t * u;
 }
@@ -76,8 +80,8 @@ static inline real_length length_over(real_length a, real_slope slope) {
 
 static inline bool length_cell_is_odd(real_length a, real_length size) {
     floating ratio = a / size;
-    if (!(ratio > -(floating)0x1p30 && ratio < (floating)0x1p30)) {
-        return false; /* finer than the pattern of any image: past the range of an integer */
+    if (!(ratio > -(floating)0x1p31 && ratio < (floating)0x1p31)) {
+        return false; /* finer than a length in fixed point: no pattern that an image could show */
     }
     int32_t cell = (int32_t)ratio; /* towards zero */
     if ((floating)cell > ratio) {
@@ -112,6 +116,10 @@ static inline real_area area_scaled(real_area a, real_unit u) {
 
 static inline real_length length_root(real_area a) {
     return a > 0 ? floating_root(a) : 0;
+}
+
+static inline real_length length_quotient(real_area a, real_length b) {
+    return floating_clamped(a / b, (floating)2048);
 }
 
 static inline bool unit_is_zero(real_unit u) {

@@ -7,6 +7,18 @@
 #include "compiled_scene.h"
 #include "scene.h"
 
+/* What compiled_scene.h says again of scene.h. */
+typedef char compiled_scene_matches_scene
+    [(int)KIND_BOX == (int)PRIMITIVE_BOX && (int)KIND_BALL == (int)PRIMITIVE_BALL &&
+             (int)KIND_POLYHEDRON == (int)PRIMITIVE_POLYHEDRON &&
+             (int)KIND_QUADRIC == (int)PRIMITIVE_QUADRIC && (int)CODE_UNION == (int)PROGRAM_UNION &&
+             (int)CODE_INTERSECTION == (int)PROGRAM_INTERSECTION &&
+             (int)CODE_DIFFERENCE == (int)PROGRAM_DIFFERENCE &&
+             (int)WORLD_FRAME == (int)FRAME_WORLD && (int)NO_PATTERN == (int)PATTERN_NONE &&
+             (int)COMPILED_PRIMITIVES_MOST == (int)PRIMITIVES_MOST
+         ? 1
+         : -1];
+
 /* Compiled once for each arithmetic; the include path says which. */
 
 #define NAME_JOIN(prefix, name)  NAME_JOIN_(prefix, name)
@@ -21,6 +33,9 @@ struct loaded {
     struct primitive primitives[COMPILED_PRIMITIVES_MOST];
     struct box boxes[COMPILED_PRIMITIVES_MOST];
     struct ball balls[COMPILED_PRIMITIVES_MOST];
+    struct polyhedron polyhedra[COMPILED_PRIMITIVES_MOST];
+    struct plane planes[COMPILED_PLANES_MOST];
+    struct quadric quadrics[COMPILED_PRIMITIVES_MOST];
     struct primitive_set surfaces[COMPILED_SURFACES_MOST];
     uint8_t programs[COMPILED_PROGRAM_BYTES_MOST];
     struct object objects[COMPILED_OBJECTS_MOST];
@@ -64,6 +79,7 @@ static void load_solids(struct loaded *to, const struct compiled_scene *from) {
         to->primitives[i].kind = primitive->kind;
         to->primitives[i].index = primitive->index;
         to->primitives[i].frame = primitive->frame;
+        to->primitives[i].convex = primitive->convex;
     }
     for (int i = 0; i < from->box_count; i++) {
         to->boxes[i].minimum = point_of(from->boxes[i].minimum);
@@ -77,6 +93,21 @@ static void load_solids(struct loaded *to, const struct compiled_scene *from) {
         to->balls[i].centre = point_of(ball->centre);
         to->balls[i].square_radius = REAL_AREA(ball->radius * ball->radius);
         to->balls[i].surface = ball->surface;
+    }
+    for (int i = 0; i < from->polyhedron_count; i++) {
+        to->polyhedra[i].first = from->polyhedra[i].first;
+        to->polyhedra[i].count = from->polyhedra[i].count;
+    }
+    for (int i = 0; i < from->plane_count; i++) {
+        to->planes[i].normal = direction_of(from->planes[i].normal);
+        to->planes[i].offset = REAL_LENGTH(from->planes[i].offset);
+        to->planes[i].surface = from->planes[i].surface;
+    }
+    for (int i = 0; i < from->quadric_count; i++) {
+        to->quadrics[i].square = direction_of(from->quadrics[i].square);
+        to->quadrics[i].linear = REAL_LENGTH(from->quadrics[i].linear);
+        to->quadrics[i].constant = REAL_AREA(from->quadrics[i].constant);
+        to->quadrics[i].surface = from->quadrics[i].surface;
     }
     for (int i = 0; i < from->surface_count; i++) {
         to->surfaces[i] = set_of(&from->surfaces[i]);
@@ -164,6 +195,9 @@ static void load_scene(struct loaded *to, const struct compiled_scene *from) {
     scene->primitives = to->primitives;
     scene->boxes = to->boxes;
     scene->balls = to->balls;
+    scene->polyhedra = to->polyhedra;
+    scene->planes = to->planes;
+    scene->quadrics = to->quadrics;
     scene->surfaces = to->surfaces;
     scene->programs = to->programs;
     scene->objects = to->objects;

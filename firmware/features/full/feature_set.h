@@ -11,6 +11,8 @@ enum {
     FEATURE_PRIMITIVE_WORDS = 4, /* 32 primitives a word */
     FEATURE_BOX = 1,
     FEATURE_BALL = 1,
+    FEATURE_POLYHEDRON = 1,
+    FEATURE_QUADRIC = 1,
     FEATURE_ROTATION = 1, /* primitives in frames of their own */
     FEATURE_CSG = 1,      /* objects of more than one primitive */
     FEATURE_LIGHTS = 1,

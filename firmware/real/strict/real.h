@@ -10,8 +10,9 @@
  * exist, so that the compiler rejects raw arithmetic and the mixing of roles; nothing is defined,
  * and `make strict` only compiles. The other directories give the same names to numbers:
  *
- *   role        what it holds                      fx (fixed point)        float images
- *   length      position, distance, size           Q11.20                  float, double, __float128
+ *   role        what it holds                      fx (fixed point)
+ *   ----------  ---------------------------------  --------------------
+ *   length      position, distance, size           Q11.20
  *   area        square of a length                 Q22.40 in 64 bits
  *   unit        component of a direction, cosine   Q1.30
  *   index       index of refraction, ratio         Q3.28
@@ -19,11 +20,19 @@
  *   colour      intensity in levels, 255 = white   Q15.16
  *   extinction  absorption per unit of length      Q3.28
  *   slope       reciprocal of a unit               32-bit mantissa, shift
- *   wide        component before normalising       64 bits
+ *   wide        component before normalising       64 bits, Q17.46
  *
- * Everywhere: results are rounded to nearest and saturated at the format's ends, never wrapped.
+ * and in the float images float, double or __float128 for all of them.
+ *
+ * In fx every result is rounded to nearest, halves away from zero, and saturated at the format's
+ * ends, never wrapped. The ends are symmetric: -2^31 is no value, and what negates never overflows.
+ * The errors below are those of fx, and LSB is the last bit of the result's fixed-point format. A
+ * float image has the roundings of its formula instead, and saturates only where it says so:
+ * docs/numerics.md has a table.
+ *
  * Lengths are in the scaled unit of the compiled scene: what is solid lies within +-512, what was
- * unbounded is cut at +-1024. "LSB" is the last bit of the result's fixed-point format. */
+ * unbounded is cut at +-1024. The sums of three products (length_dot, unit_dot) take components of
+ * directions, which are at most 4/3; all other operations take any value of the format. */
 
 #define REAL_NAME strict
 
@@ -37,7 +46,7 @@ typedef struct strict_extinction *real_extinction;
 typedef struct strict_slope *real_slope;
 typedef struct strict_wide *real_wide;
 
-/* ---- Constants: usable in static initialisers; the argument is a double in the range given. ---- */
+/* ---- Constants: usable in static initialisers; the argument is a double in the range given. -- */
 
 #define REAL_LENGTH(x)     ((real_length)0)     /* |x| < 2048 */
 #define REAL_AREA(x)       ((real_area)0)       /* |x| < 2^22 */
@@ -50,10 +59,10 @@ typedef struct strict_wide *real_wide;
 /* No crossing lies here or beyond: t is compared with it, and saturates above it. */
 #define LENGTH_FAR REAL_LENGTH(2047.0)
 
-/* The noise of a computed t: a chord shorter than this at a ray's very start is rounding. */
+/* The noise of a computed t: a chord shorter than this at a ray's very start is rounding. 8 LSB. */
 #define LENGTH_NOISE REAL_LENGTH(0.0)
 
-/* ---- Lengths ---------------------------------------------------------------------------------- */
+/* ---- Lengths --------------------------------------------------------------------------------- */
 
 /* a + b, a - b, -a: exact where they fit. */
 real_length length_add(real_length a, real_length b);
@@ -62,6 +71,7 @@ real_length length_negate(real_length a);
 
 /* a < b. */
 bool length_less(real_length a, real_length b);
+bool length_is_zero(real_length a);
 
 /* origin + t * u: a coordinate of the point at t along a direction. Error <= 1/2 LSB. */
 real_length length_along(real_length origin, real_length t, real_unit u);
@@ -73,22 +83,24 @@ real_length length_dot(real_length x, real_length y, real_length z, real_unit u,
 /* a * u. Error <= 1/2 LSB. */
 real_length length_scaled(real_length a, real_unit u);
 
-/* 1 / u with the relative error of 2^-31; u must not be zero (unit_is_zero). */
+/* 1 / u with the relative error of 2^-31, exact for a power of two; u must not be zero
+ * (unit_is_zero). */
 real_slope slope_of(real_unit u);
 
-/* a / u for the slope of u. Never decreases where a increases (u > 0). Error <= 1 LSB + |a/u| 2^-31;
- * saturates beyond LENGTH_FAR. */
+/* a / u for the slope of u. Never decreases where a increases (u > 0). Error <= 1/2 LSB +
+ * |a/u| 2^-31. Saturates beyond LENGTH_FAR, in the float images too (at 2048). */
 real_length length_over(real_length a, real_slope slope);
 
-/* Whether floor(a / size) is odd: the cell of a pattern. size > 0. Exact. */
+/* Whether floor(a / size) is odd: the cell of a pattern. size > 0. Exact in fx; a float image takes
+ * the floor of the rounded quotient. */
 bool length_cell_is_odd(real_length a, real_length size);
 
-/* ---- Areas ------------------------------------------------------------------------------------ */
+/* ---- Areas ----------------------------------------------------------------------------------- */
 
-/* a * b. Exact where |a|, |b| <= 1536. */
+/* a * b. Exact. */
 real_area area_product(real_length a, real_length b);
 
-/* x^2 + y^2 + z^2. Exact where each is at most 1536. */
+/* x^2 + y^2 + z^2. Exact where each is at most 1672; saturates. */
 real_area area_norm(real_length x, real_length y, real_length z);
 
 /* a + b, a - b: exact, saturated. */
@@ -98,13 +110,16 @@ real_area area_subtract(real_area a, real_area b);
 /* a < 0. */
 bool area_is_negative(real_area a);
 
-/* a * u. Error <= 1/2 LSB of Q22.40. */
+/* a * u. Error <= 1/2 LSB of Q22.40; saturates where |u| > 1. */
 real_area area_scaled(real_area a, real_unit u);
 
 /* The square root; 0 for a negative argument. Error <= 1/2 LSB of a length. */
 real_length length_root(real_area a);
 
-/* ---- Directions and cosines ------------------------------------------------------------------- */
+/* a / b; b must not be zero (length_is_zero). Error <= 1 LSB + |a/b| 2^-30; saturates. */
+real_length length_quotient(real_area a, real_length b);
+
+/* ---- Directions and cosines ------------------------------------------------------------------ */
 
 bool unit_is_zero(real_unit u);
 bool unit_is_negative(real_unit u);
@@ -144,8 +159,8 @@ void unit_normalise_lengths(real_length x, real_length y, real_length z, real_un
 real_unit unit_mirrored(real_unit d, real_unit c, real_unit n);
 
 /* Snell's law in cosines: *refracted = sqrt(1 - eta^2 (1 - c^2)); false where there is none (total
- * internal reflection). eta = n1 / n2; 0 <= c <= 1. The radicand is formed in 64 bits. Error <= 1
- * LSB where the result is above 2^-8. */
+ * internal reflection). eta = n1 / n2 > 0; 0 <= c <= 1, and a c beyond counts as the end in fx. The
+ * radicand is formed in 64 bits, to 2^-48. Error <= 0.51 LSB where the result is above 2^-8. */
 bool unit_refracted_cosine(real_unit c, real_index eta, real_unit *refracted);
 
 /* eta * c - refracted: the share of the normal in the refracted direction. Error <= 1/2 LSB. */
@@ -154,7 +169,7 @@ real_index index_bend(real_index eta, real_unit c, real_unit refracted);
 /* eta * d + bend * n: a component of the refracted direction, one rounding. Error <= 1/2 LSB. */
 real_unit unit_bent(real_unit d, real_index eta, real_index bend, real_unit n);
 
-/* ---- Indices of refraction -------------------------------------------------------------------- */
+/* ---- Indices of refraction ------------------------------------------------------------------- */
 
 /* a * b. Error <= 1/2 LSB. */
 real_index index_product(real_index a, real_index b);
@@ -168,7 +183,7 @@ real_index index_of_unit(real_unit u);
 real_index index_add(real_index a, real_index b);
 real_index index_subtract(real_index a, real_index b);
 
-/* ---- Energies --------------------------------------------------------------------------------- */
+/* ---- Energies -------------------------------------------------------------------------------- */
 
 /* a * b. Error <= 1/2 LSB. */
 real_energy energy_product(real_energy a, real_energy b);
@@ -183,19 +198,19 @@ bool energy_is_zero(real_energy a);
 /* The cosine as an energy, clamped to 0..1. Exact. */
 real_energy energy_of_cosine(real_unit cosine);
 
-/* part / whole, |part| <= |whole|; 0 where whole is 0. Error <= 2 LSB. */
+/* part / whole, |part| <= |whole|; 0 where whole is 0. Error <= 1 LSB. */
 real_energy energy_ratio(real_index part, real_index whole);
 
 /* (a^2 + b^2) / 2, one rounding. Error <= 1/2 LSB. */
 real_energy energy_mean_square(real_energy a, real_energy b);
 
-/* base^exponent for 0 <= base <= 1; x^0 = 1. Relative error <= 2^-29 (exponent + 1). */
+/* base^exponent for 0 <= base <= 1; x^0 = 1. Error <= 1 LSB + relative 2^-32 exponent. */
 real_energy energy_power(real_energy base, uint16_t exponent);
 
-/* exp(-extinction * way), way >= 0 (Lambert-Bouguer, Table 1 (d)). Error <= 4 LSB + 2^-29 way. */
+/* exp(-extinction * way), way >= 0 (Lambert-Bouguer, Table 1 (d)). Error <= 1.4 LSB. */
 real_energy energy_transmitted(real_extinction extinction, real_length way);
 
-/* ---- Colours ---------------------------------------------------------------------------------- */
+/* ---- Colours --------------------------------------------------------------------------------- */
 
 /* a + b: exact, saturated. */
 real_colour colour_add(real_colour a, real_colour b);
@@ -203,11 +218,11 @@ real_colour colour_add(real_colour a, real_colour b);
 /* a * share. Error <= 1/2 LSB. */
 real_colour colour_scaled(real_colour a, real_energy share);
 
-/* a * light / 255: a surface's colour under a coloured light. Error <= 1/2 LSB + 2^-30 of it. */
+/* a * light / 255: a surface's colour under a coloured light. Error <= 1/2 LSB + 2^-20. */
 real_colour colour_lit(real_colour a, real_colour light);
 
 /* a / (distance / 2^exponent), where 2^exponent scaled units make one of the scene file's. Error
- * relative 2^-29 + 1/2 LSB; a distance of 0 or less saturates. |exponent| <= 30. */
+ * <= 1/2 LSB + relative 2^-31; a distance of 0 or less saturates. |exponent| <= 30. */
 real_colour colour_faded(real_colour a, real_length distance, int exponent);
 
 /* The level 0..255 to send to the board: rounded to nearest, clamped. */

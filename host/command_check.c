@@ -1,0 +1,95 @@
+/* SPDX-License-Identifier: MIT */
+/* superframe check: reads and analyses a scene and says what it requires. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "arithmetic.h"
+#include "command.h"
+#include "load_scene.h"
+
+static void print_description(const struct scene_description *scene) {
+    size_t opaque = 0;
+    for (size_t i = 0; i < scene->material_count; i++) {
+        opaque += !scene->materials[i].transparent;
+    }
+    (void)printf("title       %s\n", scene->title != NULL ? scene->title : "");
+    (void)printf("picture     %d x %d pixels, depth level %d, threshold %g\n", scene->width,
+                 scene->height, scene->depth, scene->threshold);
+    (void)printf("contents    %zu objects of %zu CSG nodes, %zu materials (%zu opaque), "
+                 "%zu lights\n",
+                 scene->object_count, scene->node_count, scene->material_count, opaque,
+                 scene->light_count);
+}
+
+/* Lengths in the file's own unit. */
+static void print_scaling(const struct compiled_scene *compiled) {
+    (void)printf("scaling     centre (%g, %g, %g), times 2^%d: +-512 scaled units are +-%g\n",
+                 compiled->centre[0], compiled->centre[1], compiled->centre[2], compiled->exponent,
+                 ldexp(512, -compiled->exponent));
+}
+
+static void print_indices(const struct compiled_scene *compiled) {
+    double least = HUGE_VAL, most = 0;
+    for (unsigned i = 0; i < compiled->material_count; i++) {
+        if (compiled->materials[i].transparent) {
+            least = fmin(least, compiled->materials[i].ior);
+            most = fmax(most, compiled->materials[i].ior);
+        }
+    }
+    if (most > 0) {
+        (void)printf("refraction  indices %g to %g\n", least, most);
+    }
+}
+
+static void print_requirements(const struct compiled_scene *compiled) {
+    (void)printf("tables      %u primitives (%u boxes, %u balls), %u surfaces, %u bytes of "
+                 "programs\n",
+                 compiled->primitive_count, compiled->box_count, compiled->ball_count,
+                 compiled->surface_count, compiled->program_length);
+    (void)printf(
+        "requires    rotation: %s; patterns: %u; shadows: %s; fading: %s; highlights: %s\n",
+        compiled->frame_count > 0 ? "yes" : "no", compiled->pattern_count,
+        compiled->has_shadows ? "yes" : "no", compiled->fades ? "yes" : "no",
+        compiled->blinn ? "blinn" : "phong");
+}
+
+/* Whether each arithmetic can hold the scene: fx is the one whose ranges are narrow. */
+static int print_arithmetics(const struct compiled_scene *compiled) {
+    static const char *const names[] = {"fx", "f32", "f64", "f128"};
+    int status = STATUS_DONE;
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        struct scene_error error;
+        struct scene *scene = arithmetic_find(names[i])->load(compiled, &error);
+        if (scene == NULL) {
+            status = bad_input("--arith %s: %s", names[i], error.text);
+        }
+        (void)printf("%-11s %s\n", names[i], scene != NULL ? "holds it" : "can't hold it");
+        free(scene);
+    }
+    return status;
+}
+
+int run_check(const struct options *options) {
+    struct scene_error error;
+    struct scene_description *scene = load_scene(options->operands[0], &error);
+    if (scene == NULL) {
+        return bad_input("%s", error.text);
+    }
+    scene_override(scene, &options->overrides);
+    struct compiled_scene *compiled = scene_compile(scene, &error);
+    int status = STATUS_DONE;
+    if (compiled == NULL) {
+        status = bad_input("%s", error.text);
+    } else {
+        print_description(scene);
+        print_scaling(compiled);
+        print_indices(compiled);
+        print_requirements(compiled);
+        status = print_arithmetics(compiled);
+    }
+    free(compiled);
+    scene_description_free(scene);
+    return status;
+}

@@ -1,0 +1,189 @@
+/* SPDX-License-Identifier: MIT */
+/* superframe render: a scene through firmware, ports and board to a picture. */
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "arithmetic.h"
+#include "command.h"
+#include "interrupt.h"
+#include "load_scene.h"
+#include "output.h"
+#include "png_file.h"
+#include "port_chain.h"
+#include "progress.h"
+#include "render.h"
+#include "stats.h"
+#include "stopwatch.h"
+
+enum { NAME_SIZE = 256 };
+
+/* One run of the command: what it holds, to be let go of whatever happens. */
+struct render_run {
+    const struct options *options;
+    const char *scene_name;
+    struct timespec began;
+    struct compiled_scene *compiled;
+    struct port_chain *chain;
+    struct output picture, trace, stats;
+    char default_name[NAME_SIZE];
+    struct render_totals totals;
+};
+
+/* A name that ends in .txt asks for the plain-text form. */
+static enum trace_format format_of(const char *path) {
+    size_t length = strlen(path);
+    return length >= 4 && strcmp(path + length - 4, ".txt") == 0 ? TRACE_TEXT : TRACE_BINARY;
+}
+
+/* Where the picture goes; NULL: there is none. */
+static const char *picture_name(struct render_run *run) {
+    if (run->options->bus != BUS_CHOICE_EMULATOR) {
+        return NULL;
+    }
+    if (run->options->output != NULL) {
+        return run->options->output;
+    }
+    scene_short_name(run->scene_name, run->default_name, NAME_SIZE - sizeof ".png");
+    strcat(run->default_name, ".png");
+    return run->default_name;
+}
+
+/* Opens all results before the work begins: a name that can't be written is known at once. */
+static bool open_outputs(struct render_run *run) {
+    const struct options *options = run->options;
+    const char *picture = picture_name(run);
+    const char *trace = options->bus == BUS_CHOICE_TRACE ? options->bus_file : options->trace;
+    if ((picture != NULL && !output_open(&run->picture, picture)) ||
+        (options->stats != NULL && !output_open(&run->stats, options->stats)) ||
+        (trace != NULL && !output_open(&run->trace, trace))) {
+        return false;
+    }
+    if (trace != NULL) {
+        port_chain_record(run->chain, run->trace.file, format_of(trace));
+    }
+    return true;
+}
+
+static int prepare(struct render_run *run) {
+    const struct options *options = run->options;
+    struct scene_error error;
+    run->compiled = load_compiled_scene(run->scene_name, &options->overrides, &error);
+    if (run->compiled == NULL) {
+        return bad_input("%s", error.text);
+    }
+    if (options->has_rows && options->last_row > run->compiled->height) {
+        return bad_input("--rows %u:%u: the picture has %u rows; allowed is: up to 0:%u",
+                         options->first_row, options->last_row, run->compiled->height,
+                         run->compiled->height);
+    }
+    struct board_desc desc = board_default_desc(options->profile);
+    desc.base = options->base;
+    run->chain = port_chain_new(&desc, options->bus == BUS_CHOICE_EMULATOR);
+    if (run->chain == NULL) {
+        complain("out of memory");
+        return STATUS_FAILED;
+    }
+    return open_outputs(run) ? STATUS_DONE : STATUS_FAILED;
+}
+
+static int render_rows(struct render_run *run) {
+    const struct options *options = run->options;
+    struct progress progress;
+    struct scene_error error;
+    struct render_job job;
+    memset(&job, 0, sizeof job);
+    job.arithmetic = arithmetic_find(options->arithmetic);
+    job.scene = run->compiled;
+    job.base = options->base;
+    job.first_row = options->has_rows ? options->first_row : 0;
+    job.last_row = options->has_rows ? options->last_row : run->compiled->height;
+    job.jobs = options->jobs;
+    job.stop = interrupt_noted();
+    job.progress = progress_show;
+    job.context = &progress;
+    progress_begin(&progress, job.last_row - job.first_row, options->quiet);
+    interrupt_catch();
+    (void)bus_bind(&run->chain->hash.bus);
+    bool is_rendered = render(&job, &run->totals, &error);
+    progress_end(&progress);
+    return is_rendered ? STATUS_DONE : bad_input("%s", error.text);
+}
+
+static int write_picture(struct render_run *run) {
+    struct png_error error;
+    port_chain_picture(run->chain);
+    if (write_png(run->picture.file, run->chain->rgb, PICTURE_WIDTH, PICTURE_HEIGHT, &error) !=
+        PNG_OK) {
+        complain("%s: %s", run->picture.path, error.message);
+        return STATUS_FAILED;
+    }
+    return output_commit(&run->picture) ? STATUS_DONE : STATUS_FAILED;
+}
+
+/* Ends the trace, then writes the rest of what was asked for. */
+static int write_results(struct render_run *run) {
+    enum bus_status bus = port_chain_finish(run->chain);
+    if (bus != BUS_OK) {
+        if (run->trace.file != NULL && bus == BUS_IO_ERROR) {
+            output_complain(&run->trace, run->chain->recorder.error_number);
+        } else {
+            complain("the ports: %s", bus_status_text(bus));
+        }
+        return STATUS_FAILED;
+    }
+    if (run->trace.file != NULL && !output_commit(&run->trace)) {
+        return STATUS_FAILED;
+    }
+    if (run->picture.file != NULL && write_picture(run) != STATUS_DONE) {
+        return STATUS_FAILED;
+    }
+    if (run->stats.file != NULL) {
+        const struct run_stats stats = {run->scene_name, run->options->arithmetic,
+                                        run->compiled,   &run->totals,
+                                        run->chain,      stopwatch_seconds(&run->began)};
+        stats_write(run->stats.file, &stats);
+        if (!output_commit(&run->stats)) {
+            return STATUS_FAILED;
+        }
+    }
+    return STATUS_DONE;
+}
+
+/* What the finished run says of itself. */
+static int judge(const struct render_run *run) {
+    const struct options *options = run->options;
+    if (*interrupt_noted() != 0) {
+        complain("interrupted after %u rows", run->totals.rows);
+        return STATUS_SIGNAL + *interrupt_noted();
+    }
+    if (options->strict &&
+        !port_chain_holds(run->chain, options->has_strict_grade, options->strict_grade)) {
+        return STATUS_NOT_HELD;
+    }
+    return STATUS_DONE;
+}
+
+int run_render(const struct options *options) {
+    struct render_run run;
+    memset(&run, 0, sizeof run);
+    run.options = options;
+    run.scene_name = options->operands[0];
+    run.began = stopwatch_start();
+    int status = prepare(&run);
+    if (status == STATUS_DONE) {
+        status = render_rows(&run);
+    }
+    if (status == STATUS_DONE) {
+        status = write_results(&run);
+    }
+    if (status == STATUS_DONE) {
+        status = judge(&run);
+    }
+    output_discard(&run.picture);
+    output_discard(&run.trace);
+    output_discard(&run.stats);
+    port_chain_free(run.chain);
+    free(run.compiled);
+    return status;
+}

@@ -1,0 +1,252 @@
+/* SPDX-License-Identifier: MIT */
+/* The command line: every option's values, good and wrong, and what excludes what. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "options.h"
+#include "values.h"
+
+enum { WORDS_MOST = 16, LINE_SIZE = 256 };
+
+/* Parses a line of words with one blank between each two; its first word is dropped. */
+static bool parse(enum command_id command, const char *line, struct options *options,
+                  struct options_error *error) {
+    static char text[LINE_SIZE]; /* options point into it */
+    static char *words[WORDS_MOST + 1];
+    int count = 0;
+    (void)snprintf(text, sizeof text, "%s", line);
+    for (char *word = strtok(text, " "); word != NULL && count < WORDS_MOST;
+         word = strtok(NULL, " ")) {
+        words[count++] = word;
+    }
+    words[count] = NULL;
+    error->text[0] = '\0';
+    return options_parse(command, count, words, options, error);
+}
+
+static void defaults(void **state) {
+    (void)state;
+    struct options options;
+    struct options_error error;
+    assert_true(parse(COMMAND_RENDER, "render fig3", &options, &error));
+    assert_int_equal(options.operand_count, 1);
+    assert_string_equal(options.operands[0], "fig3");
+    assert_string_equal(options.arithmetic, "fx");
+    assert_int_equal(options.bus, BUS_CHOICE_EMULATOR);
+    assert_int_equal(options.profile, BOARD_1987);
+    assert_int_equal(options.base, 0x00D0);
+    assert_int_equal(options.jobs, 1);
+    assert_null(options.output);
+    assert_null(options.stats);
+    assert_null(options.trace);
+    assert_false(options.strict || options.quiet || options.has_rows || options.json);
+    assert_false(options.overrides.has_depth || options.overrides.has_threshold ||
+                 options.overrides.has_size || options.overrides.has_model ||
+                 options.overrides.has_highlight || options.overrides.has_colour);
+    assert_true(parse(COMMAND_COMPARE, "compare a b", &options, &error));
+    assert_int_equal(options.within, 1);
+    assert_true(options.share == 99.9);
+}
+
+static void all_options_of_render(void **state) {
+    (void)state;
+    struct options options;
+    struct options_error error;
+    assert_true(parse(COMMAND_RENDER,
+                      "render --depth 255 fig3 --threshold=1/4096 --size 640x400 -o a.png "
+                      "--rows 0:200 --jobs 2 --base 0cd0 --profile later --strict=A --quiet",
+                      &options, &error));
+    assert_string_equal(options.operands[0], "fig3"); /* options may stand before it */
+    assert_int_equal(options.overrides.depth, 255);
+    assert_true(options.overrides.threshold == 1.0 / 4096);
+    assert_int_equal(options.overrides.width, 640);
+    assert_int_equal(options.overrides.height, 400);
+    assert_string_equal(options.output, "a.png");
+    assert_int_equal(options.first_row, 0);
+    assert_int_equal(options.last_row, 200);
+    assert_int_equal(options.jobs, 2);
+    assert_int_equal(options.base, 0x0CD0);
+    assert_int_equal(options.profile, BOARD_LATER);
+    assert_true(options.strict && options.has_strict_grade && options.quiet);
+    assert_int_equal(options.strict_grade, GRADE_ASSUMED);
+    assert_true(parse(COMMAND_RENDER, "render fig3 --highlight blinn --arith f128 --tail black",
+                      &options, &error));
+    assert_int_equal(options.overrides.highlight, HIGHLIGHT_BLINN);
+    assert_string_equal(options.arithmetic, "f128");
+    assert_true(parse(COMMAND_RENDER, "render fig3 --bus trace:a.trace", &options, &error));
+    assert_int_equal(options.bus, BUS_CHOICE_TRACE);
+    assert_string_equal(options.bus_file, "a.trace");
+    assert_true(parse(COMMAND_RENDER, "render --strict -- -fig3", &options, &error));
+    assert_true(options.strict && !options.has_strict_grade);
+    assert_string_equal(options.operands[0], "-fig3");
+}
+
+/* Refused, and with a message that holds the fragment. */
+static const struct {
+    enum command_id command;
+    const char *line, *fragment;
+} refused[] = {
+    {COMMAND_RENDER, "render", "SCENE is lacking"},
+    {COMMAND_RENDER, "render a b", "\"b\" is one too many"},
+    {COMMAND_RENDER, "render a --depth", "--depth lacks its value"},
+    {COMMAND_RENDER, "render a -o", "-o lacks its value"},
+    {COMMAND_RENDER, "render a --depth -1", "a whole number 0..255"},
+    {COMMAND_RENDER, "render a --depth 256", "\"256\" is not allowed"},
+    {COMMAND_RENDER, "render a --depth 99999999999999999999", "0..255"},
+    {COMMAND_RENDER, "render a --depth 1.5", "0..255"},
+    {COMMAND_RENDER, "render a --depth 10x", "0..255"},
+    {COMMAND_RENDER, "render a --threshold 1.1", "0..1"},
+    {COMMAND_RENDER, "render a --threshold nan", "0..1"},
+    {COMMAND_RENDER, "render a --threshold inf", "0..1"},
+    {COMMAND_RENDER, "render a --threshold 1/0", "0..1"},
+    {COMMAND_RENDER, "render a --threshold 1e400", "0..1"},
+    {COMMAND_RENDER, "render a --threshold 0x1p-3", "0..1"},
+    {COMMAND_RENDER, "render a --threshold 1/2/3", "0..1"},
+    {COMMAND_RENDER, "render a --threshold -0.5", "0..1"},
+    {COMMAND_RENDER, "render a --size 0x100", "1x1..640x400"},
+    {COMMAND_RENDER, "render a --size 641x400", "1x1..640x400"},
+    {COMMAND_RENDER, "render a --size 640x401", "1x1..640x400"},
+    {COMMAND_RENDER, "render a --size 640", "1x1..640x400"},
+    {COMMAND_RENDER, "render a --size 640X400", "1x1..640x400"},
+    {COMMAND_RENDER, "render a --arith f16", "fx, f32, f64 or f128"},
+    {COMMAND_RENDER, "render a --rows 5:5", "A < B"},
+    {COMMAND_RENDER, "render a --rows 7:5", "A < B"},
+    {COMMAND_RENDER, "render a --rows 0:401", "A < B"},
+    {COMMAND_RENDER, "render a --rows 5", "A < B"},
+    {COMMAND_RENDER, "render a --jobs 0", "1..256"},
+    {COMMAND_RENDER, "render a --base 00D1", "00D0"},
+    {COMMAND_RENDER, "render a --base 100D0", "00D0"},
+    {COMMAND_RENDER, "render a --profile 1999", "1987 or later"},
+    {COMMAND_RENDER, "render a --strict=X", "P, D, S, I or A"},
+    {COMMAND_RENDER, "render a --highlight gouraud", "phong or blinn"},
+    {COMMAND_RENDER, "render a --model glass", "fresnel"},
+    {COMMAND_RENDER, "render a --colour red", "full"},
+    {COMMAND_RENDER, "render a --tail white", "black"},
+    {COMMAND_RENDER, "render a --bus isa", "emulator or trace:FILE"},
+    {COMMAND_RENDER, "render a --bus trace:", "emulator or trace:FILE"},
+    {COMMAND_RENDER, "render a --bus trace", "emulator or trace:FILE"},
+    {COMMAND_RENDER, "render a --frobnicate", "no option --frobnicate"},
+    {COMMAND_RENDER, "render a -x", "no option -x"},
+    {COMMAND_RENDER, "render a --quiet=3", "--quiet: takes no value"},
+    {COMMAND_RENDER, "render a --json", "no option --json"},
+    /* Known, but not built into this version. */
+    {COMMAND_RENDER, "render a --model wavelength", "--model wavelength: not built"},
+    {COMMAND_RENDER, "render a --model simple", "--model simple: not built"},
+    {COMMAND_RENDER, "render a --model absorption", "--model absorption: not built"},
+    {COMMAND_RENDER, "render a --colour bits:3", "--colour bits:3: not built"},
+    {COMMAND_RENDER, "render a --colour dither", "--colour dither: not built"},
+    {COMMAND_RENDER, "render a --colour exposures", "--colour exposures: not built"},
+    {COMMAND_RENDER, "render a --seed 2", "--seed: not built"},
+    {COMMAND_RENDER, "render a --bus usb", "--bus usb: not built"},
+    {COMMAND_RENDER, "render a --bus hid:123", "--bus hid:123: not built"},
+    {COMMAND_RENDER, "render a --bus ports", "--bus ports: not built"},
+    {COMMAND_RENDER, "render a --tail estimate", "--tail estimate: not built"},
+    {COMMAND_RENDER, "render a --error 1", "--error: not built"},
+    {COMMAND_RENDER, "render a --verify", "--verify: not built"},
+    {COMMAND_RENDER, "render a --wait", "--wait: not built"},
+    /* What excludes what. */
+    {COMMAND_RENDER, "render a --error 1 --threshold 0", "exclude each other"},
+    {COMMAND_RENDER, "render a --threshold 0 --error 1", "exclude each other"},
+    {COMMAND_RENDER, "render a -o - --stats -", "the same place"},
+    {COMMAND_RENDER, "render a -o x --trace x", "the same place"},
+    {COMMAND_RENDER, "render a --bus trace:x --stats x", "the same place"},
+    {COMMAND_RENDER, "render a --bus trace:x -o y", "--output goes with --bus emulator only"},
+    {COMMAND_RENDER, "render a --bus trace:x --trace y", "--trace goes with --bus emulator only"},
+    {COMMAND_RENDER, "render a --bus trace:x --strict", "--strict goes with --bus emulator only"},
+    {COMMAND_COMPILE, "compile a", "-o FILE.c is lacking"},
+    {COMMAND_COMPILE, "compile a -o b --jobs 2", "no option --jobs"},
+    {COMMAND_REPLAY, "replay a", "-o FILE.png is lacking"},
+    {COMMAND_REPLAY, "replay", "TRACE... is lacking"},
+    {COMMAND_COMPARE, "compare a", "A.png B.png is lacking"},
+    {COMMAND_COMPARE, "compare a b c", "\"c\" is one too many"},
+    {COMMAND_COMPARE, "compare a b --within 256", "0..255"},
+    {COMMAND_COMPARE, "compare a b --share 100.1", "0..100"},
+    {COMMAND_SCENES, "scenes fig3", "\"fig3\" is one too many"},
+};
+
+static void refusals(void **state) {
+    (void)state;
+    for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
+        struct options options;
+        struct options_error error;
+        if (parse(refused[i].command, refused[i].line, &options, &error)) {
+            fail_msg("\"%s\" was not refused", refused[i].line);
+        }
+        if (strstr(error.text, refused[i].fragment) == NULL) {
+            fail_msg("\"%s\": \"%s\" lacks \"%s\"", refused[i].line, error.text,
+                     refused[i].fragment);
+        }
+    }
+}
+
+static void help_is_not_refused_for_what_is_lacking(void **state) {
+    (void)state;
+    struct options options;
+    struct options_error error;
+    assert_true(parse(COMMAND_RENDER, "render --help", &options, &error));
+    assert_true(options.help);
+}
+
+static void whole_numbers(void **state) {
+    (void)state;
+    unsigned long value = 7;
+    assert_true(value_whole("0", 0, 5, &value) && value == 0);
+    assert_true(value_whole("5", 0, 5, &value) && value == 5);
+    assert_true(value_whole("0005", 0, 5, &value) && value == 5);
+    assert_true(value_whole("18446744073709551615", 0, (unsigned long)-1, &value));
+    assert_true(value == (unsigned long)-1);
+    value = 7;
+    static const char *const wrong[] = {
+        "", "6", " 1", "1 ", "+1", "-1", "0x1", "1.", "18446744073709551616"};
+    for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
+        assert_false(value_whole(wrong[i], 0, 5, &value));
+    }
+    assert_false(value_whole("18446744073709551616", 0, (unsigned long)-1, &value));
+    assert_false(value_whole("1", 2, 5, &value));
+    assert_true(value == 7);
+}
+
+static void real_numbers(void **state) {
+    (void)state;
+    double value = 7;
+    assert_true(value_real("0.25", 0, 1, &value) && value == 0.25);
+    assert_true(value_real("1e-3", 0, 1, &value) && value == 1e-3);
+    assert_true(value_real("3/8", 0, 1, &value) && value == 0.375);
+    assert_true(value_real(".5", 0, 1, &value) && value == 0.5);
+    value = 7;
+    static const char *const wrong[] = {"",   ".",  "1e", "--1", "nan", "inf", "0x1",   " 1",
+                                        "1 ", "1/", "/2", "1/0", "2",   "-1",  "1e999", "1,5"};
+    for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
+        assert_false(value_real(wrong[i], 0, 1, &value));
+    }
+    assert_true(value == 7);
+}
+
+static void port_addresses(void **state) {
+    (void)state;
+    unsigned long value = 7;
+    assert_true(value_port("00D0", &value) && value == 0xD0);
+    assert_true(value_port("0xd0", &value) && value == 0xD0);
+    assert_true(value_port("02D0h", &value) && value == 0x2D0);
+    assert_false(value_port("", &value));
+    assert_false(value_port("0x", &value));
+    assert_false(value_port("D0hh", &value));
+    assert_false(value_port("-D0", &value));
+    assert_false(value_port("12345", &value));
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(defaults),       cmocka_unit_test(all_options_of_render),
+        cmocka_unit_test(refusals),       cmocka_unit_test(help_is_not_refused_for_what_is_lacking),
+        cmocka_unit_test(whole_numbers),  cmocka_unit_test(real_numbers),
+        cmocka_unit_test(port_addresses),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
