@@ -4,8 +4,6 @@
 
 #include "board_internal.h"
 
-#include <stddef.h>
-
 enum {
     POSITION_X_MASK = 0x03FF,
     POSITION_Y_MASK = 0x01FF,
@@ -272,27 +270,38 @@ static void write_split(struct board *board, uint16_t port, uint16_t value) {
     }
 }
 
+/* Whatever board_write() doesn't do itself. */
+static void write_any(struct board *board, uint16_t port, uint16_t value, unsigned width) {
+    unsigned offset = (uint16_t)(port - board->desc.base);
+    bool is_decoded = offset < BOARD_PORTS;
+    struct access access = {port, value, (uint8_t)width, false};
+    if (is_decoded && width == BUS_BYTE) {
+        access.value &= 0xFF;
+        write_byte(board, offset, access);
+    } else if (is_decoded && (offset & 1) == 0) {
+        write_word(board, offset, access);
+    } else if (width == BUS_WORD && (port & 1) != 0) {
+        write_split(board, port, value);
+    } else {
+        note(board, BOARD_FOREIGN_WRITE);
+    }
+}
+
+/* Nine writes of ten are a byte of a pixel and have nothing to report: they are done here, without
+ * a further call, and write_byte() would do the same with them. */
 void board_write(struct board *board, uint16_t port, uint16_t value, unsigned width) {
     unsigned offset = (uint16_t)(port - board->desc.base);
     board->accesses++;
     if (offset < BOARD_PORTS) {
         board->writes[offset][width - 1]++;
-        if (width == BUS_BYTE) {
-            struct access access = {port, (uint16_t)(value & 0xFF), BUS_BYTE, false};
-            write_byte(board, offset, access);
-            return;
-        }
-        if ((offset & 1) == 0) {
-            struct access access = {port, value, BUS_WORD, false};
-            write_word(board, offset, access);
+        bool is_primary = offset == 0x8 || offset == 0xA || offset == 0xC;
+        if (is_primary && width == BUS_BYTE && pixel_is_plain(board) && !board->is_stepping) {
+            note(board, BOARD_PRIMARY_WRITE);
+            board->memory[(uint32_t)board->place + offset / 2 - 4] = (uint8_t)value;
             return;
         }
     }
-    if (width == BUS_WORD && (port & 1) != 0) {
-        write_split(board, port, value);
-    } else {
-        note(board, BOARD_FOREIGN_WRITE);
-    }
+    write_any(board, port, value, width);
 }
 
 /* ---- Reads ---------------------------------------------------------------------------------- */
@@ -378,22 +387,4 @@ uint16_t board_read(struct board *board, uint16_t port, unsigned width) {
     }
     report(board, BOARD_FOREIGN_READ, access);
     return access.value;
-}
-
-/* ---- The board as a bus --------------------------------------------------------------------- */
-
-static void bus_to_board_write(struct bus *bus, uint16_t port, uint16_t value, unsigned width) {
-    board_write(((struct board_bus *)bus)->board, port, value, width);
-}
-
-static uint16_t bus_to_board_read(struct bus *bus, uint16_t port, unsigned width) {
-    return board_read(((struct board_bus *)bus)->board, port, width);
-}
-
-static const struct bus_operations board_operations = {bus_to_board_write, bus_to_board_read, NULL};
-
-void board_bus_init(struct board_bus *board_bus, struct board *board) {
-    board_bus->bus.operations = &board_operations;
-    board_bus->bus.status = BUS_OK;
-    board_bus->board = board;
 }

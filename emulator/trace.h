@@ -62,8 +62,7 @@ int trace_error_format(char *text, size_t size, const char *name, const struct t
 /* True if two accesses are the same in every field. */
 bool trace_access_equal(const struct trace_access *a, const struct trace_access *b);
 
-/* ---- The plain-text form: out8, out16, in8, in16; port and value in hex -------------------------
- */
+/* ---- The plain-text form -------------------------------------------------------------------- */
 
 enum { TRACE_TEXT_SIZE = 16 }; /* room for "out16 00D4 0123" and the 0 after it */
 

@@ -58,8 +58,7 @@ static inline void trace_model_update(struct trace_model *model, unsigned slot, 
     model->previous = (uint8_t)slot;
 }
 
-/* ---- Little-endian numbers
- * ---------------------------------------------------------------------- */
+/* ---- Little-endian numbers ------------------------------------------------------------------ */
 
 static inline void trace_put(uint8_t *bytes, uint64_t value, unsigned size) {
     for (unsigned i = 0; i < size; i++) {

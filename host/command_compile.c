@@ -2,6 +2,7 @@
 /* superframe compile: a scene as const tables in C. */
 #include <errno.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "command.h"
 #include "emit.h"
@@ -24,7 +25,7 @@ int run_compile(const struct options *options) {
         scene_short_name(options->operands[0], name, sizeof name);
         errno = 0;
         if (scene_emit(output.file, compiled, name) != 0) {
-            output_complain(&output, errno);
+            output_complain(&output, errno != 0 ? strerror(errno) : "a write failed");
             output_discard(&output);
         } else if (output_commit(&output)) {
             status = STATUS_DONE;

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* superframe render: a scene through firmware, ports and board to a picture. */
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -9,10 +8,10 @@
 #include "interrupt.h"
 #include "load_scene.h"
 #include "output.h"
-#include "png_file.h"
 #include "port_chain.h"
 #include "progress.h"
 #include "render.h"
+#include "screen_output.h"
 #include "stats.h"
 #include "stopwatch.h"
 
@@ -110,23 +109,12 @@ static int render_rows(struct render_run *run) {
     return is_rendered ? STATUS_DONE : bad_input("%s", error.text);
 }
 
-static int write_picture(struct render_run *run) {
-    struct png_error error;
-    port_chain_picture(run->chain);
-    if (write_png(run->picture.file, run->chain->rgb, PICTURE_WIDTH, PICTURE_HEIGHT, &error) !=
-        PNG_OK) {
-        complain("%s: %s", run->picture.path, error.message);
-        return STATUS_FAILED;
-    }
-    return output_commit(&run->picture) ? STATUS_DONE : STATUS_FAILED;
-}
-
 /* Ends the trace, then writes the rest of what was asked for. */
 static int write_results(struct render_run *run) {
     enum bus_status bus = port_chain_finish(run->chain);
     if (bus != BUS_OK) {
         if (run->trace.file != NULL && bus == BUS_IO_ERROR) {
-            output_complain(&run->trace, run->chain->recorder.error_number);
+            output_complain(&run->trace, strerror(run->chain->recorder.error_number));
         } else {
             complain("the ports: %s", bus_status_text(bus));
         }
@@ -135,7 +123,7 @@ static int write_results(struct render_run *run) {
     if (run->trace.file != NULL && !output_commit(&run->trace)) {
         return STATUS_FAILED;
     }
-    if (run->picture.file != NULL && write_picture(run) != STATUS_DONE) {
+    if (run->picture.file != NULL && !screen_write(&run->picture, run->chain)) {
         return STATUS_FAILED;
     }
     if (run->stats.file != NULL) {

@@ -7,8 +7,8 @@
 
 #include "command.h"
 #include "output.h"
-#include "png_file.h"
 #include "port_chain.h"
+#include "screen_output.h"
 #include "stats.h"
 #include "stopwatch.h"
 #include "trace_replay.h"
@@ -82,22 +82,8 @@ static int prepare(struct replay_run *run) {
     return STATUS_DONE;
 }
 
-static int write_picture(struct replay_run *run) {
-    struct png_error error;
-    port_chain_picture(run->chain);
-    if (run->chain->picture_state != PICTURE_OK) {
-        complain("the picture is black: %s", picture_state_text(run->chain->picture_state));
-    }
-    if (write_png(run->picture.file, run->chain->rgb, PICTURE_WIDTH, PICTURE_HEIGHT, &error) !=
-        PNG_OK) {
-        complain("%s: %s", run->picture.path, error.message);
-        return STATUS_FAILED;
-    }
-    return output_commit(&run->picture) ? STATUS_DONE : STATUS_FAILED;
-}
-
 static int write_results(struct replay_run *run) {
-    if (run->picture.file != NULL && write_picture(run) != STATUS_DONE) {
+    if (run->picture.file != NULL && !screen_write(&run->picture, run->chain)) {
         return STATUS_FAILED;
     }
     if (run->stats.file != NULL) {

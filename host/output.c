@@ -14,17 +14,13 @@
 
 enum { LINKS_MOST = 40, NAMES_TRIED = 100, NEW_FILE_MODE = 0666 };
 
-static void complain_about(const char *path, int error_number) {
-    complain("%s: cannot be written: %s", strcmp(path, "-") == 0 ? "standard output" : path,
-             error_number != 0 ? strerror(error_number) : "an earlier write failed");
-}
-
-void output_complain(const struct output *output, int error_number) {
-    complain_about(output->path, error_number);
+void output_complain(const struct output *output, const char *reason) {
+    const char *name = strcmp(output->path, "-") == 0 ? "standard output" : output->path;
+    complain("%s: cannot be written: %s", name, reason);
 }
 
 static bool fail(struct output *output, int error_number) {
-    complain_about(output->path, error_number);
+    output_complain(output, error_number != 0 ? strerror(error_number) : "an earlier write failed");
     output_discard(output);
     return false;
 }
@@ -112,7 +108,7 @@ bool output_open(struct output *output, const char *path) {
         return true;
     }
     bool is_there = stat(path, &facts) == 0;
-    if (!is_there && errno != ENOENT) {
+    if (!is_there && (errno != ENOENT || path[0] == '\0')) {
         return fail(output, errno);
     }
     if (is_there && !S_ISREG(facts.st_mode)) {

@@ -27,7 +27,7 @@ bool output_commit(struct output *output);
 /* Gives the output up: what was there before stays. Harmless if it is not open. */
 void output_discard(struct output *output);
 
-/* Prints why a write to the output failed; error_number is errno's, 0 where it is not known. */
-void output_complain(const struct output *output, int error_number);
+/* Prints why a write to the output failed. */
+void output_complain(const struct output *output, const char *reason);
 
 #endif

@@ -274,7 +274,7 @@ static bool read_holds(const struct row *row, const char *effect) {
     if (strcmp(effect, "FF primary") == 0) {
         return answer == (0xFF00 | primary_of(row, before.rgb));
     }
-    unsigned expected;
+    unsigned expected = 0;
     char rest;
     if (strlen(effect) != row->width * 2 || sscanf(effect, "%x%c", &expected, &rest) != 1) {
         fail_msg("the effect '%s' is none that a read can have", effect);

@@ -2,6 +2,7 @@
 /* The command line: every option's values, good and wrong, and what excludes what. */
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -12,7 +13,7 @@
 #include "options.h"
 #include "values.h"
 
-enum { WORDS_MOST = 16, LINE_SIZE = 256 };
+enum { WORDS_MOST = 32, LINE_SIZE = 256 };
 
 /* Parses a line of words with one blank between each two; its first word is dropped. */
 static bool parse(enum command_id command, const char *line, struct options *options,

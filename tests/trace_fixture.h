@@ -6,6 +6,7 @@
 #include "board_fixture.h"
 
 #include <stdlib.h>
+#include <xxhash.h>
 
 #include "null_bus.h"
 #include "trace_reader.h"
@@ -61,5 +62,44 @@ static inline FILE *record(const struct trace_access *accesses, size_t count,
     rewind(file);
     return file;
 }
+
+/* ---- The example of docs/trace-format.md */
+
+static inline void put_number(uint8_t *bytes, uint64_t value, unsigned size) {
+    for (unsigned i = 0; i < size; i++) {
+        bytes[i] = (uint8_t)(value >> (8 * i));
+    }
+}
+
+/* A trace put together by hand from docs/trace-format.md: one block. Returns its size. */
+static inline size_t assemble(uint8_t *file, const uint8_t *payload, uint32_t size,
+                              uint32_t accesses, uint64_t total) {
+    static const uint8_t header[16] = {0x89, 0x53, 0x46, 0x54, 0x0D, 0x0A, 0x1A, 0x0A,
+                                       1,    0,    0,    0,    0xD0, 0,    0,    0};
+    memcpy(file, header, sizeof header);
+    XXH64_hash_t checksum = XXH3_64bits(file, 16);
+    put_number(file + 16, checksum, 8);
+    uint8_t *block = file + 24;
+    put_number(block, size, 4);
+    put_number(block + 4, accesses, 4);
+    memcpy(block + 8, payload, size);
+    checksum = XXH3_64bits_withSeed(block, 8 + (size_t)size, checksum);
+    put_number(block + 8 + size, checksum, 8);
+    uint8_t *end = block + 16 + size;
+    put_number(end, 0, 8);
+    put_number(end + 8, total, 8);
+    checksum = XXH3_64bits_withSeed(end, 16, checksum);
+    put_number(end + 16, checksum, 8);
+    return (size_t)(end + 24 - file);
+}
+
+static const struct trace_access example[9] = {
+    {0x00D6, 0x0005, 2, false}, {0x00D4, 0x0000, 2, false}, {0x00D8, 0xFF, 1, false},
+    {0x00D4, 0x0001, 2, false}, {0x00D8, 0xFF, 1, false},   {0x00D4, 0x0002, 2, false},
+    {0x00D8, 0x7F, 1, false},   {0x00EE, 0xC0, 1, false},   {0x00D0, 0x0000, 2, true}};
+
+static const uint8_t example_payload[22] = {0xAA, 0x1A, 0x05, 0x00, 0x12, 0x00, 0x00, 0x20,
+                                            0xFF, 0x12, 0x01, 0x00, 0xD0, 0x7F, 0x00, 0xEE,
+                                            0x00, 0xC0, 0x02, 0x03, 0x00, 0x00};
 
 #endif

@@ -170,10 +170,11 @@ static inline bool area_is_negative(real_area a) {
 static inline real_area area_scaled(real_area a, real_unit u) {
     uint64_t area = fixed_magnitude64(a);
     uint32_t factor = fixed_magnitude(u);
-    uint64_t high = (area >> 32) * factor;                                     /* < 2^62 */
-    uint64_t low = ((area & UINT32_MAX) * factor + (UINT64_C(1) << 29)) >> 30; /* < 2^33 */
-    bool saturated = high >= (UINT64_C(1) << 61) || 4 * high + low > (uint64_t)INT64_MAX;
-    int64_t scaled = saturated ? INT64_MAX : (int64_t)(4 * high + low);
+    /* 4 * 2^31 (2^31 - 1) = 2^64 - 2^33, and 2^33 is more than the low half adds. */
+    uint64_t high = 4 * ((area >> 32) * factor);
+    uint64_t low = ((area & UINT32_MAX) * factor + (UINT64_C(1) << 29)) >> 30;
+    bool saturated = high + low > (uint64_t)INT64_MAX;
+    int64_t scaled = saturated ? INT64_MAX : (int64_t)(high + low);
     fixed_watch(FIXED_area_scaled, scaled, saturated);
     return (a < 0) == (u < 0) ? scaled : -scaled;
 }
