@@ -180,19 +180,28 @@ strict: | setup ## Compile the firmware with one opaque type for each role: no r
 # Everything is read as it is compiled; the firmware in fixed and in floating point, where the ranges
 # of divisors are proved in comments, which the analyser can't read.
 TIDY := clang-tidy --quiet
-.PHONY: lint
-lint: | setup ## Read the source with clang-tidy and cppcheck, and check its style
-	sh tests/check_style.sh
+.PHONY: lint lint-style lint-cppcheck lint-tidy
+lint: lint-style lint-cppcheck lint-tidy ## Read the source with clang-tidy and cppcheck, and check its style
+
+lint-style: | setup
+	@sh tests/check_style.sh
+
+lint-cppcheck: | setup
 	cppcheck --quiet --std=c99 --enable=warning,performance,portability --suppressions-list=tests/cppcheck_suppressions.txt --error-exitcode=1 $(INCLUDE_host) -Ifirmware/real/fx -Ifirmware/features/full hal emulator host firmware
-	printf '%s\n' $(HAL_SOURCES) $(EMULATOR_SOURCES) $(HOST_SOURCES) | xargs -P 2 -n 8 sh -c '$(TIDY) "$$@" -- -std=c99 $(POSIX) $(INCLUDE_host)' tidy
-	printf '%s\n' fx f64 | xargs -P 2 -I % $(TIDY) --checks=-clang-analyzer-core.DivideZero $(FIRMWARE_SOURCES) $(PER_ARITHMETIC_SOURCES) -- -std=c99 -Ifirmware/real/% -Ifirmware/features/full $(INCLUDE_host)
+
+lint-tidy: | setup
+	@printf '%s\n' $(HAL_SOURCES) $(EMULATOR_SOURCES) $(HOST_SOURCES) | xargs -P 2 -n 8 sh -c '$(TIDY) "$$@" -- -std=c99 $(POSIX) $(INCLUDE_host)' tidy
+	@printf '%s\n' fx f64 | xargs -P 2 -I % $(TIDY) --checks=-clang-analyzer-core.DivideZero $(FIRMWARE_SOURCES) $(PER_ARITHMETIC_SOURCES) -- -std=c99 -Ifirmware/real/% -Ifirmware/features/full $(INCLUDE_host)
 
 # ---- The machine ----------------------------------------------------------------------------
 
 # The groups of setup.sh that a goal needs, besides `build`. All are installed in one go, before
 # anything is compiled.
 SETUP_FOR_test := test
-SETUP_FOR_lint := test lint
+SETUP_FOR_lint := lint
+SETUP_FOR_lint-style := lint
+SETUP_FOR_lint-cppcheck := lint
+SETUP_FOR_lint-tidy := lint
 SETUP_GROUPS   := $(sort build $(foreach goal,$(MAKECMDGOALS),$(SETUP_FOR_$(goal))) \
                          $(if $(findstring /tests/,$(MAKECMDGOALS)),test))
 

@@ -168,7 +168,9 @@ struct board {
     struct board_note notes[BOARD_BEHAVIOURS];
     unsigned log_count; /* entries of the log that are used; the first BOARD_LOG_SIZE are kept */
     struct board_violation log[BOARD_LOG_SIZE];
-    uint8_t memory[BOARD_MEMORY_BYTES]; /* R, G, B; BOARD_WIDTH pixels a line */
+    /* R, G, B; BOARD_WIDTH pixels a line, BOARD_MEMORY_HEIGHT lines: write_png() can dump the first
+     * 400, or all 416 with the hidden blocks (of which the board has the left 384 pixels). */
+    uint8_t memory[BOARD_MEMORY_BYTES];
 };
 
 /* The factory's board: base 00D0h, X outside ignored, memory black. */

@@ -71,6 +71,24 @@ void board_row(uint16_t base, uint16_t y, const uint8_t *rgb, uint16_t width, ui
     }
 }
 
+void board_dots(uint16_t base, uint16_t y, const uint8_t *lit, uint16_t width) {
+    for (uint8_t line = 0; line < 2; line++) {
+        uint16_t x = 0;
+        outpw(port(base, Y_AXIS), (uint16_t)(2 * y + line));
+        for (uint16_t pixel = 0; pixel < width; pixel++) {
+            const uint8_t *sets = &lit[3 * pixel];
+            for (uint8_t bit = (uint8_t)(2 * line); bit < 2 * line + 2; bit++) {
+                uint8_t rgb[3];
+                for (uint8_t primary = 0; primary < 3; primary++) {
+                    rgb[primary] = sets[primary] >> bit & 1 ? 0xFF : 0x00;
+                }
+                dot(base, x++, rgb);
+            }
+        }
+        black_dots(base, x);
+    }
+}
+
 void board_blank(uint16_t base, uint16_t first, uint16_t last) {
     for (uint16_t y = first; y < last; y++) {
         outpw(port(base, Y_AXIS), y);

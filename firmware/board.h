@@ -20,6 +20,10 @@ bool board_is_present(uint16_t base);
  * dot line y * dots. What is right of the picture becomes black. */
 void board_row(uint16_t base, uint16_t y, const uint8_t *rgb, uint16_t width, uint8_t dots);
 
+/* The same for a row of dots in the 8 digital colours: each pixel's R G B are the sets of its
+ * 2 x 2 dots that are lit (255, else 0), bit 2 * line + column. Up to half the screen's width. */
+void board_dots(uint16_t base, uint16_t y, const uint8_t *lit, uint16_t width);
+
 /* Makes the dot lines first .. last-1 black. */
 void board_blank(uint16_t base, uint16_t first, uint16_t last);
 

@@ -4,6 +4,7 @@
 
 #include "board.h"
 #include "camera.h"
+#include "show.h"
 #include "tree.h"
 
 #define IMAGE_TEXT(name)    IMAGE_TEXT_(name)
@@ -15,7 +16,7 @@ static void image_row(const struct scene *scene, uint16_t y, uint8_t *rgb,
                       struct render_counts *counts) {
     for (uint16_t x = 0; x < scene->width; x++) {
         const struct ray ray = camera_ray(scene, x, y);
-        struct colours colour = tree_colour(scene, &ray, counts);
+        struct colours colour = tree_colour(scene, &ray, counts, 0);
         *rgb++ = colour_level(colour.red);
         *rgb++ = colour_level(colour.green);
         *rgb++ = colour_level(colour.blue);
@@ -37,7 +38,14 @@ static void image_draw(const struct scene *scene, const struct drawing *drawing)
             struct render_counts ignored = {0, 0, 0, 0, 0};
             image_row(scene, y, rgb, &ignored);
         }
-        board_row(drawing->base, y, rgb, scene->width, dots);
+        if (FEATURE_SHOW) {
+            show_row(scene, y, drawing->exposure, rgb);
+        }
+        if (FEATURE_SHOW && scene->show == SHOW_DITHER) {
+            board_dots(drawing->base, y, rgb, scene->width);
+        } else {
+            board_row(drawing->base, y, rgb, scene->width, dots);
+        }
     }
     if (y == scene->height) {
         board_blank(drawing->base, (uint16_t)(y * dots), BOARD_HEIGHT);

@@ -27,30 +27,43 @@ real_energy fresnel_reflectance(real_unit incident, real_unit refracted, real_in
     return energy_mean_square(s, p);
 }
 
-struct split optics_transparent(const struct material *before, const struct material *after,
-                                struct direction d, struct direction normal) {
-    struct split split;
-    real_unit cosine = incidence_cosine(d, normal);
-    split.mirrored = mirror_direction(d, cosine, normal);
-    split.refracted = d;
+struct passage optics_passage(const struct material *before, const struct material *after,
+                              uint8_t channel, struct direction d, real_unit cosine,
+                              struct direction normal) {
+    struct passage passage = {d, REAL_ENERGY(0.0), REAL_ENERGY(1.0)};
     if (before->optical == after->optical) {
-        split.reflectance = REAL_ENERGY(0.0);
-        split.transmittance = REAL_ENERGY(1.0);
-        return split;
+        return passage;
     }
-    real_index eta = index_product(before->ior, after->inverse_ior);
+    real_index eta = index_product(before->ior[channel], after->inverse_ior[channel]);
     real_unit refracted;
     if (!unit_refracted_cosine(cosine, eta, &refracted)) {
-        split.reflectance = REAL_ENERGY(1.0);
-        split.transmittance = REAL_ENERGY(0.0);
-        return split;
+        passage.reflectance = REAL_ENERGY(1.0);
+        passage.transmittance = REAL_ENERGY(0.0);
+        return passage;
     }
     real_index bend = index_bend(eta, cosine, refracted);
-    split.refracted.x = unit_bent(d.x, eta, bend, normal.x);
-    split.refracted.y = unit_bent(d.y, eta, bend, normal.y);
-    split.refracted.z = unit_bent(d.z, eta, bend, normal.z);
-    real_index n = index_product(after->ior, before->inverse_ior);
-    split.reflectance = fresnel_reflectance(cosine, refracted, n);
-    split.transmittance = energy_complement(split.reflectance);
-    return split;
+    passage.refracted.x = unit_bent(d.x, eta, bend, normal.x);
+    passage.refracted.y = unit_bent(d.y, eta, bend, normal.y);
+    passage.refracted.z = unit_bent(d.z, eta, bend, normal.z);
+    real_index n = index_product(after->ior[channel], before->inverse_ior[channel]);
+    passage.reflectance = fresnel_reflectance(cosine, refracted, n);
+    passage.transmittance = energy_complement(passage.reflectance);
+    return passage;
+}
+
+real_energy specular_at(const struct scene *scene, const struct material *material,
+                        real_unit cosine) {
+    if (!FEATURE_SPECULAR_TABLE || material->specular_table == SPECULAR_CONSTANT) {
+        return material->specular;
+    }
+    const struct specular_table *table = &scene->specular_tables[material->specular_table];
+    uint8_t i = 0;
+    while (i < SPECULAR_STEPS - 2 && unit_less(cosine, table->cosine[i + 1])) {
+        i++;
+    }
+    real_index low = index_of_unit(table->cosine[i + 1]);
+    real_energy share = energy_ratio(index_subtract(index_of_unit(cosine), low),
+                                     index_subtract(index_of_unit(table->cosine[i]), low));
+    return energy_add(energy_product(table->specular[i], share),
+                      energy_product(table->specular[i + 1], energy_complement(share)));
 }

@@ -5,12 +5,11 @@
 
 #include "scene.h"
 
-/* What becomes of a ray at a boundary. */
-struct split {
-    struct direction mirrored;
+/* What goes on behind a boundary, at one wavelength. */
+struct passage {
     struct direction refracted; /* where transmittance is not zero */
-    real_energy reflectance;    /* rho: Ks, or an opaque material's w */
-    real_energy transmittance;  /* tau: Kt = 1 - Ks, 0 for an opaque material */
+    real_energy reflectance;    /* Ks */
+    real_energy transmittance;  /* Kt = 1 - Ks */
 };
 
 /* d + 2 c n, c being the cosine of the angle of incidence. */
@@ -20,9 +19,16 @@ struct direction mirror_direction(struct direction d, real_unit cosine, struct d
  * n = sin p / sin q. Eq. (1), Ks. */
 real_energy fresnel_reflectance(real_unit incident, real_unit refracted, real_index n);
 
-/* Ray and boundary between two transparent materials; the normal is turned towards the ray. */
-struct split optics_transparent(const struct material *before, const struct material *after,
-                                struct direction d, struct direction normal);
+/* A ray at a boundary between two transparent materials, for the index of one channel (0, 1, 2:
+ * red, green, blue). The normal is turned towards the ray; cosine is that of the angle of
+ * incidence. */
+struct passage optics_passage(const struct material *before, const struct material *after,
+                              uint8_t channel, struct direction d, real_unit cosine,
+                              struct direction normal);
+
+/* w at an angle given by its cosine: the constant, or from the material's table. */
+real_energy specular_at(const struct scene *scene, const struct material *material,
+                        real_unit cosine);
 
 /* The cosine of the angle of incidence, 0 where rounding has made it negative. */
 real_unit incidence_cosine(struct direction d, struct direction normal);

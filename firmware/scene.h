@@ -94,20 +94,37 @@ struct pattern {
 
 enum { PATTERN_NONE = 0xFF };
 
+/* w(theta) at equal steps of theta; between them it is linear in cos(theta). */
+enum { SPECULAR_STEPS = 17 };
+
+struct specular_table {
+    real_unit cosine[SPECULAR_STEPS]; /* of theta = 0 .. 90 degrees: from 1 down to 0 */
+    real_energy specular[SPECULAR_STEPS];
+};
+
+enum { SPECULAR_CONSTANT = 0xFF };
+
 struct material {
     struct colours colour;     /* Ic */
-    struct colours ambient;    /* the whole ambient term: a Ia or a Ic */
-    real_energy ambient_share; /* a, where the term follows the pattern's colour; else 0 */
+    struct colours ambient;    /* the ambient term a Ia; 0 where it is a Ic */
+    real_energy ambient_share; /* a, where the ambient term is a Ic; else 0 */
     real_energy diffuse;       /* rho_d */
     real_energy specular;      /* rho_s; the mirror coefficient w of an opaque material */
     uint16_t gloss;            /* g */
     bool transparent;
     bool casts_shadow;
     bool absorbs;
-    uint8_t pattern;        /* into patterns, or PATTERN_NONE */
-    uint8_t optical;        /* equal for two materials if their indices are */
-    real_index ior;         /* n */
-    real_index inverse_ior; /* 1 / n */
+    bool disperses;            /* the three indices differ */
+    bool tints;                /* the factors below are not all 1 */
+    uint8_t specular_table;    /* into specular_tables, or SPECULAR_CONSTANT */
+    uint8_t pattern;           /* into patterns, or PATTERN_NONE */
+    uint8_t optical;           /* equal for two materials if their indices are */
+    real_index ior[3];         /* n for red, green, blue */
+    real_index inverse_ior[3]; /* 1 / n */
+    real_energy transmittance; /* tau of the simplified model (Table 1 (a)) */
+    struct energies reflects;  /* factors of Ks and Kt (Table 1 (c)) */
+    struct energies transmits;
+    struct energies filter; /* what mixing by filters multiplies by: Ic / white */
     real_extinction absorption[3];
 };
 
@@ -129,11 +146,17 @@ struct camera {
     uint8_t object;              /* and the object there */
 };
 
+/* How the colours are shown (show.h). A dither goes up to half the screen's width and height, for
+ * each of its pixels takes 2 x 2 dots. */
+enum show { SHOW_FULL, SHOW_BITS, SHOW_DITHER, SHOW_EXPOSURES };
+
 struct scene {
     uint16_t width, height;
     uint8_t depth;         /* the paper's N */
     real_energy threshold; /* a branch that weighs less is not followed */
     struct colours background;
+    bool simple;            /* Table 1 (a): transmittance alone, straight on */
+    bool filters;           /* transparent colours multiply instead of adding */
     bool blinn;             /* highlight by beta instead of alpha */
     bool fades;             /* C + D is there */
     real_length fade_start; /* C, in scaled units */
@@ -153,12 +176,17 @@ struct scene {
     const struct object *objects;     /* [OBJECT_AIR] first */
     const struct material *materials; /* [MATERIAL_AIR] first */
     const struct pattern *patterns;
+    const struct specular_table *specular_tables;
     const struct light *lights;
 
     /* What can stand between a surface and a light: the primitives of the objects that are marked
      * in_shadow_test. */
     struct primitive_set shadow_primitives;
     bool has_shadows;
+
+    uint8_t show;      /* enum show */
+    uint8_t show_bits; /* 1..8, of SHOW_BITS; 8 otherwise */
+    uint32_t seed;     /* of SHOW_DITHER */
 };
 
 #endif

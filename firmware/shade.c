@@ -36,7 +36,7 @@ static struct direction halfway(struct direction light, struct direction view) {
 }
 
 static real_energy highlight(const struct scene *scene, const struct material *material,
-                             const struct ray *ray, const struct hit *hit,
+                             real_unit incidence, const struct ray *ray, const struct hit *hit,
                              struct direction mirrored, struct direction light) {
     real_unit cosine;
     if (FEATURE_HIGHLIGHT_BLINN && scene->blinn) {
@@ -49,7 +49,7 @@ static real_energy highlight(const struct scene *scene, const struct material *m
         cosine = REAL_UNIT(0.0);
     }
     return energy_product(energy_power(energy_of_cosine(cosine), material->gloss),
-                          material->specular);
+                          specular_at(scene, material, incidence));
 }
 
 /* The second term of Eq. (1) for one light, before C + D. */
@@ -80,10 +80,10 @@ static struct colours lit_by(const struct scene *scene, const struct material *m
                              colour_lit(colour.blue, light->colour.blue)};
     struct colours sum =
         colours_scaled(tinted, energy_product(material->diffuse, energy_of_cosine(cosine)));
-    if (energy_is_zero(material->specular)) {
+    if (material->specular_table == SPECULAR_CONSTANT && energy_is_zero(material->specular)) {
         return sum;
     }
-    real_energy glint = highlight(scene, material, ray, hit, mirrored, towards);
+    real_energy glint = highlight(scene, material, cosine, ray, hit, mirrored, towards);
     return colours_add(sum, colours_scaled(light->colour, glint));
 }
 

@@ -5,31 +5,57 @@
 #include "optics.h"
 #include "shade.h"
 
-/* A branch that is still to be followed. */
-struct branch {
-    struct ray ray;
-    struct energies weight; /* the product of the coefficients on its way */
-    uint8_t events;         /* boundary events on its way: their number is held against N */
-};
-
-/* Each event leaves at most one branch waiting, the other is followed at once. */
-enum { BRANCHES_MOST = FEATURE_DEPTH + 2 };
+/* Each event leaves at most one branch waiting, the other is followed at once; dispersion, which
+ * happens once on a way, leaves three. */
+enum { BRANCHES_MOST = FEATURE_DEPTH + 2 + (FEATURE_DISPERSION ? 3 : 0) };
 
 struct tree {
     const struct scene *scene;
     struct render_counts *counts;
+    const struct tree_observer *observer;
     struct colours sum;
+    uint32_t node; /* the number of the node at work */
     uint16_t waiting;
     struct branch branches[BRANCHES_MOST];
 };
 
+/* What grows from a node: all that its branches have in common. */
+struct node {
+    const struct branch *branch;
+    const struct hit *hit;
+    const struct material *material; /* whose surface it is */
+    struct direction mirrored;
+    real_unit cosine; /* of the angle of incidence */
+};
+
+static const struct energies no_energy = {REAL_ENERGY(0.0), REAL_ENERGY(0.0), REAL_ENERGY(0.0)};
+
+static void report_end(const struct tree *tree, enum branch_kind kind, uint8_t channel,
+                       struct energies weight, enum branch_end why) {
+    if (FEATURE_OBSERVER && tree->observer) {
+        tree->observer->end(tree->observer->context, tree->node, kind, channel, weight, why);
+    }
+}
+
 /* Puts a branch aside, if it is to be followed at all. */
-static void grow(struct tree *tree, const struct branch *from, const struct hit *hit,
-                 struct direction direction, struct energies weight, bool through) {
+static void grow(struct tree *tree, const struct node *node, enum branch_kind kind, uint8_t channel,
+                 struct direction direction, struct energies coefficient) {
+    const struct hit *hit = node->hit;
+    struct energies weight = energies_product(node->branch->weight, coefficient);
     real_energy largest = energies_largest(weight);
-    if (energy_is_zero(largest) || energy_less(largest, tree->scene->threshold)) {
+    if (energy_is_zero(largest)) {
+        report_end(tree, kind, channel, weight, END_NOTHING);
         return;
     }
+    if (node->branch->events >= tree->scene->depth) {
+        report_end(tree, kind, channel, weight, END_DEPTH);
+        return;
+    }
+    if (energy_less(largest, tree->scene->threshold)) {
+        report_end(tree, kind, channel, weight, END_THRESHOLD);
+        return;
+    }
+    bool through = kind == BRANCH_REFRACTED;
     struct branch *branch = &tree->branches[tree->waiting++];
     branch->ray.origin = hit->where;
     branch->ray.direction = direction;
@@ -37,7 +63,10 @@ static void grow(struct tree *tree, const struct branch *from, const struct hit 
     branch->ray.surface = hit->surface;
     branch->ray.object = through ? hit->after : hit->before;
     branch->weight = weight;
-    branch->events = (uint8_t)(from->events + 1);
+    branch->events = (uint8_t)(node->branch->events + 1);
+    branch->channel = channel;
+    branch->kind = (uint8_t)kind;
+    branch->parent = tree->node;
 }
 
 /* Lambert-Bouguer: what is left of each primary after the way through the medium. */
@@ -64,60 +93,156 @@ static const struct material *surface_material(const struct scene *scene, const 
     return hit->before > hit->after ? before : after;
 }
 
-static void visit(struct tree *tree, const struct branch *branch, const struct hit *hit) {
-    const struct scene *scene = tree->scene;
-    const struct material *material = surface_material(scene, hit);
-    struct direction d = branch->ray.direction;
-    struct split split;
-    if (FEATURE_TRANSPARENCY && material->transparent) {
-        split = optics_transparent(material_of(scene, hit->before), material_of(scene, hit->after),
-                                   d, hit->normal);
+static struct energies energies_equal(real_energy share) {
+    struct energies all = {share, share, share};
+    return all;
+}
+
+/* One primary of three shares, the others 0. */
+static struct energies energies_only(real_energy share, uint8_t channel) {
+    struct energies one = no_energy;
+    if (channel == 0) {
+        one.red = share;
+    } else if (channel == 1) {
+        one.green = share;
     } else {
-        split.mirrored = mirror_direction(d, incidence_cosine(d, hit->normal), hit->normal);
-        split.reflectance = material->specular;
-        split.transmittance = REAL_ENERGY(0.0);
+        one.blue = share;
     }
-    struct colours local = shade(scene, material, &branch->ray, hit, split.mirrored, tree->counts);
-    tree->sum = colours_add(tree->sum, colours_weighed(local, branch->weight));
-    tree->counts->nodes++;
-    if (branch->events >= scene->depth) {
+    return one;
+}
+
+/* What a coefficient of transmission becomes by the medium's own factors, and by the filter that
+ * the ray goes into. */
+static struct energies transmitted(const struct scene *scene, const struct node *node,
+                                   struct energies coefficient) {
+    if (FEATURE_TINT && node->material->tints) {
+        coefficient = energies_product(coefficient, node->material->transmits);
+    }
+    if (FEATURE_FILTER && scene->filters && node->hit->after > node->hit->before) {
+        coefficient = energies_product(coefficient, node->material->filter);
+    }
+    return coefficient;
+}
+
+static struct energies reflected(const struct node *node, struct energies coefficient) {
+    if (FEATURE_TINT && node->material->tints) {
+        coefficient = energies_product(coefficient, node->material->reflects);
+    }
+    return coefficient;
+}
+
+/* Table 1 (c): one mirror direction, three refracted ones. */
+static void grow_dispersed(struct tree *tree, const struct node *node,
+                           const struct material *before, const struct material *after) {
+    struct passage passage[3];
+    for (uint8_t i = 0; i < 3; i++) {
+        passage[i] = optics_passage(before, after, i, node->branch->ray.direction, node->cosine,
+                                    node->hit->normal);
+    }
+    const struct energies reflectance = {passage[0].reflectance, passage[1].reflectance,
+                                         passage[2].reflectance};
+    grow(tree, node, BRANCH_REFLECTED, CHANNEL_ALL, node->mirrored, reflected(node, reflectance));
+    for (uint8_t i = 0; i < 3; i++) {
+        struct energies coefficient = energies_only(passage[i].transmittance, i);
+        grow(tree, node, BRANCH_REFRACTED, i, passage[i].refracted,
+             transmitted(tree->scene, node, coefficient));
+    }
+}
+
+static void grow_transparent(struct tree *tree, const struct node *node) {
+    const struct scene *scene = tree->scene;
+    const struct branch *branch = node->branch;
+    const struct material *before = material_of(scene, node->hit->before);
+    const struct material *after = material_of(scene, node->hit->after);
+    if (FEATURE_SIMPLE && scene->simple) {
+        struct energies coefficient = energies_equal(node->material->transmittance);
+        grow(tree, node, BRANCH_REFRACTED, CHANNEL_ALL, branch->ray.direction,
+             transmitted(scene, node, coefficient));
         return;
     }
-    grow(tree, branch, hit, split.mirrored, energies_scaled(branch->weight, split.reflectance),
-         false);
-    if (FEATURE_TRANSPARENCY) {
-        grow(tree, branch, hit, split.refracted,
-             energies_scaled(branch->weight, split.transmittance), true);
+    uint8_t channel = branch->channel;
+    if (FEATURE_DISPERSION && channel == CHANNEL_ALL) {
+        if (before->disperses || after->disperses) {
+            grow_dispersed(tree, node, before, after);
+            return;
+        }
+        channel = 0;
+    }
+    struct passage passage = optics_passage(before, after, FEATURE_DISPERSION ? channel : 0,
+                                            branch->ray.direction, node->cosine, node->hit->normal);
+    grow(tree, node, BRANCH_REFLECTED, branch->channel, node->mirrored,
+         reflected(node, energies_equal(passage.reflectance)));
+    grow(tree, node, BRANCH_REFRACTED, branch->channel, passage.refracted,
+         transmitted(scene, node, energies_equal(passage.transmittance)));
+}
+
+static void visit(struct tree *tree, const struct branch *branch, const struct hit *hit) {
+    const struct scene *scene = tree->scene;
+    struct node node;
+    node.branch = branch;
+    node.hit = hit;
+    node.material = surface_material(scene, hit);
+    node.cosine = incidence_cosine(branch->ray.direction, hit->normal);
+    node.mirrored = mirror_direction(branch->ray.direction, node.cosine, hit->normal);
+    tree->counts->nodes++;
+    tree->node++;
+    struct colours local = {REAL_COLOUR(0.0), REAL_COLOUR(0.0), REAL_COLOUR(0.0)};
+    if (!FEATURE_FILTER || !scene->filters || !node.material->transparent) {
+        local = shade(scene, node.material, &branch->ray, hit, node.mirrored, tree->counts);
+        tree->sum = colours_add(tree->sum, colours_weighed(local, branch->weight));
+    }
+    if (FEATURE_OBSERVER && tree->observer) {
+        tree->observer->node(tree->observer->context, tree->node, branch, hit, &local);
+    }
+    if (FEATURE_TRANSPARENCY && node.material->transparent) {
+        grow_transparent(tree, &node);
+    } else {
+        grow(tree, &node, BRANCH_REFLECTED, branch->channel, node.mirrored,
+             energies_equal(specular_at(scene, node.material, node.cosine)));
+    }
+}
+
+/* Follows a branch to the next boundary, or out of the scene. */
+static void follow(struct tree *tree, struct branch *branch) {
+    const struct scene *scene = tree->scene;
+    struct hit hit;
+    tree->counts->rays++;
+    if (ray_hit(scene, &branch->ray, &hit, tree->counts)) {
+        const struct material *medium = material_of(scene, branch->ray.object);
+        if (FEATURE_ABSORPTION && medium->absorbs) {
+            branch->weight = attenuated(medium, branch->weight, hit.t);
+        }
+        visit(tree, branch, &hit);
+        return;
+    }
+    if (hit.before != OBJECT_AIR) {
+        tree->counts->leaked_rays++;
+    }
+    tree->sum = colours_add(tree->sum, colours_weighed(scene->background, branch->weight));
+    if (FEATURE_OBSERVER && tree->observer) {
+        tree->observer->end(tree->observer->context, branch->parent, (enum branch_kind)branch->kind,
+                            branch->channel, branch->weight, END_LEFT_SCENE);
     }
 }
 
 struct colours tree_colour(const struct scene *scene, const struct ray *eye_ray,
-                           struct render_counts *counts) {
+                           struct render_counts *counts, const struct tree_observer *observer) {
     struct tree tree;
     tree.scene = scene;
     tree.counts = counts;
+    tree.observer = observer;
     tree.sum.red = tree.sum.green = tree.sum.blue = REAL_COLOUR(0.0);
+    tree.node = 0;
     tree.waiting = 1;
     tree.branches[0].ray = *eye_ray;
+    tree.branches[0].weight = energies_equal(REAL_ENERGY(1.0));
     tree.branches[0].events = 0;
-    const struct energies all = {REAL_ENERGY(1.0), REAL_ENERGY(1.0), REAL_ENERGY(1.0)};
-    tree.branches[0].weight = all;
+    tree.branches[0].channel = CHANNEL_ALL;
+    tree.branches[0].kind = BRANCH_EYE;
+    tree.branches[0].parent = 0;
     while (tree.waiting > 0) {
         struct branch branch = tree.branches[--tree.waiting];
-        struct hit hit;
-        counts->rays++;
-        if (!ray_hit(scene, &branch.ray, &hit, counts)) {
-            if (hit.before != OBJECT_AIR) {
-                counts->leaked_rays++;
-            }
-            tree.sum = colours_add(tree.sum, colours_weighed(scene->background, branch.weight));
-            continue;
-        }
-        const struct material *medium = material_of(scene, branch.ray.object);
-        if (FEATURE_ABSORPTION && medium->absorbs) {
-            branch.weight = attenuated(medium, branch.weight, hit.t);
-        }
-        visit(&tree, &branch, &hit);
+        follow(&tree, &branch);
     }
     return tree.sum;
 }

@@ -5,8 +5,46 @@
 
 #include "ray.h"
 
-/* The intensity that arrives at the eye along a ray. */
+/* Which light a branch carries: all three primaries alike, or one after dispersion. */
+enum { CHANNEL_ALL = 3 };
+
+/* How a branch came to be. */
+enum branch_kind { BRANCH_EYE, BRANCH_REFLECTED, BRANCH_REFRACTED };
+
+/* Why a branch is not followed any farther. */
+enum branch_end {
+    END_LEFT_SCENE, /* nothing is ahead: the background */
+    END_DEPTH,      /* its events have reached the depth level N */
+    END_THRESHOLD,  /* it weighs less than the threshold */
+    END_NOTHING     /* its coefficient is 0: total reflection, or no mirror */
+};
+
+/* A branch as it is followed. Nodes are numbered from 1 in the order in which they are reached. */
+struct branch {
+    struct ray ray;
+    struct energies weight; /* the product of the coefficients on its way */
+    uint8_t events;         /* boundary events on its way: their number is held against N */
+    uint8_t channel;        /* 0, 1, 2 or CHANNEL_ALL */
+    uint8_t kind;           /* enum branch_kind */
+    uint32_t parent;        /* the node where it began; 0: the eye */
+};
+
+/* Somebody who looks on while a tree is grown. Both members may be called many times a pixel. */
+struct tree_observer {
+    void *context;
+
+    /* A branch has come to a boundary: node `number`. weight is the branch's, attenuated on its
+     * way. */
+    void (*node)(void *context, uint32_t number, const struct branch *branch, const struct hit *hit,
+                 const struct colours *local);
+
+    /* A branch with that weight, which began or would have begun at node `parent`, ends. */
+    void (*end)(void *context, uint32_t parent, enum branch_kind kind, uint8_t channel,
+                struct energies weight, enum branch_end why);
+};
+
+/* The intensity that arrives at the eye along a ray; observer may be NULL. */
 struct colours tree_colour(const struct scene *scene, const struct ray *eye_ray,
-                           struct render_counts *counts);
+                           struct render_counts *counts, const struct tree_observer *observer);
 
 #endif

@@ -44,7 +44,7 @@ uint16_t bus_read(struct bus *bus, uint16_t port, unsigned width);
 /* Hands on whatever the bus has buffered and returns its status. */
 enum bus_status bus_flush(struct bus *bus);
 
-/* Records a failure; the first one wins. */
+/* Records a failure; the first one wins, and BUS_OK changes nothing. */
 void bus_fail(struct bus *bus, enum bus_status status);
 
 /* Makes bus the one that outp() and its siblings reach; NULL unbinds. Returns the bus that was

@@ -7,6 +7,7 @@
 
 #include "compiled_scene.h"
 #include "image.h"
+#include "observed.h"
 
 struct arithmetic {
     const struct image *image;
@@ -14,6 +15,11 @@ struct arithmetic {
     /* The scene's tables in this arithmetic, in one block that free() takes back. NULL with *error
      * filled where the arithmetic cannot hold the scene, or memory is out. */
     struct scene *(*load)(const struct compiled_scene *compiled, struct scene_error *error);
+
+    /* Renders one pixel: its intensities in levels, neither rounded nor clamped, what it took added
+     * to *counts, and its tree told to the observer, if there is one. */
+    void (*pixel)(const struct scene *scene, uint16_t x, uint16_t y, double intensity[3],
+                  struct render_counts *counts, const struct pixel_observer *observer);
 };
 
 extern const struct arithmetic arithmetic_fx;

@@ -31,6 +31,7 @@ int run_render(const struct options *options);
 int run_scenes(const struct options *options);
 int run_check(const struct options *options);
 int run_compile(const struct options *options);
+int run_tree(const struct options *options);
 int run_replay(const struct options *options);
 int run_compare(const struct options *options);
 

@@ -34,8 +34,8 @@ static void print_indices(const struct compiled_scene *compiled) {
     double least = HUGE_VAL, most = 0;
     for (unsigned i = 0; i < compiled->material_count; i++) {
         if (compiled->materials[i].transparent) {
-            least = fmin(least, compiled->materials[i].ior);
-            most = fmax(most, compiled->materials[i].ior);
+            least = fmin(least, compiled->materials[i].ior[1]);
+            most = fmax(most, compiled->materials[i].ior[1]);
         }
     }
     if (most > 0) {

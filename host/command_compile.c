@@ -6,6 +6,7 @@
 
 #include "command.h"
 #include "emit.h"
+#include "emit_features.h"
 #include "load_scene.h"
 #include "output.h"
 
@@ -24,7 +25,9 @@ int run_compile(const struct options *options) {
     if (output_open(&output, options->output)) {
         scene_short_name(options->operands[0], name, sizeof name);
         errno = 0;
-        if (scene_emit(output.file, compiled, name) != 0) {
+        int emitted = options->minimal ? features_emit(output.file, compiled, name)
+                                       : scene_emit(output.file, compiled, name);
+        if (emitted != 0) {
             output_complain(&output, errno != 0 ? strerror(errno) : "a write failed");
             output_discard(&output);
         } else if (output_commit(&output)) {

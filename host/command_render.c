@@ -5,6 +5,7 @@
 
 #include "arithmetic.h"
 #include "command.h"
+#include "exposures.h"
 #include "interrupt.h"
 #include "load_scene.h"
 #include "output.h"
@@ -24,6 +25,7 @@ struct render_run {
     struct timespec began;
     struct compiled_scene *compiled;
     struct port_chain *chain;
+    struct exposures *exposures; /* NULL: the scene is not shown by exposures, or to no board */
     struct output picture, trace, stats;
     char default_name[NAME_SIZE];
     struct render_totals totals;
@@ -64,6 +66,19 @@ static bool open_outputs(struct render_run *run) {
     return true;
 }
 
+static int open_exposures(struct render_run *run) {
+    const char *folder = run->options->keep_exposures;
+    if (run->compiled->show != COMPILED_EXPOSURES) {
+        return folder == NULL ? STATUS_DONE
+                              : bad_input("--keep-exposures goes with --colour exposures only");
+    }
+    if (run->options->bus == BUS_CHOICE_EMULATOR) {
+        run->exposures = exposures_new(run->chain, folder);
+        return run->exposures != NULL ? STATUS_DONE : STATUS_FAILED;
+    }
+    return STATUS_DONE;
+}
+
 static int prepare(struct render_run *run) {
     const struct options *options = run->options;
     struct scene_error error;
@@ -83,6 +98,10 @@ static int prepare(struct render_run *run) {
         complain("out of memory");
         return STATUS_FAILED;
     }
+    int status = open_exposures(run);
+    if (status != STATUS_DONE) {
+        return status;
+    }
     return open_outputs(run) ? STATUS_DONE : STATUS_FAILED;
 }
 
@@ -101,12 +120,23 @@ static int render_rows(struct render_run *run) {
     job.stop = interrupt_noted();
     job.progress = progress_show;
     job.context = &progress;
+    job.exposed = run->exposures != NULL ? exposures_take : NULL;
+    job.exposed_context = run->exposures;
     progress_begin(&progress, job.last_row - job.first_row, options->quiet);
     interrupt_catch();
     (void)bus_bind(&run->chain->hash.bus);
     bool is_rendered = render(&job, &run->totals, &error);
     progress_end(&progress);
     return is_rendered ? STATUS_DONE : bad_input("%s", error.text);
+}
+
+/* The screen's picture, or the camera's. */
+static bool write_picture(struct render_run *run) {
+    if (run->exposures == NULL) {
+        return screen_write(&run->picture, run->chain);
+    }
+    exposures_develop(run->exposures);
+    return picture_write(&run->picture, run->exposures->rgb);
 }
 
 /* Ends the trace, then writes the rest of what was asked for. */
@@ -123,7 +153,10 @@ static int write_results(struct render_run *run) {
     if (run->trace.file != NULL && !output_commit(&run->trace)) {
         return STATUS_FAILED;
     }
-    if (run->picture.file != NULL && !screen_write(&run->picture, run->chain)) {
+    if (run->exposures != NULL && !exposures_commit(run->exposures)) {
+        return STATUS_FAILED;
+    }
+    if (run->picture.file != NULL && !write_picture(run)) {
         return STATUS_FAILED;
     }
     if (run->stats.file != NULL) {
@@ -171,6 +204,7 @@ int run_render(const struct options *options) {
     output_discard(&run.picture);
     output_discard(&run.trace);
     output_discard(&run.stats);
+    exposures_free(run.exposures);
     port_chain_free(run.chain);
     free(run.compiled);
     return status;

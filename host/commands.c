@@ -11,7 +11,7 @@ const struct command commands[] = {
     {"check", "SCENE", "Read and analyse a scene; say what it requires.", 1, 1, run_check},
     {"compile", "SCENE", "Write a scene as const tables for a firmware image.", 1, 1, run_compile},
     {"export", "SCENE", "Write a scene for POV-Ray.", 1, 1, NULL},
-    {"tree", "SCENE X Y", "Print the tree of rays of one pixel.", 3, 3, NULL},
+    {"tree", "SCENE X Y", "Print the tree of rays of one pixel.", 3, 3, run_tree},
     {"replay", "TRACE...", "Play port traces on the emulated board.", 1, 1000, run_replay},
     {"compare", "A.png B.png", "Measure how far two pictures of the same size are apart.", 2, 2,
      run_compare},

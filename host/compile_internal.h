@@ -28,6 +28,7 @@ struct compiler {
     struct scene_error *error;
     struct affine scaling;                               /* the file's coordinates to scaled ones */
     unsigned line;                                       /* of the node or object at work */
+    const char *object_name;                             /* of the object at work */
     struct compile_plane planes[COMPILED_SURFACES_MOST]; /* by surface; normal null: no plane */
     struct bounds object_bounds[COMPILED_OBJECTS_MOST];  /* by compiled object, scaled */
 };
@@ -41,6 +42,9 @@ bool compile_fail(struct compiler *compiler, unsigned line, const char *format, 
 
 /* Centre and scale: from the bounds of what is bounded, the eye and the point lights. */
 bool compile_scaling(struct compiler *compiler);
+
+/* How the colours are shown. */
+bool compile_colour(struct compiler *compiler);
 
 /* Objects, programs, primitives, surfaces. */
 bool compile_objects(struct compiler *compiler);

@@ -3,6 +3,7 @@
 #include "compile_internal.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 enum { PROGRAM_DEPTH_MOST = 32 };
@@ -107,6 +108,8 @@ static bool add_object(struct compiler *compiler, const struct instance *instanc
         }
     }
     compiler->object_bounds[scene->object_count] = bounds;
+    snprintf(scene->object_names[scene->object_count], sizeof scene->object_names[0], "%.31s",
+             compiler->object_name);
     if (!check_bounded(compiler, object, &bounds)) {
         return false;
     }
@@ -170,10 +173,12 @@ static bool add_objects(struct compiler *compiler, const struct instance *instan
 bool compile_objects(struct compiler *compiler) {
     const struct scene_description *description = compiler->description;
     compiler->scene->object_count = 1; /* object 0 is the air */
+    strcpy(compiler->scene->object_names[0], "air");
     for (size_t i = 0; i < description->object_count; i++) {
         const struct scene_object *object = &description->objects[i];
         const struct instance whole = {object->solid, compiler->scaling, -1, NULL};
         compiler->line = object->line;
+        compiler->object_name = object->name ? object->name : "";
         if (!add_objects(compiler, &whole)) {
             return false;
         }

@@ -132,6 +132,8 @@ bool compile_view(struct compiler *compiler) {
     scene->height = (uint16_t)description->height;
     scene->depth = (uint8_t)description->depth;
     scene->threshold = description->threshold;
+    scene->simple = description->model == MODEL_SIMPLE;
+    scene->filters = description->mixing == MIXING_FILTER;
     scene->blinn = description->highlight == HIGHLIGHT_BLINN;
     scene->fades = description->has_attenuation;
     scene->fade_start = ldexp(description->attenuation_constant, scene->exponent);
@@ -165,72 +167,6 @@ void compile_lights(struct compiler *compiler) {
             scaled_point(compiler, light->position, compiled->position);
         }
     }
-}
-
-static uint8_t optical_class(const struct compiled_scene *scene, uint8_t material) {
-    uint8_t i = 0;
-    while (scene->materials[i].ior < scene->materials[material].ior ||
-           scene->materials[i].ior > scene->materials[material].ior) {
-        i++;
-    }
-    return i;
-}
-
-static void compile_pattern(struct compiler *compiler, const struct scene_pattern *pattern,
-                            struct compiled_material *material) {
-    struct compiled_scene *scene = compiler->scene;
-    if (!pattern->present) {
-        material->pattern = NO_PATTERN;
-        return;
-    }
-    material->pattern = scene->pattern_count;
-    struct compiled_pattern *compiled = &scene->patterns[scene->pattern_count++];
-    compiled->frame = WORLD_FRAME;
-    memcpy(compiled->colour, pattern->colour, sizeof compiled->colour);
-    scaled_point(compiler, pattern->origin, compiled->origin);
-    for (int i = 0; i < 3; i++) {
-        compiled->size[i] = ldexp(pattern->size[i], scene->exponent);
-        if (pattern->size[i] > 0) {
-            compiled->axes = (uint8_t)(compiled->axes | 1 << i);
-        }
-    }
-}
-
-bool compile_materials(struct compiler *compiler) {
-    const struct scene_description *description = compiler->description;
-    struct compiled_scene *scene = compiler->scene;
-    struct compiled_material *air = &scene->materials[0];
-    air->transparent = true;
-    air->pattern = NO_PATTERN;
-    air->ior = air->inverse_ior = 1;
-    scene->material_count = (uint8_t)(description->material_count + 1);
-    for (size_t i = 0; i < description->material_count; i++) {
-        const struct scene_material *from = &description->materials[i];
-        struct compiled_material *to = &scene->materials[i + 1];
-        to->diffuse = from->diffuse;
-        to->specular = from->specular;
-        to->gloss = (uint16_t)from->gloss;
-        to->transparent = from->transparent;
-        to->casts_shadow = from->casts_shadow || !from->transparent;
-        to->ior = from->transparent ? from->ior : 1;
-        to->inverse_ior = 1 / to->ior;
-        to->ambient_share = from->ambient_is_own ? from->ambient : 0;
-        for (int j = 0; j < 3; j++) {
-            to->colour[j] = from->colour[j];
-            to->ambient[j] = from->ambient_is_own ? 0 : from->ambient * description->ambient[j];
-            to->absorption[j] = ldexp(from->absorption[j], -scene->exponent);
-            to->absorbs = to->absorbs || from->absorption[j] > 0;
-        }
-        if (to->absorption[0] >= 8 || to->absorption[1] >= 8 || to->absorption[2] >= 8) {
-            return compile_fail(compiler, from->line,
-                                "absorption too strong for the size of the scene: at most %g is "
-                                "allowed; an opaque material looks the same",
-                                ldexp(7.99, scene->exponent));
-        }
-        compile_pattern(compiler, &from->pattern, to);
-        to->optical = optical_class(scene, (uint8_t)(i + 1));
-    }
-    return true;
 }
 
 static void include_program(struct compiled_scene *scene, const struct compiled_object *object) {

@@ -82,10 +82,16 @@ struct compiled_material {
     double colour[3], ambient[3];
     double ambient_share, diffuse, specular;
     uint16_t gloss;
-    bool transparent, casts_shadow, absorbs;
-    uint8_t pattern, optical;
-    double ior, inverse_ior;
+    bool transparent, casts_shadow, absorbs, disperses, tints;
+    uint8_t specular_table, pattern, optical;
+    double ior[3], inverse_ior[3];
+    double transmittance;
+    double reflects[3], transmits[3], filter[3];
     double absorption[3];
+};
+
+struct compiled_specular_table {
+    double cosine[SCENE_SPECULAR_STEPS], specular[SCENE_SPECULAR_STEPS];
 };
 
 struct compiled_light {
@@ -105,19 +111,20 @@ struct compiled_scene {
     uint8_t depth;
     double threshold;
     double background[3];
-    bool blinn, fades;
+    bool simple, filters, blinn, fades;
     double fade_start;
     int8_t fade_exponent;
     struct compiled_camera camera;
 
-    char path[256]; /* of the scene file, for messages */
+    char path[256];                               /* of the scene file, for messages */
+    char object_names[COMPILED_OBJECTS_MOST][32]; /* of the file's object that each is part of */
 
     /* How the file's coordinates became these: scaled = (p - centre) * 2^exponent. */
     double centre[3];
     int exponent;
 
     uint8_t primitive_count, frame_count, box_count, ball_count, polyhedron_count, quadric_count;
-    uint8_t object_count, pattern_count, material_count, light_count;
+    uint8_t object_count, pattern_count, material_count, light_count, specular_table_count;
     uint16_t surface_count, program_length, plane_count;
     struct compiled_frame frames[COMPILED_FRAMES_MOST];
     struct compiled_primitive primitives[COMPILED_PRIMITIVES_MOST];
@@ -131,10 +138,14 @@ struct compiled_scene {
     struct compiled_object objects[COMPILED_OBJECTS_MOST];
     struct compiled_material materials[COMPILED_MATERIALS_MOST];
     struct compiled_pattern patterns[COMPILED_MATERIALS_MOST];
+    struct compiled_specular_table specular_tables[COMPILED_MATERIALS_MOST];
     struct compiled_light lights[SCENE_LIGHTS_MOST];
 
     struct compiled_set shadow_primitives;
     bool has_shadows;
+
+    uint8_t show, show_bits; /* enum compiled_show */
+    uint32_t seed;
 };
 
 /* The numbers that programs and tables are made of; firmware/scene.h has the same, but needs an
@@ -148,8 +159,11 @@ enum {
     CODE_INTERSECTION = 0xFE,
     CODE_DIFFERENCE = 0xFF,
     WORLD_FRAME = 0xFF,
-    NO_PATTERN = 0xFF
+    NO_PATTERN = 0xFF,
+    NO_TABLE = 0xFF
 };
+
+enum compiled_show { COMPILED_FULL, COMPILED_BITS, COMPILED_DITHER, COMPILED_EXPOSURES };
 
 /* Flattens, centres, scales and analyses a scene. NULL with *error filled where the scene cannot be
  * rendered (the line is that of the culprit). The caller frees the result with free(). */

@@ -4,15 +4,18 @@
 
 #include <ctype.h>
 
+#include "emit_features.h"
+
 /* Numbers are written as hexadecimal floating constants: exact, whatever compiler reads them. */
 
 static void emit_vector(FILE *out, const char *role, const double v[3]) {
     fprintf(out, "{%s(%a), %s(%a), %s(%a)}", role, v[0], role, v[1], role, v[2]);
 }
 
-static void emit_set(FILE *out, const struct compiled_set *set) {
+/* As many words as the scene needs: an image that has more fills them with 0. */
+static void emit_set(FILE *out, const struct compiled_set *set, int words) {
     fprintf(out, "{{");
-    for (int i = 0; i < COMPILED_PRIMITIVES_MOST / 32; i++) {
+    for (int i = 0; i < words; i++) {
         fprintf(out, "%s0x%08lXu", i ? ", " : "", (unsigned long)set->word[i]);
     }
     fprintf(out, "}}");
@@ -98,7 +101,7 @@ static void emit_primitives(FILE *out, const struct compiled_scene *scene) {
     fprintf(out, "};\n\nstatic const struct primitive_set surfaces[] = {\n");
     for (int i = 0; i < scene->surface_count; i++) {
         fprintf(out, "    ");
-        emit_set(out, &scene->surfaces[i]);
+        emit_set(out, &scene->surfaces[i], features_primitive_words(scene));
         fprintf(out, ",\n");
     }
     fprintf(out, "};\n");
@@ -128,10 +131,20 @@ static void emit_materials(FILE *out, const struct compiled_scene *scene) {
         emit_vector(out, "REAL_COLOUR", material->ambient);
         fprintf(out, ",\n     REAL_ENERGY(%a), REAL_ENERGY(%a), REAL_ENERGY(%a), %u,\n     ",
                 material->ambient_share, material->diffuse, material->specular, material->gloss);
-        fprintf(out, "%s, %s, %s, %u, %u, REAL_INDEX(%a), REAL_INDEX(%a),\n     ",
-                truth(material->transparent), truth(material->casts_shadow),
-                truth(material->absorbs), material->pattern, material->optical, material->ior,
-                material->inverse_ior);
+        fprintf(out, "%s, %s, %s, %s, %s, %u, %u, %u,\n     ", truth(material->transparent),
+                truth(material->casts_shadow), truth(material->absorbs), truth(material->disperses),
+                truth(material->tints), material->specular_table, material->pattern,
+                material->optical);
+        emit_vector(out, "REAL_INDEX", material->ior);
+        fprintf(out, ",\n     ");
+        emit_vector(out, "REAL_INDEX", material->inverse_ior);
+        fprintf(out, ",\n     REAL_ENERGY(%a), ", material->transmittance);
+        emit_vector(out, "REAL_ENERGY", material->reflects);
+        fprintf(out, ",\n     ");
+        emit_vector(out, "REAL_ENERGY", material->transmits);
+        fprintf(out, ",\n     ");
+        emit_vector(out, "REAL_ENERGY", material->filter);
+        fprintf(out, ",\n     ");
         emit_vector(out, "REAL_EXTINCTION", material->absorption);
         fprintf(out, "},\n");
     }
@@ -153,6 +166,22 @@ static void emit_patterns(FILE *out, const struct compiled_scene *scene) {
     fprintf(out, "};\n");
 }
 
+static void emit_specular_tables(FILE *out, const struct compiled_scene *scene) {
+    fprintf(out, "\nstatic const struct specular_table specular_tables[] = {\n");
+    for (int i = 0; i < scene->specular_table_count; i++) {
+        const struct compiled_specular_table *table = &scene->specular_tables[i];
+        for (int half = 0; half < 2; half++) {
+            fprintf(out, half ? "     {" : "    {{");
+            for (int j = 0; j < SCENE_SPECULAR_STEPS; j++) {
+                const double value = half ? table->specular[j] : table->cosine[j];
+                fprintf(out, "%s%s(%a)", j ? ", " : "", half ? "REAL_ENERGY" : "REAL_UNIT", value);
+            }
+            fprintf(out, half ? "}},\n" : "},\n");
+        }
+    }
+    fprintf(out, "};\n");
+}
+
 static void emit_lights(FILE *out, const struct compiled_scene *scene) {
     fprintf(out, "\nstatic const struct light lights[] = {\n");
     for (int i = 0; i < scene->light_count; i++) {
@@ -168,7 +197,7 @@ static void emit_lights(FILE *out, const struct compiled_scene *scene) {
     fprintf(out, "};\n");
 }
 
-static void emit_camera(FILE *out, const struct compiled_camera *camera) {
+static void emit_camera(FILE *out, const struct compiled_camera *camera, int words) {
     fprintf(out, "    {");
     emit_vector(out, "REAL_LENGTH", camera->eye);
     fprintf(out, ",\n     ");
@@ -178,7 +207,7 @@ static void emit_camera(FILE *out, const struct compiled_camera *camera) {
     fprintf(out, ",\n     ");
     emit_vector(out, "REAL_UNIT", camera->row);
     fprintf(out, ",\n     %u, ", camera->shift);
-    emit_set(out, &camera->inside);
+    emit_set(out, &camera->inside, words);
     fprintf(out, ", %u},\n", camera->object);
 }
 
@@ -193,20 +222,23 @@ static void emit_scene(FILE *out, const struct compiled_scene *scene, const char
     fprintf(out, "    %u, %u, %u, REAL_ENERGY(%a),\n    ", scene->width, scene->height,
             scene->depth, scene->threshold);
     emit_vector(out, "REAL_COLOUR", scene->background);
-    fprintf(out, ",\n    %s, %s, REAL_LENGTH(%a), %d,\n", truth(scene->blinn), truth(scene->fades),
-            scene->fade_start, scene->fade_exponent);
-    emit_camera(out, &scene->camera);
+    fprintf(out, ",\n    %s, %s, %s, %s, REAL_LENGTH(%a), %d,\n", truth(scene->simple),
+            truth(scene->filters), truth(scene->blinn), truth(scene->fades), scene->fade_start,
+            scene->fade_exponent);
+    emit_camera(out, &scene->camera, features_primitive_words(scene));
     fprintf(out, "    %u, %u, %u,\n", scene->primitive_count, scene->object_count,
             scene->light_count);
-    fprintf(out, "    %s, %s, %s, %s, %s, %s, %s, %s, %s, objects, materials, %s, %s,\n    ",
+    fprintf(out, "    %s, %s, %s, %s, %s, %s, %s, %s, %s, objects, materials, %s, %s, %s,\n    ",
             table(scene->frame_count, "frames"), table(scene->primitive_count, "primitives"),
             table(scene->box_count, "boxes"), table(scene->ball_count, "balls"),
             table(scene->polyhedron_count, "polyhedra"), table(scene->plane_count, "planes"),
             table(scene->quadric_count, "quadrics"), table(scene->surface_count, "surfaces"),
             table(scene->program_length, "programs"), table(scene->pattern_count, "patterns"),
+            table(scene->specular_table_count, "specular_tables"),
             table(scene->light_count, "lights"));
-    emit_set(out, &scene->shadow_primitives);
-    fprintf(out, ", %s};\n", truth(scene->has_shadows));
+    emit_set(out, &scene->shadow_primitives, features_primitive_words(scene));
+    fprintf(out, ", %s,\n    %u, %u, UINT32_C(%lu)};\n", truth(scene->has_shadows), scene->show,
+            scene->show_bits, (unsigned long)scene->seed);
 }
 
 int scene_emit(FILE *out, const struct compiled_scene *scene, const char *name) {
@@ -223,13 +255,16 @@ int scene_emit(FILE *out, const struct compiled_scene *scene, const char *name) 
     fprintf(out, "/* scaled = (p - (%.17g, %.17g, %.17g)) * 2^%d */\n", scene->centre[0],
             scene->centre[1], scene->centre[2], scene->exponent);
     fprintf(out, "#include \"scene.h\"\n");
+    features_emit_assertions(out, scene);
     void (*const emitters[])(FILE *, const struct compiled_scene *) = {
-        emit_frames,   emit_primitives, emit_boxes,     emit_balls,    emit_polyhedra,
-        emit_quadrics, emit_objects,    emit_materials, emit_patterns, emit_lights};
-    const int counts[] = {scene->frame_count,  scene->primitive_count,  scene->box_count,
-                          scene->ball_count,   scene->polyhedron_count, scene->quadric_count,
-                          scene->object_count, scene->material_count,   scene->pattern_count,
-                          scene->light_count};
+        emit_frames,    emit_primitives,      emit_boxes,   emit_balls,
+        emit_polyhedra, emit_quadrics,        emit_objects, emit_materials,
+        emit_patterns,  emit_specular_tables, emit_lights};
+    const int counts[] = {
+        scene->frame_count,          scene->primitive_count,  scene->box_count,
+        scene->ball_count,           scene->polyhedron_count, scene->quadric_count,
+        scene->object_count,         scene->material_count,   scene->pattern_count,
+        scene->specular_table_count, scene->light_count};
     for (size_t i = 0; i < sizeof emitters / sizeof emitters[0]; i++) {
         if (counts[i] > 0) {
             emitters[i](out, scene);

@@ -95,18 +95,12 @@ struct scene_description *load_scene(const char *name_or_path, struct scene_erro
 struct compiled_scene *load_compiled_scene(const char *name_or_path,
                                            const struct scene_overrides *overrides,
                                            struct scene_error *error) {
-    struct compiled_scene *compiled = NULL;
     struct scene_description *description = load_scene(name_or_path, error);
     if (description == NULL) {
         return NULL;
     }
     scene_override(description, overrides);
-    if (description->colour != COLOUR_FULL) {
-        refuse(error, name_or_path,
-               "its colour mode is not built into this version; --colour full renders it without");
-    } else {
-        compiled = scene_compile(description, error);
-    }
+    struct compiled_scene *compiled = scene_compile(description, error);
     scene_description_free(description);
     return compiled;
 }

@@ -13,8 +13,8 @@
  * caller gives the result to scene_description_free(). */
 struct scene_description *load_scene(const char *name_or_path, struct scene_error *error);
 
-/* The same, with overrides put in and compiled. Refuses what this version can't render yet. The
- * caller frees the result with free(). */
+/* As load_scene(), with overrides put in and compiled. The caller frees the result with
+ * free(). */
 struct compiled_scene *load_compiled_scene(const char *name_or_path,
                                            const struct scene_overrides *overrides,
                                            struct scene_error *error);

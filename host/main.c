@@ -74,7 +74,7 @@ static bool hold_standard_streams(void) {
 }
 
 int main(int argc, char **argv) {
-    /* A closed pipe or a file over its limit is an error of a write, with a message, not a death. */
+    /* A closed pipe or a file over its limit is a failed write, with a message, not a death. */
     struct sigaction ignore;
     memset(&ignore, 0, sizeof ignore);
     ignore.sa_handler = SIG_IGN;

@@ -10,7 +10,7 @@
 #define BIT(command) (1u << COMMAND_##command)
 
 enum {
-    SCENE_READERS = BIT(RENDER) | BIT(CHECK) | BIT(COMPILE),
+    SCENE_READERS = BIT(RENDER) | BIT(CHECK) | BIT(COMPILE) | BIT(TREE),
     BOARD_USERS = BIT(RENDER) | BIT(REPLAY)
 };
 
@@ -89,14 +89,15 @@ static enum value_verdict set_size(struct options *options, const char *value) {
     return VALUE_TAKEN;
 }
 
+/* Absorption is a property of materials and goes with every model: alone it is the standard one. */
 static enum value_verdict set_model(struct options *options, const char *value) {
-    static const char *const later[] = {"simple", "wavelength", "absorption", NULL};
-    if (find_word(value, later) >= 0) {
-        return VALUE_NOT_BUILT;
-    }
+    static const char *const words[] = {"simple", "fresnel", "wavelength", "absorption", NULL};
+    static const enum scene_model models[] = {MODEL_SIMPLE, MODEL_FRESNEL, MODEL_WAVELENGTH,
+                                              MODEL_FRESNEL};
+    int word = find_word(value, words);
     options->overrides.has_model = true;
-    options->overrides.model = MODEL_FRESNEL;
-    return verdict(strcmp(value, "fresnel") == 0);
+    options->overrides.model = models[word >= 0 ? word : 1];
+    return verdict(word >= 0);
 }
 
 static enum value_verdict set_highlight(struct options *options, const char *value) {
@@ -108,13 +109,32 @@ static enum value_verdict set_highlight(struct options *options, const char *val
 }
 
 static enum value_verdict set_colour(struct options *options, const char *value) {
-    static const char *const later[] = {"dither", "exposures", NULL};
-    if (find_word(value, later) >= 0 || is_kind(value, "bits")) {
-        return VALUE_NOT_BUILT;
-    }
+    static const char *const words[] = {"full", "dither", "exposures", NULL};
+    static const enum scene_colour colours[] = {COLOUR_FULL, COLOUR_DITHER, COLOUR_EXPOSURES};
+    static const char bits[] = "bits:";
+    unsigned long kept;
+    int word = find_word(value, words);
     options->overrides.has_colour = true;
-    options->overrides.colour = COLOUR_FULL;
-    return verdict(strcmp(value, "full") == 0);
+    if (strncmp(value, bits, sizeof bits - 1) == 0) {
+        options->overrides.colour = COLOUR_BITS;
+        if (!value_whole(value + sizeof bits - 1, 1, 8, &kept)) {
+            return VALUE_WRONG;
+        }
+        options->overrides.colour_bits = (int)kept;
+        return VALUE_TAKEN;
+    }
+    options->overrides.colour = colours[word >= 0 ? word : 0];
+    return verdict(word >= 0);
+}
+
+static enum value_verdict set_seed(struct options *options, const char *value) {
+    options->overrides.has_seed = true;
+    return verdict(value_whole(value, 0, 4294967295ul, &options->overrides.seed));
+}
+
+static enum value_verdict set_keep_exposures(struct options *options, const char *value) {
+    options->keep_exposures = value;
+    return verdict(value[0] != '\0');
 }
 
 static enum value_verdict set_bus(struct options *options, const char *value) {
@@ -185,6 +205,18 @@ static enum value_verdict set_strict(struct options *options, const char *value)
     return verdict(value == NULL || board_grade_from_text(value, &options->strict_grade));
 }
 
+static enum value_verdict set_dot(struct options *options, const char *value) {
+    (void)value;
+    options->dot = true;
+    return VALUE_TAKEN;
+}
+
+static enum value_verdict set_minimal(struct options *options, const char *value) {
+    (void)value;
+    options->minimal = true;
+    return VALUE_TAKEN;
+}
+
 static enum value_verdict set_quiet(struct options *options, const char *value) {
     (void)value;
     options->quiet = true;
@@ -211,9 +243,9 @@ static enum value_verdict set_json(struct options *options, const char *value) {
 }
 
 const struct option_entry option_table[] = {
-    {"output", 'o', "FILE", BIT(RENDER) | BIT(COMPILE) | BIT(REPLAY), set_output,
+    {"output", 'o', "FILE", BIT(RENDER) | BIT(COMPILE) | BIT(REPLAY) | BIT(TREE), set_output,
      "a file's name or -", "where the result goes; - is standard output"},
-    {"arith", 0, "NAME", BIT(RENDER), set_arithmetic, arithmetic_names,
+    {"arith", 0, "NAME", BIT(RENDER) | BIT(TREE), set_arithmetic, arithmetic_names,
      "the firmware's arithmetic (fx)"},
     {"depth", 0, "N", SCENE_READERS, set_depth, "a whole number 0..255",
      "the paper's depth level (the scene's)"},
@@ -222,12 +254,16 @@ const struct option_entry option_table[] = {
     {"error", 0, "LSB", SCENE_READERS, set_error, "a number 0..255", NULL},
     {"size", 0, "WxH", SCENE_READERS, set_size, "1x1..640x400",
      "the pixels rendered (the scene's)"},
-    {"model", 0, "MODEL", SCENE_READERS, set_model, "fresnel",
+    {"model", 0, "MODEL", SCENE_READERS, set_model, "simple, fresnel, wavelength, absorption",
      "how light is reflected and refracted (the scene's)"},
     {"highlight", 0, "KIND", SCENE_READERS, set_highlight, "phong or blinn",
      "how highlights are computed (the scene's)"},
-    {"colour", 0, "MODE", SCENE_READERS, set_colour, "full", "the colours drawn (the scene's)"},
-    {"seed", 0, "S", BIT(RENDER), not_built, "", NULL},
+    {"colour", 0, "MODE", SCENE_READERS, set_colour, "full, bits:1..bits:8, dither or exposures",
+     "how colours are shown (the scene's)"},
+    {"seed", 0, "S", SCENE_READERS, set_seed, "a whole number 0..4294967295",
+     "of the random dither (1)"},
+    {"keep-exposures", 0, "FOLDER", BIT(RENDER), set_keep_exposures, "a folder's name",
+     "write the eight 8-colour pictures of --colour exposures too"},
     {"bus", 0, "BUS", BIT(RENDER), set_bus, "emulator or trace:FILE",
      "where the port accesses go (emulator)"},
     {"trace", 0, "FILE", BIT(RENDER), set_trace, "a file's name",
@@ -251,6 +287,9 @@ const struct option_entry option_table[] = {
     {"share", 0, "PERCENT", BIT(COMPARE), set_share, "a number 0..100",
      "the pixels that must be within it (99.9)"},
     {"json", 0, NULL, BIT(COMPARE), set_json, "", "print JSON"},
+    {"dot", 0, NULL, BIT(TREE), set_dot, "", "a graph for Graphviz"},
+    {"minimal", 0, NULL, BIT(COMPILE), set_minimal, "",
+     "write the feature_set.h of an image for this scene alone"},
     {"quiet", 0, NULL, BIT(RENDER), set_quiet, "", "no progress bar"},
     {"help", 0, NULL, ~0u, set_help, "", "print this text"},
     {NULL, 0, NULL, 0, NULL, NULL, NULL}};

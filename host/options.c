@@ -112,10 +112,11 @@ static bool check_together(enum command_id command, const struct options *option
         return refuse(error, "--error: not built into this version; allowed is: --threshold");
     }
     if (options->bus == BUS_CHOICE_TRACE) {
-        const char *with = options->output != NULL  ? "--output"
-                           : options->trace != NULL ? "--trace"
-                           : options->strict        ? "--strict"
-                                                    : NULL;
+        const char *with = options->output != NULL           ? "--output"
+                           : options->trace != NULL          ? "--trace"
+                           : options->strict                 ? "--strict"
+                           : options->keep_exposures != NULL ? "--keep-exposures"
+                                                             : NULL;
         if (with != NULL) {
             return refuse(error, "%s goes with --bus emulator only; a trace has no board behind it",
                           with);

@@ -41,8 +41,9 @@ struct options {
     struct scene_overrides overrides;
     bool has_error; /* --error was given */
     enum bus_choice bus;
-    const char *bus_file; /* of --bus trace:FILE */
-    const char *trace;    /* NULL: none */
+    const char *bus_file;       /* of --bus trace:FILE */
+    const char *trace;          /* NULL: none */
+    const char *keep_exposures; /* a folder; NULL: none */
     bool has_rows;
     unsigned first_row, last_row; /* rows first .. last-1 */
     enum board_profile profile;
@@ -52,6 +53,8 @@ struct options {
     bool strict, has_strict_grade;
     enum board_grade strict_grade;
     bool quiet;
+    bool dot;     /* tree writes a graph for Graphviz */
+    bool minimal; /* compile writes a feature_set.h instead of the tables */
     int within;   /* LSB, 0..255 */
     double share; /* per cent, 0..100 */
     bool json;

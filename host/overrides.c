@@ -22,5 +22,9 @@ void scene_override(struct scene_description *description,
     }
     if (overrides->has_colour) {
         description->colour = overrides->colour;
+        description->colour_bits = overrides->colour_bits;
+    }
+    if (overrides->has_seed) {
+        description->seed = overrides->seed;
     }
 }

@@ -9,13 +9,15 @@
 
 /* All zero: the scene as it is. */
 struct scene_overrides {
-    bool has_depth, has_threshold, has_size, has_model, has_highlight, has_colour;
+    bool has_depth, has_threshold, has_size, has_model, has_highlight, has_colour, has_seed;
     int depth;         /* 0..255 */
     double threshold;  /* 0..1 */
     int width, height; /* 1..640, 1..400 pixels */
     enum scene_model model;
     enum scene_highlight highlight;
     enum scene_colour colour;
+    int colour_bits;    /* 1..8 with COLOUR_BITS */
+    unsigned long seed; /* 0..2^32-1 */
 };
 
 /* Puts them into the description. */

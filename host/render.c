@@ -35,6 +35,8 @@ struct renderer {
     unsigned window; /* its size in rows */
     struct row_slot *slots;
     uint8_t *pixels; /* of all slots */
+
+    uint8_t *kept; /* all rows from job->first_row on, to be drawn again; NULL: drawn once */
 };
 
 static void add_row(struct renderer *renderer, const struct render_counts *counts) {
@@ -56,6 +58,28 @@ static bool must_stop(const struct renderer *renderer) {
     return (stop != NULL && *stop != 0) || bus_bound_status() != BUS_OK;
 }
 
+static size_t row_bytes(const struct renderer *renderer) {
+    return (size_t)renderer->job->scene->width * 3;
+}
+
+/* Where row y is kept. */
+static uint8_t *kept_row(const struct renderer *renderer, unsigned y) {
+    return renderer->kept + (y - renderer->job->first_row) * row_bytes(renderer);
+}
+
+static void keep_row(struct renderer *renderer, unsigned y, const uint8_t *rgb) {
+    if (renderer->kept != NULL) {
+        memcpy(kept_row(renderer, y), rgb, row_bytes(renderer));
+    }
+}
+
+/* The row_source of drawings after the first. */
+static bool repeat_row(void *context, uint16_t y, uint8_t *rgb) {
+    const struct renderer *renderer = context;
+    memcpy(rgb, kept_row(renderer, y), row_bytes(renderer));
+    return bus_bound_status() == BUS_OK;
+}
+
 /* The row_source of one job: the drawing thread computes. */
 static bool compute_row(void *context, uint16_t y, uint8_t *rgb) {
     struct renderer *renderer = context;
@@ -64,6 +88,7 @@ static bool compute_row(void *context, uint16_t y, uint8_t *rgb) {
         return false;
     }
     renderer->job->arithmetic->image->row(renderer->scene, y, rgb, &counts);
+    keep_row(renderer, y, rgb);
     add_row(renderer, &counts);
     return true;
 }
@@ -111,21 +136,41 @@ static bool fetch_row(void *context, uint16_t y, uint8_t *rgb) {
     while (!slot->is_ready) {
         (void)pthread_cond_wait(&renderer->row_is_ready, &renderer->mutex);
     }
-    memcpy(rgb, slot->rgb, (size_t)renderer->job->scene->width * 3);
+    memcpy(rgb, slot->rgb, row_bytes(renderer));
     struct render_counts counts = slot->counts;
     slot->is_ready = false;
     renderer->drawn = (unsigned)y + 1;
     (void)pthread_cond_broadcast(&renderer->window_moved);
     (void)pthread_mutex_unlock(&renderer->mutex);
+    keep_row(renderer, y, rgb);
     add_row(renderer, &counts);
     return true;
 }
 
-static void draw(struct renderer *renderer, row_source *source) {
+/* One drawing of rows up to last - 1. */
+static void draw_once(struct renderer *renderer, row_source *source, unsigned last,
+                      unsigned exposure) {
     const struct render_job *job = renderer->job;
-    struct drawing drawing = {job->base, (uint16_t)job->first_row, (uint16_t)job->last_row, source,
-                              renderer};
+    const struct drawing drawing = {.base = job->base,
+                                    .first = (uint16_t)job->first_row,
+                                    .last = (uint16_t)last,
+                                    .source = source,
+                                    .context = renderer,
+                                    .exposure = (uint8_t)exposure};
     job->arithmetic->image->draw(renderer->scene, &drawing);
+    if (renderer->kept != NULL && job->exposed != NULL) {
+        job->exposed(job->exposed_context, exposure);
+    }
+}
+
+static void draw(struct renderer *renderer, row_source *source) {
+    draw_once(renderer, source, renderer->job->last_row, 0);
+    unsigned last = renderer->job->first_row + renderer->totals.rows;
+    for (unsigned exposure = 1;
+         renderer->kept != NULL && exposure < RENDER_EXPOSURES && bus_bound_status() == BUS_OK;
+         exposure++) {
+        draw_once(renderer, repeat_row, last, exposure);
+    }
 }
 
 /* Starts up to job->jobs workers; returns how many there are. Signals are for the drawing thread:
@@ -170,18 +215,26 @@ static bool draw_with_workers(struct renderer *renderer) {
 }
 
 static bool make_window(struct renderer *renderer) {
-    size_t row_bytes = (size_t)renderer->job->scene->width * 3;
     renderer->window = renderer->job->jobs * ROWS_AHEAD;
     renderer->next = renderer->drawn = renderer->job->first_row;
     renderer->slots = calloc(renderer->window, sizeof *renderer->slots);
-    renderer->pixels = malloc(renderer->window * row_bytes);
+    renderer->pixels = malloc(renderer->window * row_bytes(renderer));
     if (renderer->slots == NULL || renderer->pixels == NULL) {
         return false;
     }
     for (unsigned i = 0; i < renderer->window; i++) {
-        renderer->slots[i].rgb = renderer->pixels + i * row_bytes;
+        renderer->slots[i].rgb = renderer->pixels + i * row_bytes(renderer);
     }
     return true;
+}
+
+static bool make_kept_rows(struct renderer *renderer) {
+    const struct render_job *job = renderer->job;
+    if (job->scene->show != COMPILED_EXPOSURES) {
+        return true;
+    }
+    renderer->kept = malloc((job->last_row - job->first_row) * row_bytes(renderer));
+    return renderer->kept != NULL;
 }
 
 bool render(const struct render_job *job, struct render_totals *totals, struct scene_error *error) {
@@ -194,10 +247,10 @@ bool render(const struct render_job *job, struct render_totals *totals, struct s
     renderer.job = job;
     renderer.scene = scene;
     renderer.began = stopwatch_start();
-    bool is_done = true;
-    if (job->jobs <= 1) {
+    bool is_done = make_kept_rows(&renderer);
+    if (is_done && job->jobs <= 1) {
         draw(&renderer, compute_row);
-    } else {
+    } else if (is_done) {
         is_done = make_window(&renderer) && draw_with_workers(&renderer);
     }
     if (!is_done) {
@@ -208,6 +261,7 @@ bool render(const struct render_job *job, struct render_totals *totals, struct s
     *totals = renderer.totals;
     free(renderer.slots);
     free(renderer.pixels);
+    free(renderer.kept);
     free(scene);
     return is_done;
 }

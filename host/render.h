@@ -31,11 +31,19 @@ struct render_job {
     /* Called from the caller's thread after each row; NULL: nobody looks. */
     void (*progress)(void *context, const struct render_totals *so_far);
     void *context;
+
+    /* Of a scene that is shown by exposures: called from the caller's thread after each of the
+     * eight drawings, 0..7, with the board as it is exposed; NULL: nobody looks. */
+    void (*exposed)(void *exposed_context, unsigned exposure);
+    void *exposed_context;
 };
 
-/* Renders. Ends early if it is stopped or the bus fails (bus_bound_status() says so); totals->rows
- * says how far it came. False with *error filled if the arithmetic can't hold the scene, or memory
- * or threads are out. */
+enum { RENDER_EXPOSURES = 8 };
+
+/* Renders. A scene that is shown by exposures is computed once and drawn eight times; where it is
+ * stopped, what was computed by then is drawn so. Ends early if it is stopped or the bus fails
+ * (bus_bound_status() says so); totals->rows says how far it came. False with *error filled if the
+ * arithmetic can't hold the scene, or memory or threads are out. */
 bool render(const struct render_job *job, struct render_totals *totals, struct scene_error *error);
 
 #endif

@@ -134,10 +134,11 @@ struct scene_description {
     enum scene_highlight highlight;
     enum scene_mixing mixing;
     enum scene_colour colour;
-    int colour_bits;   /* 1..8 for COLOUR_BITS */
-    int width, height; /* pixels rendered: 1..640, 1..400 */
-    int depth;         /* the paper's N, 0..255 */
-    double threshold;  /* 0..1 */
+    int colour_bits;    /* 1..8 for COLOUR_BITS */
+    unsigned long seed; /* of the random dither, 0..2^32-1 */
+    int width, height;  /* pixels rendered: 1..640, 1..400 */
+    int depth;          /* the paper's N, 0..255 */
+    double threshold;   /* 0..1 */
     double background[3];
     double ambient[3]; /* Ia */
     bool has_attenuation;

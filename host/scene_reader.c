@@ -252,6 +252,7 @@ static struct scene_description *make_description(struct scene_reader *reader) {
     struct scene_description *scene = scene_allocate(reader, 1, sizeof *scene);
     if (scene) {
         scene->depth = 10;
+        scene->seed = 1;
         scene->threshold = 1.0 / 4096;
         scene->path = scene_copy(reader, reader->path);
         memcpy(reader->wavelengths, CIE_PRIMARIES, sizeof reader->wavelengths);

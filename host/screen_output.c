@@ -5,15 +5,19 @@
 #include "command.h"
 #include "png_file.h"
 
-bool screen_write(struct output *output, struct port_chain *chain) {
+bool picture_write(struct output *output, const uint8_t rgb[PICTURE_BYTES]) {
     struct png_error error;
-    port_chain_picture(chain);
-    if (chain->picture_state != PICTURE_OK) {
-        complain("the picture is black: %s", picture_state_text(chain->picture_state));
-    }
-    if (write_png(output->file, chain->rgb, PICTURE_WIDTH, PICTURE_HEIGHT, &error) != PNG_OK) {
+    if (write_png(output->file, rgb, PICTURE_WIDTH, PICTURE_HEIGHT, &error) != PNG_OK) {
         output_complain(output, error.message);
         return false;
     }
     return output_commit(output);
+}
+
+bool screen_write(struct output *output, struct port_chain *chain) {
+    port_chain_picture(chain);
+    if (chain->picture_state != PICTURE_OK) {
+        complain("the picture is black: %s", picture_state_text(chain->picture_state));
+    }
+    return picture_write(output, chain->rgb);
 }

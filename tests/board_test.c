@@ -226,11 +226,13 @@ static void a_fill_that_nobody_has_seen_rounds_x_down_and_is_reported(void **sta
     outpw(0x00D8, 0x0001); /* X is right, the value is not */
     go_to(9, 9);
     outpw(0x00D8, 0x0000); /* the other way round */
+    go_to(10, 9);
+    outpw(0x00D8, 0x0000); /* an even X is not enough */
     go_to(640, 9);
     outpw(0x00D8, 0x0000); /* outside */
-    assert_int_equal(count_of(BOARD_FILL_UNSEEN), 3);
+    assert_int_equal(count_of(BOARD_FILL_UNSEEN), 4);
     assert_int_equal(count_of(BOARD_OUTSIDE_WRITE), 1);
-    assert_int_equal(board_violations(&board), 4);
+    assert_int_equal(board_violations(&board), 5);
 }
 
 static void in_1987_a_word_to_red_is_a_byte_and_reported(void **state) {
@@ -241,6 +243,9 @@ static void in_1987_a_word_to_red_is_a_byte_and_reported(void **state) {
     assert_int_equal(get_here(), 0x001111);
     assert_int_equal(get_pixel(5, 9), 0x000000);
     assert_int_equal(board_violations(&board), 1);
+    assert_int_equal(board.log_count, 1);
+    assert_int_equal(board.log[0].behaviour, BOARD_RED_WORD_WRITE);
+    assert_int_equal(board.log[0].value, 0x5500);
 }
 
 int main(void) {

@@ -137,9 +137,6 @@ static const struct {
     {COMMAND_RENDER, "render a --quiet=3", "--quiet: takes no value"},
     {COMMAND_RENDER, "render a --json", "no option --json"},
     /* Known, but not built into this version. */
-    {COMMAND_RENDER, "render a --model wavelength", "--model wavelength: not built"},
-    {COMMAND_RENDER, "render a --model simple", "--model simple: not built"},
-    {COMMAND_RENDER, "render a --model absorption", "--model absorption: not built"},
     {COMMAND_RENDER, "render a --colour bits:3", "--colour bits:3: not built"},
     {COMMAND_RENDER, "render a --colour dither", "--colour dither: not built"},
     {COMMAND_RENDER, "render a --colour exposures", "--colour exposures: not built"},

@@ -57,6 +57,11 @@ typedef int64_t real_wide; /* 46 bits of fraction */
 
 #define LENGTH_FAR REAL_LENGTH(2047.0)
 
+#define LENGTH_VALUE(a) ((double)(a) / 1048576.0)
+#define UNIT_VALUE(a)   ((double)(a) / 1073741824.0)
+#define ENERGY_VALUE(a) ((double)(a) / 1073741824.0)
+#define COLOUR_VALUE(a) ((double)(a) / 65536.0)
+
 /* 8 LSB. */
 #define LENGTH_NOISE ((real_length)8)
 
@@ -361,6 +366,10 @@ static inline real_index index_subtract(real_index a, real_index b) {
 
 static inline real_energy energy_product(real_energy a, real_energy b) {
     return fixed_result(FIXED_energy_product, fixed_times(a, b), 30);
+}
+
+static inline real_energy energy_add(real_energy a, real_energy b) {
+    return fixed_saturated(FIXED_energy_add, (int64_t)a + b);
 }
 
 static inline real_energy energy_complement(real_energy a) {

@@ -32,6 +32,7 @@
     X(index_add)                                                                                   \
     X(index_subtract)                                                                              \
     X(energy_product)                                                                              \
+    X(energy_add)                                                                                  \
     X(energy_complement)                                                                           \
     X(energy_ratio)                                                                                \
     X(energy_mean_square)                                                                          \

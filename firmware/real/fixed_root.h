@@ -29,8 +29,10 @@ static inline uint32_t fixed_root_of_normal(uint64_t m, uint64_t *rest) {
     uint32_t y = (seed << 15) + (uint32_t)(((int32_t)seed * step) >> 13); /* 2^22 / sqrt(m) */
     uint64_t estimate = ((uint64_t)high * y) >> 22; /* 2^32 sqrt(m), relative 2^-18.5 */
     uint32_t root = estimate > UINT32_MAX ? UINT32_MAX : (uint32_t)estimate;
-    /* Newton: root + (m - root^2) / (2 root). |m - root^2| < 2^46.5. It ends less than 2^-6 above
-     * the root, and 1 + 2^-4 at most below it: of the floor, and of the truncated terms. */
+    /* Newton: root + (m - root^2) / (2 root). |m - root^2| < 2^46.5. With y
+     * for 1 / sqrt(m) the step by itself ends below the root, by 3/2 of the relative error squared;
+     * what is truncated before it adds less than 2^-15, and the floors and shifts take 1 + 2^-4 at
+     * most. So the root is at most one too small, and hardly ever one too large. */
     int64_t error = (int64_t)(m - (uint64_t)root * root);
     int64_t better = (int64_t)root + (((error >> 26) * (int64_t)y) >> 29);
     root = better > (int64_t)UINT32_MAX ? UINT32_MAX : (uint32_t)better;

@@ -28,6 +28,11 @@ typedef floating real_wide;
 #define REAL_COLOUR(x)     ((floating)(x))
 #define REAL_EXTINCTION(x) ((floating)(x))
 
+#define LENGTH_VALUE(a) ((double)(a))
+#define UNIT_VALUE(a)   ((double)(a))
+#define ENERGY_VALUE(a) ((double)(a))
+#define COLOUR_VALUE(a) ((double)(a))
+
 #define LENGTH_FAR REAL_LENGTH(2047.0)
 
 static inline real_length length_add(real_length a, real_length b) {
@@ -226,6 +231,10 @@ static inline real_index index_subtract(real_index a, real_index b) {
 
 static inline real_energy energy_product(real_energy a, real_energy b) {
     return a * b;
+}
+
+static inline real_energy energy_add(real_energy a, real_energy b) {
+    return a + b;
 }
 
 static inline real_energy energy_complement(real_energy a) {

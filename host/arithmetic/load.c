@@ -5,6 +5,7 @@
 
 #include "arithmetic.h"
 #include "compiled_scene.h"
+#include "observe.h"
 #include "scene.h"
 
 /* What compiled_scene.h says again of scene.h. */
@@ -14,6 +15,10 @@ typedef char compiled_scene_matches_scene
              (int)KIND_QUADRIC == (int)PRIMITIVE_QUADRIC && (int)CODE_UNION == (int)PROGRAM_UNION &&
              (int)CODE_INTERSECTION == (int)PROGRAM_INTERSECTION &&
              (int)CODE_DIFFERENCE == (int)PROGRAM_DIFFERENCE &&
+             (int)NO_TABLE == (int)SPECULAR_CONSTANT &&
+             (int)SCENE_SPECULAR_STEPS == (int)SPECULAR_STEPS &&
+             (int)COMPILED_BITS == (int)SHOW_BITS && (int)COMPILED_DITHER == (int)SHOW_DITHER &&
+             (int)COMPILED_EXPOSURES == (int)SHOW_EXPOSURES &&
              (int)WORLD_FRAME == (int)FRAME_WORLD && (int)NO_PATTERN == (int)PATTERN_NONE &&
              (int)COMPILED_PRIMITIVES_MOST == (int)PRIMITIVES_MOST
          ? 1
@@ -41,6 +46,7 @@ struct loaded {
     struct object objects[COMPILED_OBJECTS_MOST];
     struct material materials[COMPILED_MATERIALS_MOST];
     struct pattern patterns[COMPILED_MATERIALS_MOST];
+    struct specular_table specular_tables[COMPILED_MATERIALS_MOST];
     struct light lights[SCENE_LIGHTS_MOST];
 };
 
@@ -57,6 +63,11 @@ static struct direction direction_of(const double d[3]) {
 static struct colours colours_of(const double c[3]) {
     struct colours colours = {REAL_COLOUR(c[0]), REAL_COLOUR(c[1]), REAL_COLOUR(c[2])};
     return colours;
+}
+
+static struct energies energies_of(const double e[3]) {
+    struct energies energies = {REAL_ENERGY(e[0]), REAL_ENERGY(e[1]), REAL_ENERGY(e[2])};
+    return energies;
 }
 
 static struct primitive_set set_of(const struct compiled_set *from) {
@@ -139,11 +150,18 @@ static void load_materials(struct loaded *to, const struct compiled_scene *from)
         material->transparent = source->transparent;
         material->casts_shadow = source->casts_shadow;
         material->absorbs = source->absorbs;
+        material->disperses = source->disperses;
+        material->tints = source->tints;
+        material->specular_table = source->specular_table;
         material->pattern = source->pattern;
         material->optical = source->optical;
-        material->ior = REAL_INDEX(source->ior);
-        material->inverse_ior = REAL_INDEX(source->inverse_ior);
+        material->transmittance = REAL_ENERGY(source->transmittance);
+        material->reflects = energies_of(source->reflects);
+        material->transmits = energies_of(source->transmits);
+        material->filter = energies_of(source->filter);
         for (int j = 0; j < 3; j++) {
+            material->ior[j] = REAL_INDEX(source->ior[j]);
+            material->inverse_ior[j] = REAL_INDEX(source->inverse_ior[j]);
             material->absorption[j] = REAL_EXTINCTION(source->absorption[j]);
         }
     }
@@ -154,6 +172,15 @@ static void load_materials(struct loaded *to, const struct compiled_scene *from)
         to->patterns[i].origin = point_of(source->origin);
         to->patterns[i].size = point_of(source->size);
         to->patterns[i].colour = colours_of(source->colour);
+    }
+}
+
+static void load_specular_tables(struct loaded *to, const struct compiled_scene *from) {
+    for (int i = 0; i < from->specular_table_count; i++) {
+        for (int j = 0; j < SPECULAR_STEPS; j++) {
+            to->specular_tables[i].cosine[j] = REAL_UNIT(from->specular_tables[i].cosine[j]);
+            to->specular_tables[i].specular[j] = REAL_ENERGY(from->specular_tables[i].specular[j]);
+        }
     }
 }
 
@@ -183,6 +210,8 @@ static void load_scene(struct loaded *to, const struct compiled_scene *from) {
     scene->depth = from->depth;
     scene->threshold = REAL_ENERGY(from->threshold);
     scene->background = colours_of(from->background);
+    scene->simple = from->simple;
+    scene->filters = from->filters;
     scene->blinn = from->blinn;
     scene->fades = from->fades;
     scene->fade_start = REAL_LENGTH(from->fade_start);
@@ -203,9 +232,13 @@ static void load_scene(struct loaded *to, const struct compiled_scene *from) {
     scene->objects = to->objects;
     scene->materials = to->materials;
     scene->patterns = to->patterns;
+    scene->specular_tables = to->specular_tables;
     scene->lights = to->lights;
     scene->shadow_primitives = set_of(&from->shadow_primitives);
     scene->has_shadows = from->has_shadows;
+    scene->show = from->show;
+    scene->show_bits = from->show_bits;
+    scene->seed = from->seed;
 }
 
 static bool fail(const struct compiled_scene *from, unsigned line, const char *what,
@@ -308,10 +341,11 @@ static struct scene *load(const struct compiled_scene *from, struct scene_error 
     load_solids(loaded, from);
     load_objects(loaded, from);
     load_materials(loaded, from);
+    load_specular_tables(loaded, from);
     load_lights(loaded, from);
     return &loaded->scene;
 }
 
 extern const struct image IMAGE;
 
-const struct arithmetic ARITHMETIC = {&IMAGE, load};
+const struct arithmetic ARITHMETIC = {&IMAGE, load, observe_pixel};

@@ -95,6 +95,7 @@ static void every_operation_is_recorded_under_its_own_name(void **state) {
     EXPECT(index_add, 1, index_add(index, index));
     EXPECT(index_subtract, 1, index_subtract(index, -index));
     EXPECT(energy_product, 1, energy_product(energy, energy));
+    EXPECT(energy_add, 1, energy_add(energy, energy));
     EXPECT(energy_complement, 1, energy_complement(energy));
     EXPECT(energy_ratio, 1, energy_ratio(REAL_INDEX(1), index));
     EXPECT(energy_mean_square, 1, energy_mean_square(energy, energy));

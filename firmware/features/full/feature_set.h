@@ -22,7 +22,14 @@ enum {
     FEATURE_FADING = 1, /* C + D */
     FEATURE_PATTERN = 1,
     FEATURE_TRANSPARENCY = 1,
-    FEATURE_ABSORPTION = 1
+    FEATURE_ABSORPTION = 1,
+    FEATURE_SIMPLE = 1,         /* Table 1 (a) */
+    FEATURE_DISPERSION = 1,     /* Table 1 (c): directions by wavelength */
+    FEATURE_TINT = 1,           /* Table 1 (c): reflectance and transmittance by wavelength */
+    FEATURE_FILTER = 1,         /* mixing by filters */
+    FEATURE_SPECULAR_TABLE = 1, /* w(theta) */
+    FEATURE_OBSERVER = 1,       /* somebody may look on while a tree is grown */
+    FEATURE_SHOW = 1            /* colours shown otherwise than in full */
 };
 
 #endif

@@ -56,6 +56,13 @@ typedef struct strict_wide *real_wide;
 #define REAL_COLOUR(x)     ((real_colour)0)     /* |x| < 32768 levels */
 #define REAL_EXTINCTION(x) ((real_extinction)0) /* 0 <= x < 8 per scaled unit */
 
+/* ---- The way back, for a host that looks on: never in a rendering. --------------------------- */
+
+#define LENGTH_VALUE(a) ((a) ? 1.0 : 0.0)
+#define UNIT_VALUE(a)   ((a) ? 1.0 : 0.0)
+#define ENERGY_VALUE(a) ((a) ? 1.0 : 0.0)
+#define COLOUR_VALUE(a) ((a) ? 1.0 : 0.0)
+
 /* No crossing lies here or beyond: t is compared with it, and saturates above it. */
 #define LENGTH_FAR REAL_LENGTH(2047.0)
 
@@ -188,6 +195,9 @@ real_index index_subtract(real_index a, real_index b);
 /* a * b. Error <= 1/2 LSB. */
 real_energy energy_product(real_energy a, real_energy b);
 
+/* a + b: exact, saturated. */
+real_energy energy_add(real_energy a, real_energy b);
+
 /* 1 - a. Exact. */
 real_energy energy_complement(real_energy a);
 
@@ -207,7 +217,7 @@ real_energy energy_mean_square(real_energy a, real_energy b);
 /* base^exponent for 0 <= base <= 1; x^0 = 1. Error <= 1 LSB + relative 2^-32 exponent. */
 real_energy energy_power(real_energy base, uint16_t exponent);
 
-/* exp(-extinction * way), way >= 0 (Lambert-Bouguer, Table 1 (d)). Error <= 1.4 LSB. */
+/* exp(-extinction * way), way >= 0 (Lambert-Bouguer, Table 1 (d)). Error <= 1.1 LSB. */
 real_energy energy_transmitted(real_extinction extinction, real_length way);
 
 /* ---- Colours --------------------------------------------------------------------------------- */

@@ -1,0 +1,128 @@
+/* SPDX-License-Identifier: MIT */
+/* The scene compiler: materials, their patterns and their tables. */
+#include <math.h>
+#include <string.h>
+
+#include "compile_internal.h"
+
+static bool same_indices(const struct compiled_material *a, const struct compiled_material *b) {
+    return memcmp(a->ior, b->ior, sizeof a->ior) == 0;
+}
+
+/* The first material with the same indices of refraction. */
+static uint8_t optical_class(const struct compiled_scene *scene, uint8_t material) {
+    uint8_t i = 0;
+    while (!same_indices(&scene->materials[i], &scene->materials[material])) {
+        i++;
+    }
+    return i;
+}
+
+static void compile_pattern(struct compiler *compiler, const struct scene_pattern *pattern,
+                            struct compiled_material *material) {
+    struct compiled_scene *scene = compiler->scene;
+    if (!pattern->present) {
+        material->pattern = NO_PATTERN;
+        return;
+    }
+    material->pattern = scene->pattern_count;
+    struct compiled_pattern *compiled = &scene->patterns[scene->pattern_count++];
+    compiled->frame = WORLD_FRAME;
+    memcpy(compiled->colour, pattern->colour, sizeof compiled->colour);
+    affine_point(&compiler->scaling, pattern->origin, compiled->origin);
+    for (int i = 0; i < 3; i++) {
+        compiled->size[i] = ldexp(pattern->size[i], scene->exponent);
+        if (pattern->size[i] > 0) {
+            compiled->axes = (uint8_t)(compiled->axes | 1 << i);
+        }
+    }
+}
+
+/* w(theta) by the cosine of theta, the first entry being that of theta = 0. */
+static void compile_specular(struct compiler *compiler, const struct scene_material *from,
+                             struct compiled_material *to) {
+    struct compiled_scene *scene = compiler->scene;
+    to->specular = from->specular;
+    to->specular_table = NO_TABLE;
+    if (!from->has_specular_table) {
+        return;
+    }
+    to->specular_table = scene->specular_table_count;
+    struct compiled_specular_table *table = &scene->specular_tables[scene->specular_table_count++];
+    for (int i = 0; i < SCENE_SPECULAR_STEPS; i++) {
+        double theta = i * 1.57079632679489661923 / (SCENE_SPECULAR_STEPS - 1);
+        table->cosine[i] = i + 1 < SCENE_SPECULAR_STEPS ? cos(theta) : 0;
+        table->specular[i] = from->specular_table[i];
+    }
+}
+
+/* Indices and factors by channel: those of the model that the scene asks for. */
+static void compile_optics(const struct scene_description *description,
+                           const struct scene_material *from, struct compiled_material *to) {
+    bool by_channel = description->model == MODEL_WAVELENGTH;
+    to->transmittance = from->transparent ? from->transmittance : 0;
+    for (int i = 0; i < 3; i++) {
+        to->ior[i] = !from->transparent ? 1 : by_channel ? from->ior_by_channel[i] : from->ior;
+        to->inverse_ior[i] = 1 / to->ior[i];
+        to->disperses = to->disperses || to->ior[i] < to->ior[0] || to->ior[i] > to->ior[0];
+        to->reflects[i] = by_channel ? from->reflectance_by_channel[i] : 1;
+        to->transmits[i] = by_channel ? from->transmittance_by_channel[i] : 1;
+        to->tints = to->tints || to->reflects[i] < 1 || to->transmits[i] < 1;
+        to->filter[i] = fmin(from->colour[i] / 255, 1);
+    }
+}
+
+static bool compile_absorption(struct compiler *compiler, const struct scene_material *from,
+                               struct compiled_material *to) {
+    int exponent = compiler->scene->exponent;
+    for (int i = 0; i < 3; i++) {
+        to->absorption[i] = ldexp(from->absorption[i], -exponent);
+        to->absorbs = to->absorbs || from->absorption[i] > 0;
+        if (to->absorption[i] >= 8) {
+            return compile_fail(compiler, from->line,
+                                "absorption too strong for the size of the scene: at most %g is "
+                                "allowed; an opaque material looks the same",
+                                ldexp(7.99, exponent));
+        }
+    }
+    return true;
+}
+
+static void air(struct compiled_material *material) {
+    material->transparent = true;
+    material->pattern = NO_PATTERN;
+    material->specular_table = NO_TABLE;
+    material->transmittance = 1;
+    for (int i = 0; i < 3; i++) {
+        material->ior[i] = material->inverse_ior[i] = 1;
+        material->reflects[i] = material->transmits[i] = material->filter[i] = 1;
+    }
+}
+
+bool compile_materials(struct compiler *compiler) {
+    const struct scene_description *description = compiler->description;
+    struct compiled_scene *scene = compiler->scene;
+    air(&scene->materials[0]);
+    scene->material_count = (uint8_t)(description->material_count + 1);
+    for (size_t i = 0; i < description->material_count; i++) {
+        const struct scene_material *from = &description->materials[i];
+        struct compiled_material *to = &scene->materials[i + 1];
+        to->diffuse = from->diffuse;
+        to->gloss = (uint16_t)from->gloss;
+        to->transparent = from->transparent;
+        to->casts_shadow = from->casts_shadow || !from->transparent;
+        to->ambient_share = from->ambient_is_own ? from->ambient : 0;
+        for (int j = 0; j < 3; j++) {
+            to->colour[j] = from->colour[j];
+            to->ambient[j] = from->ambient_is_own ? 0 : from->ambient * description->ambient[j];
+        }
+        compile_specular(compiler, from, to);
+        compile_optics(description, from, to);
+        compile_pattern(compiler, &from->pattern, to);
+        to->optical = optical_class(scene, (uint8_t)(i + 1));
+        if (!compile_absorption(compiler, from, to)) {
+            return false;
+        }
+    }
+    return true;
+}

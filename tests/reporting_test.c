@@ -1,0 +1,87 @@
+/* SPDX-License-Identifier: MIT */
+/* What a run says of itself: the progress line, and strings and numbers in its statistics. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "load_scene.h"
+#include "progress.h"
+#include "stats.h"
+
+static void assert_line(unsigned rows, unsigned done, uint64_t rays, double seconds,
+                        const char *expected) {
+    struct render_totals totals;
+    char line[PROGRESS_LINE_SIZE];
+    memset(&totals, 0, sizeof totals);
+    totals.rows = done;
+    totals.rays = rays;
+    totals.seconds = seconds;
+    progress_line(line, rows, &totals);
+    assert_string_equal(line, expected);
+}
+
+static void progress_lines(void **state) {
+    (void)state;
+    assert_line(400, 100, 5000, 10,
+                "[######..................] row 100 of 400, 500 rays/s, 0:30 left");
+    assert_line(400, 400, 2500000, 100,
+                "[########################] row 400 of 400, 25.0 k rays/s, 0:00 left");
+    assert_line(400, 1, 4000000, 0.5,
+                "[........................] row 1 of 400, 8.00 M rays/s, 3:20 left");
+    assert_line(400, 0, 0, 0, "[........................] row 0 of 400, 0 rays/s, 5999:59 left");
+}
+
+static void no_bar_without_a_terminal(void **state) {
+    (void)state;
+    struct progress progress;
+    progress_begin(&progress, 10, true);
+    assert_false(progress.is_shown);
+}
+
+static void assert_quoted(const char *text, const char *expected) {
+    char quoted[128] = "";
+    FILE *file = tmpfile();
+    assert_non_null(file);
+    stats_write_string(file, text);
+    rewind(file);
+    quoted[fread(quoted, 1, sizeof quoted - 1, file)] = '\0';
+    (void)fclose(file);
+    assert_string_equal(quoted, expected);
+}
+
+static void strings_in_json(void **state) {
+    (void)state;
+    assert_quoted("fig3", "\"fig3\"");
+    assert_quoted("", "\"\"");
+    assert_quoted("a\"b\\c\nd", "\"a\\u0022b\\u005cc\\u000ad\"");
+    assert_quoted("\xC3\xA9", "\"\xC3\xA9\"");
+}
+
+static void names_after_scenes(void **state) {
+    (void)state;
+    char name[16];
+    scene_short_name("fig3", name, sizeof name);
+    assert_string_equal(name, "fig3");
+    scene_short_name("a.b/glass.two.scene", name, sizeof name);
+    assert_string_equal(name, "glass.two");
+    scene_short_name("/x/.scene", name, sizeof name);
+    assert_string_equal(name, ".scene");
+    scene_short_name("a-name-that-is-too-long", name, sizeof name);
+    assert_string_equal(name, "a-name-that-is-");
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(progress_lines),
+        cmocka_unit_test(no_bar_without_a_terminal),
+        cmocka_unit_test(strings_in_json),
+        cmocka_unit_test(names_after_scenes),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
