@@ -94,13 +94,13 @@ static void add_write(struct trace_statistics *statistics, const struct trace_ac
     statistics->written_registers = (uint16_t)(statistics->written_registers | 1U << number);
 }
 
-void trace_statistics_add(struct trace_statistics *statistics, const struct trace_access *access) {
+uint16_t trace_statistics_add(struct trace_statistics *statistics,
+                              const struct trace_access *access) {
     struct board *board = &statistics->board;
     unsigned offset = (uint16_t)(access->port - board->desc.base);
     if (access->is_read) {
         statistics->reads++;
-        board_read(board, access->port, access->width);
-        return;
+        return board_read(board, access->port, access->width);
     }
     statistics->writes++;
     bool is_odd = (offset & 1) != 0;
@@ -114,6 +114,7 @@ void trace_statistics_add(struct trace_statistics *statistics, const struct trac
     } else {
         add_write(statistics, access, offset / 2);
     }
+    return 0;
 }
 
 struct trace_pixels trace_statistics_pixels(const struct trace_statistics *statistics) {

@@ -26,8 +26,10 @@ struct trace_pixels {
 /* Starts from a board as desc has it. False if board_init() refuses the desc. */
 bool trace_statistics_init(struct trace_statistics *statistics, const struct board_desc *desc);
 
-/* Takes the next access into account. */
-void trace_statistics_add(struct trace_statistics *statistics, const struct trace_access *access);
+/* Takes the next access into account. Returns what the board answers a read, whatever the trace has
+ * of it; 0 after a write. */
+uint16_t trace_statistics_add(struct trace_statistics *statistics,
+                              const struct trace_access *access);
 
 /* Counts the pixels. */
 struct trace_pixels trace_statistics_pixels(const struct trace_statistics *statistics);

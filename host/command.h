@@ -31,9 +31,11 @@ int run_render(const struct options *options);
 int run_scenes(const struct options *options);
 int run_check(const struct options *options);
 int run_compile(const struct options *options);
+int run_export(const struct options *options);
 int run_tree(const struct options *options);
 int run_replay(const struct options *options);
 int run_compare(const struct options *options);
+int run_trace(const struct options *options);
 
 #if defined(__GNUC__)
 #define FORMAT_OF_PRINTF __attribute__((format(printf, 1, 2)))

@@ -135,7 +135,6 @@ static bool write_picture(struct render_run *run) {
     if (run->exposures == NULL) {
         return screen_write(&run->picture, run->chain);
     }
-    exposures_develop(run->exposures);
     return picture_write(&run->picture, run->exposures->rgb);
 }
 
@@ -153,16 +152,24 @@ static int write_results(struct render_run *run) {
     if (run->trace.file != NULL && !output_commit(&run->trace)) {
         return STATUS_FAILED;
     }
-    if (run->exposures != NULL && !exposures_commit(run->exposures)) {
-        return STATUS_FAILED;
+    if (run->exposures != NULL) {
+        exposures_develop(run->exposures);
+        if (!exposures_commit(run->exposures)) {
+            return STATUS_FAILED;
+        }
     }
     if (run->picture.file != NULL && !write_picture(run)) {
         return STATUS_FAILED;
     }
     if (run->stats.file != NULL) {
-        const struct run_stats stats = {run->scene_name, run->options->arithmetic,
-                                        run->compiled,   &run->totals,
-                                        run->chain,      stopwatch_seconds(&run->began)};
+        const struct run_stats stats = {.scene = run->scene_name,
+                                        .arithmetic = run->options->arithmetic,
+                                        .compiled = run->compiled,
+                                        .totals = &run->totals,
+                                        .chain = run->chain,
+                                        .total_seconds = stopwatch_seconds(&run->began),
+                                        .photograph =
+                                            run->exposures != NULL ? run->exposures->rgb : NULL};
         stats_write(run->stats.file, &stats);
         if (!output_commit(&run->stats)) {
             return STATUS_FAILED;

@@ -87,8 +87,8 @@ static int write_results(struct replay_run *run) {
         return STATUS_FAILED;
     }
     if (run->stats.file != NULL) {
-        const struct run_stats stats = {NULL, NULL,       NULL,
-                                        NULL, run->chain, stopwatch_seconds(&run->began)};
+        const struct run_stats stats = {.chain = run->chain,
+                                        .total_seconds = stopwatch_seconds(&run->began)};
         stats_write(run->stats.file, &stats);
         if (!output_commit(&run->stats)) {
             return STATUS_FAILED;

@@ -10,7 +10,7 @@ const struct command commands[] = {
     {"scenes", "", "List the built-in scenes: name, tab, one sentence.", 0, 0, run_scenes},
     {"check", "SCENE", "Read and analyse a scene; say what it requires.", 1, 1, run_check},
     {"compile", "SCENE", "Write a scene as const tables for a firmware image.", 1, 1, run_compile},
-    {"export", "SCENE", "Write a scene for POV-Ray.", 1, 1, NULL},
+    {"export", "SCENE", "Write a scene for POV-Ray.", 1, 1, run_export},
     {"tree", "SCENE X Y", "Print the tree of rays of one pixel.", 3, 3, run_tree},
     {"replay", "TRACE...", "Play port traces on the emulated board.", 1, 1000, run_replay},
     {"compare", "A.png B.png", "Measure how far two pictures of the same size are apart.", 2, 2,
@@ -19,6 +19,6 @@ const struct command commands[] = {
     {"paper", "", "Make every figure of the paper.", 0, 0, NULL},
     {"devices", "", "List the adapters that are plugged in.", 0, 0, NULL},
     {"adapter", "", "Be a virtual USB adapter.", 0, 0, NULL},
-    {"trace", "TRACE", "Tell a port trace in words.", 1, 1, NULL},
+    {"trace", "TRACE", "Tell a port trace in words.", 1, 1, run_trace},
     {"boot", "IMAGE.hdm", "Run a PC-98 floppy image.", 1, 1, NULL},
     {NULL, NULL, NULL, 0, 0, NULL}};

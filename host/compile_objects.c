@@ -88,6 +88,7 @@ static bool add_object(struct compiler *compiler, const struct instance *instanc
                             COMPILED_OBJECTS_MOST - 1);
     }
     struct compiled_object *object = &scene->objects[scene->object_count];
+    unsigned instance_line = compiler->line; /* what is compiled for it moves that on */
     object->program = scene->program_length;
     object->length = 0;
     object->material = (uint8_t)(instance->material + 1);
@@ -108,6 +109,9 @@ static bool add_object(struct compiler *compiler, const struct instance *instanc
         }
     }
     compiler->object_bounds[scene->object_count] = bounds;
+    object->line = instance_line;
+    memcpy(object->low, bounds.low, sizeof object->low);
+    memcpy(object->high, bounds.high, sizeof object->high);
     snprintf(scene->object_names[scene->object_count], sizeof scene->object_names[0], "%.31s",
              compiler->object_name);
     if (!check_bounded(compiler, object, &bounds)) {

@@ -38,9 +38,9 @@ static bool is_inside_quadric(const struct compiled_quadric *quadric, const doub
            0;
 }
 
-/* Whether a point is strictly inside a primitive. */
-static bool is_inside(const struct compiled_scene *scene,
-                      const struct compiled_primitive *primitive, const double point[3]) {
+bool compiled_primitive_holds(const struct compiled_scene *scene, uint8_t index,
+                              const double point[3]) {
+    const struct compiled_primitive *primitive = &scene->primitives[index];
     double p[3] = {point[0], point[1], point[2]};
     if (primitive->frame != WORLD_FRAME) {
         const struct compiled_frame *frame = &scene->frames[primitive->frame];
@@ -62,28 +62,33 @@ static bool is_inside(const struct compiled_scene *scene,
     }
 }
 
-/* The object that the eye is in: what ray_hit()'s programs say, in the host's words. */
-static uint8_t object_of(const struct compiled_scene *scene, const struct compiled_set *inside) {
-    for (uint8_t i = (uint8_t)(scene->object_count - 1); i > 0; i--) {
-        const struct compiled_object *object = &scene->objects[i];
-        uint32_t stack = 0;
-        for (uint8_t j = 0; j < object->length; j++) {
-            uint8_t code = scene->programs[object->program + j];
-            uint32_t right = stack & 1, left = stack >> 1 & 1;
-            if (code < CODE_UNION) {
-                stack = stack << 1 | (inside->word[code / 32] >> code % 32 & 1);
-            } else {
-                uint32_t value = code == CODE_UNION          ? left | right
-                                 : code == CODE_INTERSECTION ? left & right
-                                                             : left & ~right & 1;
-                stack = (stack >> 2) << 1 | value;
-            }
-        }
-        if (stack & 1) {
-            return i;
+/* What ray_hit()'s programs say, in the host's words. */
+bool compiled_object_holds(const struct compiled_scene *scene, uint8_t index,
+                           const struct compiled_set *inside) {
+    const struct compiled_object *object = &scene->objects[index];
+    uint32_t stack = 0;
+    for (uint8_t i = 0; i < object->length; i++) {
+        uint8_t code = scene->programs[object->program + i];
+        uint32_t right = stack & 1, left = stack >> 1 & 1;
+        if (code < CODE_UNION) {
+            stack = stack << 1 | (inside->word[code / 32] >> code % 32 & 1);
+        } else {
+            uint32_t value = code == CODE_UNION          ? left | right
+                             : code == CODE_INTERSECTION ? left & right
+                                                         : left & ~right & 1;
+            stack = (stack >> 2) << 1 | value;
         }
     }
-    return 0;
+    return (stack & 1) != 0;
+}
+
+/* The object that the eye is in. */
+static uint8_t object_of(const struct compiled_scene *scene, const struct compiled_set *inside) {
+    uint8_t i = (uint8_t)(scene->object_count - 1);
+    while (i > 0 && !compiled_object_holds(scene, i, inside)) {
+        i--;
+    }
+    return i;
 }
 
 static void compile_camera(struct compiler *compiler, const double right[3], const double up[3],
@@ -104,7 +109,7 @@ static void compile_camera(struct compiler *compiler, const double right[3], con
         camera->row[i] = ldexp(camera->row[i], camera->shift);
     }
     for (uint8_t i = 0; i < scene->primitive_count; i++) {
-        if (is_inside(scene, &scene->primitives[i], camera->eye)) {
+        if (compiled_primitive_holds(scene, i, camera->eye)) {
             camera->inside.word[i / 32] |= (uint32_t)1 << i % 32;
         }
     }

@@ -70,6 +70,8 @@ struct compiled_object {
     uint8_t length;
     uint8_t material;
     bool in_shadow_test;
+    unsigned line;          /* of the scene file */
+    double low[3], high[3]; /* bounds, perhaps infinite; no part of the firmware's tables */
 };
 
 struct compiled_pattern {
@@ -169,5 +171,14 @@ enum compiled_show { COMPILED_FULL, COMPILED_BITS, COMPILED_DITHER, COMPILED_EXP
  * rendered (the line is that of the culprit). The caller frees the result with free(). */
 struct compiled_scene *scene_compile(const struct scene_description *description,
                                      struct scene_error *error);
+
+/* Whether a point, in scaled coordinates, is strictly inside a primitive. */
+bool compiled_primitive_holds(const struct compiled_scene *scene, uint8_t index,
+                              const double point[3]);
+
+/* Whether an object holds a point that is inside these primitives; other objects may fill the
+ * place. */
+bool compiled_object_holds(const struct compiled_scene *scene, uint8_t index,
+                           const struct compiled_set *inside);
 
 #endif

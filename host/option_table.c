@@ -10,8 +10,10 @@
 #define BIT(command) (1u << COMMAND_##command)
 
 enum {
-    SCENE_READERS = BIT(RENDER) | BIT(CHECK) | BIT(COMPILE) | BIT(TREE),
-    BOARD_USERS = BIT(RENDER) | BIT(REPLAY)
+    SCENE_READERS = BIT(RENDER) | BIT(CHECK) | BIT(COMPILE) | BIT(EXPORT) | BIT(TREE),
+    BOARD_USERS = BIT(RENDER) | BIT(REPLAY),
+    BOARD_WATCHERS = BOARD_USERS | BIT(TRACE),
+    TRACE_READERS = BIT(REPLAY) | BIT(TRACE)
 };
 
 static enum value_verdict verdict(bool is_allowed) {
@@ -139,8 +141,12 @@ static enum value_verdict set_keep_exposures(struct options *options, const char
 
 static enum value_verdict set_bus(struct options *options, const char *value) {
     static const char trace[] = "trace:";
-    if (is_kind(value, "usb") || is_kind(value, "hid") || strcmp(value, "ports") == 0) {
+    if (is_kind(value, "usb") || is_kind(value, "hid")) {
         return VALUE_NOT_BUILT;
+    }
+    if (strcmp(value, "ports") == 0) {
+        options->bus = BUS_CHOICE_PORTS;
+        return VALUE_TAKEN;
     }
     if (strncmp(value, trace, sizeof trace - 1) == 0) {
         options->bus = BUS_CHOICE_TRACE;
@@ -168,6 +174,7 @@ static enum value_verdict set_rows(struct options *options, const char *value) {
 }
 
 static enum value_verdict set_profile(struct options *options, const char *value) {
+    options->has_profile = true;
     return verdict(board_profile_from_text(value, &options->profile));
 }
 
@@ -176,8 +183,71 @@ static enum value_verdict set_base(struct options *options, const char *value) {
     if (!value_port(value, &base) || !board_base_is_offered((uint16_t)base)) {
         return VALUE_WRONG;
     }
+    options->has_base = true;
     options->base = (uint16_t)base;
     return VALUE_TAKEN;
+}
+
+static enum value_verdict set_ports_are_mine(struct options *options, const char *value) {
+    (void)value;
+    options->ports_are_mine = true;
+    return VALUE_TAKEN;
+}
+
+static enum value_verdict set_picture(struct options *options, const char *value) {
+    return verdict(read_picture_kind(&options->board, value));
+}
+
+static enum value_verdict set_native(struct options *options, const char *value) {
+    return verdict(read_native(&options->board, value));
+}
+
+static enum value_verdict set_faults(struct options *options, const char *value) {
+    return verdict(read_faults(&options->board, value));
+}
+
+static enum value_verdict set_stop(struct options *options, const char *value) {
+    return verdict(read_stop(&options->board, value));
+}
+
+static enum value_verdict set_bus_wait(struct options *options, const char *value) {
+    return verdict(read_bus_wait(&options->board, value));
+}
+
+static enum value_verdict set_frame_seconds(struct options *options, const char *value) {
+    return verdict(read_frame_seconds(&options->board, value));
+}
+
+static enum value_verdict set_list(struct options *options, const char *value) {
+    (void)value;
+    options->tracing.lists = true;
+    return VALUE_TAKEN;
+}
+
+static enum value_verdict set_statistics(struct options *options, const char *value) {
+    (void)value;
+    options->tracing.counts = true;
+    return VALUE_TAKEN;
+}
+
+static enum value_verdict set_violations(struct options *options, const char *value) {
+    (void)value;
+    options->tracing.judges = true;
+    return VALUE_TAKEN;
+}
+
+static enum value_verdict set_against(struct options *options, const char *value) {
+    options->tracing.against = value;
+    return verdict(value[0] != '\0');
+}
+
+static enum value_verdict set_to(struct options *options, const char *value) {
+    static const char *const words[] = {"binary", "text", NULL};
+    static const enum trace_format formats[] = {TRACE_BINARY, TRACE_TEXT};
+    int word = find_word(value, words);
+    options->tracing.converts = true;
+    options->tracing.to = formats[word >= 0 ? word : 0];
+    return verdict(word >= 0);
 }
 
 static enum value_verdict set_tail(struct options *options, const char *value) {
@@ -236,6 +306,12 @@ static enum value_verdict set_share(struct options *options, const char *value) 
     return verdict(value_real(value, 0, 100, &options->share));
 }
 
+static enum value_verdict set_pov(struct options *options, const char *value) {
+    (void)value;
+    options->pov = true;
+    return VALUE_TAKEN;
+}
+
 static enum value_verdict set_json(struct options *options, const char *value) {
     (void)value;
     options->json = true;
@@ -243,8 +319,8 @@ static enum value_verdict set_json(struct options *options, const char *value) {
 }
 
 const struct option_entry option_table[] = {
-    {"output", 'o', "FILE", BIT(RENDER) | BIT(COMPILE) | BIT(REPLAY) | BIT(TREE), set_output,
-     "a file's name or -", "where the result goes; - is standard output"},
+    {"output", 'o', "FILE", BIT(RENDER) | BIT(COMPILE) | BIT(EXPORT) | TRACE_READERS | BIT(TREE),
+     set_output, "a file's name or -", "where the result goes; - is standard output"},
     {"arith", 0, "NAME", BIT(RENDER) | BIT(TREE), set_arithmetic, arithmetic_names,
      "the firmware's arithmetic (fx)"},
     {"depth", 0, "N", SCENE_READERS, set_depth, "a whole number 0..255",
@@ -264,23 +340,44 @@ const struct option_entry option_table[] = {
      "of the random dither (1)"},
     {"keep-exposures", 0, "FOLDER", BIT(RENDER), set_keep_exposures, "a folder's name",
      "write the eight 8-colour pictures of --colour exposures too"},
-    {"bus", 0, "BUS", BIT(RENDER), set_bus, "emulator or trace:FILE",
+    {"bus", 0, "BUS", BIT(RENDER), set_bus, "emulator, trace:FILE or ports",
      "where the port accesses go (emulator)"},
     {"trace", 0, "FILE", BIT(RENDER), set_trace, "a file's name",
      "record every port access as well"},
     {"rows", 0, "A:B", BIT(RENDER), set_rows, "A:B with 0 <= A < B <= 400",
      "only rows A..B-1; the others are not touched"},
-    {"profile", 0, "BOARD", BOARD_USERS, set_profile, "1987 or later", "which board (1987)"},
-    {"base", 0, "PORT", BOARD_USERS, set_base, "00D0, 02D0, 04D0, 06D0, 08D0, 0AD0 or 0CD0",
+    {"profile", 0, "BOARD", BOARD_WATCHERS, set_profile, "1987 or later", "which board (1987)"},
+    {"base", 0, "PORT", BOARD_WATCHERS, set_base, "00D0, 02D0, 04D0, 06D0, 08D0, 0AD0 or 0CD0",
      "the jumper's base address (00D0)"},
     {"tail", 0, "KIND", SCENE_READERS, set_tail, "black", "what a cut branch counts as (black)"},
     {"verify", 0, NULL, BIT(RENDER), not_built, "", NULL},
     {"wait", 0, NULL, BIT(RENDER), not_built, "", NULL},
-    {"yes-these-ports-are-mine", 0, NULL, BIT(RENDER), not_built, "", NULL},
+    {"yes-these-ports-are-mine", 0, NULL, BIT(RENDER), set_ports_are_mine, "",
+     "let --bus ports open them: on a PC they belong to the DMA controller"},
+    {"picture", 0, "KIND", BOARD_WATCHERS, set_picture, "screen, memory or whole",
+     "what the PNG shows: the CRT's picture, the frame memory, all of it (screen)"},
+    {"native", 0, "FILE.png", BOARD_WATCHERS, set_native, "a PNG of 640x400, 16 colours of 4096",
+     "the PC-9801's own screen, which the board's picture is laid under"},
+    {"faults", 0, "LIST", BOARD_USERS, set_faults, FAULTS_ALLOWED,
+     "what goes wrong between program and board, one access in N"},
+    {"stop", 0, "K", TRACE_READERS, set_stop, "a whole number 1..4294967295",
+     "stop after access K, counted from 1"},
+    {"bus-wait", 0, "NS", BOARD_WATCHERS, set_bus_wait, "a number 0..100000",
+     "nanoseconds that the bus adds to each access, for the cost (0)"},
+    {"frame-seconds", 0, "S", BOARD_WATCHERS, set_frame_seconds, "a number 0.000001..1000000000",
+     "what the whole frame takes, to tell the accesses' share of it"},
+    {"list", 0, NULL, BIT(TRACE), set_list, "", "print every access in words"},
+    {"statistics", 0, NULL, BIT(TRACE), set_statistics, "",
+     "print what was written how often, pixels touched, and what it costs"},
+    {"violations", 0, NULL, BIT(TRACE), set_violations, "",
+     "print each violation with the number of its access"},
+    {"compare", 0, "TRACE", BIT(TRACE), set_against, "a file's name",
+     "print the first difference from another trace; none: exit status 0, else 3"},
+    {"to", 0, "FORM", BIT(TRACE), set_to, "binary or text", "convert to -o FILE"},
     {"jobs", 0, "J", BIT(RENDER), set_jobs, "a whole number 1..256", "worker threads (1)"},
     {"stats", 0, "FILE", BOARD_USERS, set_stats, "a file's name or -",
      "write statistics as JSON; - is standard output"},
-    {"strict", 0, "[=GRADE]", BOARD_USERS, set_strict, "P, D, S, I or A",
+    {"strict", 0, "[=GRADE]", BOARD_WATCHERS, set_strict, "P, D, S, I or A",
      "fail on violations; with a grade, also on whatever is no better known"},
     {"within", 0, "LSB", BIT(COMPARE), set_within, "a whole number 0..255",
      "the difference that a channel may have (1)"},
@@ -288,6 +385,7 @@ const struct option_entry option_table[] = {
      "the pixels that must be within it (99.9)"},
     {"json", 0, NULL, BIT(COMPARE), set_json, "", "print JSON"},
     {"dot", 0, NULL, BIT(TREE), set_dot, "", "a graph for Graphviz"},
+    {"pov", 0, NULL, BIT(EXPORT), set_pov, "", "write source for POV-Ray 3.7"},
     {"minimal", 0, NULL, BIT(COMPILE), set_minimal, "",
      "write the feature_set.h of an image for this scene alone"},
     {"quiet", 0, NULL, BIT(RENDER), set_quiet, "", "no progress bar"},

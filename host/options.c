@@ -102,6 +102,53 @@ static bool differ(const char *a, const char *b) {
     return a == NULL || b == NULL || strcmp(a, b) != 0;
 }
 
+/* What a bus other than the emulator can't do, and what real ports ask for. */
+static bool check_bus(const struct options *options, struct options_error *error) {
+    bool is_ports = options->bus == BUS_CHOICE_PORTS;
+    const char *with = options->board.native != NULL                   ? "--native"
+                       : options->board.picture != PICTURE_KIND_SCREEN ? "--picture"
+                       : options->board.has_faults                     ? "--faults"
+                       : is_ports && options->output != NULL           ? "--output"
+                       : is_ports && options->strict                   ? "--strict"
+                                                                       : NULL;
+    if (options->bus != BUS_CHOICE_EMULATOR && with != NULL) {
+        return refuse(error, "%s goes with --bus emulator only", with);
+    }
+    if (is_ports && !options->ports_are_mine) {
+        return refuse(error, "--bus ports: on a PC these ports are the second DMA controller's; "
+                             "where they are the board's, say --yes-these-ports-are-mine");
+    }
+    if (!is_ports && options->ports_are_mine) {
+        return refuse(error, "--yes-these-ports-are-mine goes with --bus ports only");
+    }
+    return true;
+}
+
+/* What of `superframe trace` excludes what. */
+static bool check_trace(enum command_id command, const struct options *options,
+                        struct options_error *error) {
+    const struct trace_options *tracing = &options->tracing;
+    bool tells = tracing->lists || tracing->counts || tracing->judges || options->strict;
+    if (command != COMMAND_TRACE) {
+        return true;
+    }
+    if (tracing->against != NULL && (tracing->converts || tells || options->output != NULL)) {
+        return refuse(error, "--compare goes with --profile and --base only");
+    }
+    if (tracing->converts && tells) {
+        return refuse(error, "--to goes with --profile, --base, --stop and -o only");
+    }
+    if (tracing->converts &&
+        (options->board.native != NULL || options->board.picture != PICTURE_KIND_SCREEN)) {
+        return refuse(error, "--to makes a trace, no picture: not with --native or --picture");
+    }
+    if (options->output != NULL && strcmp(options->output, "-") == 0 &&
+        (tracing->lists || tracing->counts || tracing->judges)) {
+        return refuse(error, "two results can't go to standard output; give -o a file's name");
+    }
+    return true;
+}
+
 /* Options that exclude each other. */
 static bool check_together(enum command_id command, const struct options *options,
                            struct options_error *error) {
@@ -122,9 +169,18 @@ static bool check_together(enum command_id command, const struct options *option
                           with);
         }
     }
+    if (!check_bus(options, error) || !check_trace(command, options, error)) {
+        return false;
+    }
     if (!differ(options->output, options->stats) || !differ(options->output, options->trace) ||
         !differ(options->stats, options->trace) || !differ(options->stats, options->bus_file)) {
         return refuse(error, "two results can't go to the same place; give each its own file");
+    }
+    if (command == COMMAND_EXPORT && !options->pov) {
+        return refuse(error, "export: --pov is lacking; it is the only kind of source");
+    }
+    if (command == COMMAND_EXPORT && options->output == NULL) {
+        return refuse(error, "export: -o FILE is lacking; -o - is standard output");
     }
     if (command == COMMAND_COMPILE && options->output == NULL) {
         return refuse(error, "compile: -o FILE.c is lacking; -o - is standard output");

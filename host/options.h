@@ -8,7 +8,9 @@
 #include <stdio.h>
 
 #include "board.h"
+#include "board_options.h"
 #include "overrides.h"
+#include "trace.h"
 
 enum command_id {
     COMMAND_RENDER,
@@ -28,7 +30,15 @@ enum command_id {
     COMMAND_COUNT
 };
 
-enum bus_choice { BUS_CHOICE_EMULATOR, BUS_CHOICE_TRACE };
+enum bus_choice { BUS_CHOICE_EMULATOR, BUS_CHOICE_TRACE, BUS_CHOICE_PORTS };
+
+/* What `superframe trace` is asked for. */
+struct trace_options {
+    bool lists, counts, judges; /* --list, --statistics, --violations */
+    const char *against;        /* --compare; NULL: not given */
+    bool converts;              /* --to */
+    enum trace_format to;
+};
 
 /* Strings point into argv. */
 struct options {
@@ -46,13 +56,18 @@ struct options {
     const char *keep_exposures; /* a folder; NULL: none */
     bool has_rows;
     unsigned first_row, last_row; /* rows first .. last-1 */
+    bool has_profile, has_base;
     enum board_profile profile;
     uint16_t base;
+    bool ports_are_mine;
+    struct board_options board;
+    struct trace_options tracing;
     unsigned jobs;     /* 1..OPTIONS_JOBS_MOST */
     const char *stats; /* NULL: none; "-": standard output */
     bool strict, has_strict_grade;
     enum board_grade strict_grade;
     bool quiet;
+    bool pov;     /* export writes source for POV-Ray */
     bool dot;     /* tree writes a graph for Graphviz */
     bool minimal; /* compile writes a feature_set.h instead of the tables */
     int within;   /* LSB, 0..255 */

@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* The buses behind the ports, put together: a hash of the writes, a recorder, the board. */
+/* The buses behind the ports, put together. */
 #include "port_chain.h"
 
-#include <inttypes.h>
 #include <stdlib.h>
 
-#include "command.h"
 #include "null_bus.h"
+#include "strict.h"
 
 struct port_chain *port_chain_new(const struct board_desc *desc, bool has_board) {
     struct port_chain *chain = calloc(1, sizeof *chain);
@@ -27,6 +26,21 @@ struct port_chain *port_chain_new(const struct board_desc *desc, bool has_board)
     return chain;
 }
 
+void port_chain_end_at(struct port_chain *chain, struct bus *device) {
+    chain->hash.inner = device;
+}
+
+void port_chain_spoil(struct port_chain *chain, const struct fault_plan *plan) {
+    fault_bus_init(&chain->faults, chain->hash.inner, plan);
+    chain->hash.inner = &chain->faults.bus;
+}
+
+void port_chain_count(struct port_chain *chain) {
+    cost_bus_init(&chain->cost, chain->hash.inner);
+    chain->hash.inner = &chain->cost.bus;
+    chain->is_counting = true;
+}
+
 void port_chain_record(struct port_chain *chain, FILE *file, enum trace_format format) {
     const struct trace_header header = {chain->board.desc.profile, chain->board.desc.base};
     trace_recorder_init(&chain->recorder, chain->hash.inner, file, format, &header);
@@ -44,7 +58,8 @@ enum bus_status port_chain_finish(struct port_chain *chain) {
 }
 
 void port_chain_picture(struct port_chain *chain) {
-    chain->picture_state = picture_draw(&chain->board, NULL, chain->rgb);
+    chain->picture_state =
+        picture_draw(&chain->board, chain->has_native ? &chain->native : NULL, chain->rgb);
 }
 
 uint64_t port_chain_writes(const struct port_chain *chain) {
@@ -52,28 +67,16 @@ uint64_t port_chain_writes(const struct port_chain *chain) {
 }
 
 uint64_t port_chain_reads(const struct port_chain *chain) {
+    if (chain->is_counting) {
+        return chain->cost.reads[0] + chain->cost.reads[1];
+    }
     uint64_t accesses = chain->has_board ? chain->board.accesses
                                          : (chain->is_recording ? chain->recorder.accesses : 0);
     return accesses > chain->hash.writes ? accesses - chain->hash.writes : 0;
 }
 
 bool port_chain_holds(const struct port_chain *chain, bool has_grade, enum board_grade grade) {
-    const struct board *board = &chain->board;
-    enum board_profile profile = board->desc.profile;
-    bool holds = true;
-    for (int i = 0; i < BOARD_BEHAVIOURS; i++) {
-        enum board_behaviour behaviour = (enum board_behaviour)i;
-        enum board_grade own = board_behaviour_grade(behaviour, profile);
-        bool is_violation = board_behaviour_is_violation(behaviour, profile);
-        if (board->notes[i].count == 0 || !(is_violation || (has_grade && own >= grade))) {
-            continue;
-        }
-        complain("%s: %s (grade %s): %" PRIu64 " times, first at access %" PRIu64,
-                 is_violation ? "violation" : "relied on", board_behaviour_text(behaviour),
-                 board_grade_letter(own), board->notes[i].count, board->notes[i].first);
-        holds = false;
-    }
-    return holds;
+    return strict_holds(&chain->board, has_grade, grade);
 }
 
 void port_chain_free(struct port_chain *chain) {

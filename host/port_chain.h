@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The buses behind the ports, put together: a hash of the writes, a recorder, the board. */
+/* The buses behind the ports, put together: a hash of the writes, what is asked for besides, and
+ * the board or a device. */
 #ifndef SUPERFRAME_PORT_CHAIN_H
 #define SUPERFRAME_PORT_CHAIN_H
 
@@ -9,6 +10,9 @@
 
 #include "board.h"
 #include "bus.h"
+#include "cost_bus.h"
+#include "fault_bus.h"
+#include "native_screen.h"
 #include "picture.h"
 #include "trace_hash.h"
 #include "trace_recorder.h"
@@ -18,11 +22,16 @@ struct port_chain {
     struct trace_hash hash; /* outermost: hash.bus is the one to bind */
     bool is_recording;
     struct trace_recorder recorder;
+    bool is_counting;
+    struct cost_bus cost;
+    struct fault_bus faults;
     bool has_board;
     struct board_bus board_bus;
     struct bus null_bus; /* in the board's place where there is none */
     struct board board;
-    uint8_t rgb[PICTURE_BYTES]; /* what the CRT shows: port_chain_picture() draws it */
+    bool has_native;
+    struct native_screen native; /* the PC's own screen, black unless has_native */
+    uint8_t rgb[PICTURE_BYTES];  /* what the CRT shows: port_chain_picture() draws it */
     enum picture_state picture_state;
 };
 
@@ -30,7 +39,19 @@ struct port_chain {
  * if out of memory or the desc is none. */
 struct port_chain *port_chain_new(const struct board_desc *desc, bool has_board);
 
-/* Puts a recorder into the chain, before any access. The file stays the caller's. */
+/* The following four put something into the chain, before any access. What is put in later sees an
+ * access earlier: a device first, then faults, then the count, then the recorder. */
+
+/* A device in the place of the empty slot, for a chain without a board. It stays the caller's. */
+void port_chain_end_at(struct port_chain *chain, struct bus *device);
+
+/* Faults between what is recorded and the board. */
+void port_chain_spoil(struct port_chain *chain, const struct fault_plan *plan);
+
+/* A count of the accesses, for what they cost: chain->cost. */
+void port_chain_count(struct port_chain *chain);
+
+/* A recorder. The file stays the caller's. */
 void port_chain_record(struct port_chain *chain, FILE *file, enum trace_format format);
 
 /* Ends the recording, if there is one; the status of the whole chain. No access may follow. */

@@ -61,6 +61,10 @@ void stats_write(FILE *out, const struct run_stats *stats) {
     } else {
         (void)fputs("  \"frame_crc\": null,\n  \"violations\": null,\n", out);
     }
+    if (stats->photograph != NULL) {
+        (void)fprintf(out, "  \"photograph_crc\": \"%08" PRIx32 "\",\n",
+                      picture_crc(stats->photograph));
+    }
     if (stats->totals != NULL) {
         (void)fprintf(out, "  \"render_seconds\": %.6f,\n", stats->totals->seconds);
     }

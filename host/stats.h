@@ -17,6 +17,7 @@ struct run_stats {
     const struct render_totals *totals; /* of a render; NULL: a replay, which has only the ports */
     struct port_chain *chain;           /* its picture is drawn if it has a board */
     double total_seconds;
+    const uint8_t *photograph; /* of a multiple exposure, PICTURE_BYTES; NULL: none was taken */
 };
 
 /* Writes the object and a line's end. The keys are those that superframe(1) lists; frame_crc and

@@ -20,12 +20,12 @@ find hal firmware emulator host -name '*.[ch]' | sort > "$BUILD/include-files.tx
 awk -v list="$BUILD/include-files.txt" '
 # The rule that a folder falls under: its longest prefix here.
 BEGIN {
-    may["hal"] = "hal"
+    may["hal"] = "hal hal/*"
     may["firmware"] = "firmware hal firmware/real/* firmware/features/*"
     may["firmware/real"] = "firmware/real"
     may["firmware/features"] = "firmware/features"
-    may["emulator"] = "emulator hal"
-    may["host"] = "host hal emulator firmware"
+    may["emulator"] = "emulator hal hal/*"
+    may["host"] = "host hal hal/* emulator firmware"
     may["host/arithmetic"] = "host/arithmetic host firmware firmware/real/* firmware/features/*"
     # What host/ may see of the folders below it; host/arithmetic/ is compiled beside the firmware.
     is_public["firmware/image.h"] = 1

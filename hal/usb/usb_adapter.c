@@ -18,14 +18,9 @@ void usb_adapter_detach(struct usb_adapter *adapter) {
 
 static void reply(struct usb_adapter *adapter, uint8_t status, uint32_t sequence,
                   const uint8_t *payload, size_t count) {
-    const struct usb_header header = {USB_VERSION,
-                                      USB_KIND_REPLY,
-                                      adapter->session,
-                                      sequence,
-                                      adapter->last,
-                                      (uint16_t)count,
-                                      status,
-                                      USB_CREDITS_MOST};
+    const struct usb_header header = {USB_VERSION, USB_KIND_REPLY,  adapter->session,
+                                      sequence,    adapter->last,   (uint16_t)count,
+                                      status,      USB_CREDITS_MOST};
     uint8_t *place = adapter->output + adapter->output_count;
     adapter->output_count =
         (uint16_t)(adapter->output_count + usb_frame_pack(place, &header, payload));
@@ -61,9 +56,8 @@ static void answer_hello(struct usb_adapter *adapter, const struct usb_header *h
         status = USB_STATUS_BAD_BASE;
     }
     const struct usb_hello_reply hello = {
-        USB_PAYLOAD_MOST, USB_READ_MOST,
-        adapter->base != 0 ? adapter->base : adapter->base_served, USB_CREDITS_MOST,
-        USB_CAN_BURST | USB_CAN_COPY | USB_CAN_READ};
+        USB_PAYLOAD_MOST, USB_READ_MOST, adapter->base != 0 ? adapter->base : adapter->base_served,
+        USB_CREDITS_MOST, USB_CAN_BURST | USB_CAN_COPY | USB_CAN_READ};
     usb_hello_reply_pack(bytes, &hello);
     reply(adapter, status, 0, bytes, sizeof bytes);
 }
@@ -171,5 +165,6 @@ size_t usb_adapter_fetch(struct usb_adapter *adapter, uint8_t *bytes, size_t roo
         adapter->output[i - count] = adapter->output[i];
     }
     adapter->output_count = (uint16_t)(adapter->output_count - count);
+    (void)work_off(adapter); /* frames that waited for room */
     return count;
 }

@@ -9,8 +9,9 @@ enum { USB_OUTPUT_BYTES = 2048 }; /* replies that nobody has fetched yet */
 
 /* An adapter. Copyable; no pointers into itself. About 9 KB. */
 struct usb_adapter {
-    struct bus *bus;      /* where the board is */
-    uint16_t base_served; /* the base address that the board's jumper says; 0: any that is offered */
+    struct bus *bus; /* where the board is */
+    uint16_t
+        base_served; /* the base address that the board's jumper says; 0: any that is offered */
 
     uint32_t session; /* 0: none since power-on */
     uint32_t last;    /* sequence of the last RUN that was run; 0: none */

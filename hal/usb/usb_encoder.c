@@ -227,8 +227,7 @@ static void encode_run(struct usb_encoder *encoder) {
 
 static void put_plain(struct usb_encoder *encoder, unsigned offset, uint16_t value,
                       unsigned width) {
-    if (offset == USB_OFFSET_Y && width == BUS_WORD &&
-        value == (uint16_t)(encoder->memory.y + 1)) {
+    if (offset == USB_OFFSET_Y && width == BUS_WORD && value == (uint16_t)(encoder->memory.y + 1)) {
         reserve(encoder, 1)[0] = USB_OP_NEXT_LINE;
     } else if (width == BUS_BYTE) {
         uint8_t *op = reserve(encoder, 2);
@@ -304,8 +303,7 @@ bool usb_encoder_write(struct usb_encoder *encoder, unsigned offset, uint16_t va
     if (!goes_on(encoder, offset, value, width)) {
         usb_encoder_flush(encoder);
         if (!goes_on(encoder, offset, value, width)) {
-            put_plain(encoder, offset, width == BUS_BYTE ? (uint16_t)(value & 0xFF) : value,
-                      width);
+            put_plain(encoder, offset, width == BUS_BYTE ? (uint16_t)(value & 0xFF) : value, width);
         }
     }
     return true;

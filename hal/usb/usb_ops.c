@@ -225,8 +225,8 @@ static size_t read_pixels(const struct target *target, const struct op *op, uint
 }
 
 static size_t run_op(const struct target *target, const struct op *op, uint8_t *data) {
-    unsigned width = op->code == USB_OP_WRITE_BYTE || op->code == USB_OP_READ_BYTE ? BUS_BYTE
-                                                                                   : BUS_WORD;
+    unsigned width =
+        op->code == USB_OP_WRITE_BYTE || op->code == USB_OP_READ_BYTE ? BUS_BYTE : BUS_WORD;
     switch (op->code) {
     case USB_OP_WRITE_BYTE:
     case USB_OP_WRITE_WORD:

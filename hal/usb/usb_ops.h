@@ -10,21 +10,21 @@
 /* "A pixel" here is always the same four accesses: X as a word, then R, G and B as bytes. A count
  * is a number of pixels, 1..USB_LINE_PIXELS; next_x, color and line are struct usb_memory's. */
 enum usb_op {
-    USB_OP_WRITE_BYTE = 0x00, /* | offset; value */
-    USB_OP_WRITE_WORD = 0x10, /* | offset; low, high */
-    USB_OP_READ_BYTE = 0x20,  /* | offset; one byte in the reply */
-    USB_OP_READ_WORD = 0x30,  /* | offset; two bytes in the reply */
-    USB_OP_SEEK = 0x40,       /* low, high: next_x, without an access */
-    USB_OP_NEXT_LINE = 0x41,  /* Y := the last Y + 1, next_x := 0 */
-    USB_OP_SAME = 0x42,       /* count low, high: pixels of the last colour */
-    USB_OP_COPY = 0x43,       /* count low, high: pixels as last drawn at the same X */
+    USB_OP_WRITE_BYTE = 0x00,  /* | offset; value */
+    USB_OP_WRITE_WORD = 0x10,  /* | offset; low, high */
+    USB_OP_READ_BYTE = 0x20,   /* | offset; one byte in the reply */
+    USB_OP_READ_WORD = 0x30,   /* | offset; two bytes in the reply */
+    USB_OP_SEEK = 0x40,        /* low, high: next_x, without an access */
+    USB_OP_NEXT_LINE = 0x41,   /* Y := the last Y + 1, next_x := 0 */
+    USB_OP_SAME = 0x42,        /* count low, high: pixels of the last colour */
+    USB_OP_COPY = 0x43,        /* count low, high: pixels as last drawn at the same X */
     USB_OP_READ_PIXELS = 0x44, /* count - 1: X written, R, G, B read; three bytes each */
-    USB_OP_PLANES = 0x45,      /* count low, high; for each 8 pixels three bytes, a bit a pixel, bit 0
-                                  first: red, green, blue; 1: FFh, 0: 00h */
-    USB_OP_SAME_FEW = 0x50,    /* | count - 1 */
-    USB_OP_COPY_FEW = 0x60,    /* | count - 1 */
-    USB_OP_PIXELS = 0x80,      /* | mask; count - 1; of each pixel the primaries in the mask */
-    USB_OP_PAIRS = 0x88        /* | mask; count - 1; the same, and each pixel twice */
+    USB_OP_PLANES = 0x45,   /* count low, high; for each 8 pixels three bytes, a bit a pixel, bit 0
+                               first: red, green, blue; 1: FFh, 0: 00h */
+    USB_OP_SAME_FEW = 0x50, /* | count - 1 */
+    USB_OP_COPY_FEW = 0x60, /* | count - 1 */
+    USB_OP_PIXELS = 0x80,   /* | mask; count - 1; of each pixel the primaries in the mask */
+    USB_OP_PAIRS = 0x88     /* | mask; count - 1; the same, and each pixel twice */
 };
 
 enum {
@@ -45,10 +45,10 @@ enum {
 /* What both ends remember of a session. All zero at its beginning. A word written to Y, by an op
  * or plainly, sets next_x to 0. */
 struct usb_memory {
-    uint16_t next_x;                   /* where the next pixel goes */
-    uint16_t y;                        /* the last word written to Y */
-    uint8_t colour[3];                 /* of the last pixel: R, G, B */
-    uint8_t line[USB_LINE_PIXELS][3];  /* the last pixel drawn at each X */
+    uint16_t next_x;                  /* where the next pixel goes */
+    uint16_t y;                       /* the last word written to Y */
+    uint8_t colour[3];                /* of the last pixel: R, G, B */
+    uint8_t line[USB_LINE_PIXELS][3]; /* the last pixel drawn at each X */
 };
 
 /* Notes a pixel at next_x. */

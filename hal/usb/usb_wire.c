@@ -6,10 +6,10 @@ enum { MAGIC_0 = 'S', MAGIC_1 = 'F', HEADER_CHECKED = 20 };
 
 uint32_t usb_crc(uint32_t crc, const uint8_t *bytes, size_t count) {
     /* The reflected polynomial EDB88320h by half bytes: sixteen words suit a small adapter. */
-    static const uint32_t table[16] = {
-        0x00000000U, 0x1DB71064U, 0x3B6E20C8U, 0x26D930ACU, 0x76DC4190U, 0x6B6B51F4U,
-        0x4DB26158U, 0x5005713CU, 0xEDB88320U, 0xF00F9344U, 0xD6D6A3E8U, 0xCB61B38CU,
-        0x9B64C2B0U, 0x86D3D2D4U, 0xA00AE278U, 0xBDBDF21CU};
+    static const uint32_t table[16] = {0x00000000U, 0x1DB71064U, 0x3B6E20C8U, 0x26D930ACU,
+                                       0x76DC4190U, 0x6B6B51F4U, 0x4DB26158U, 0x5005713CU,
+                                       0xEDB88320U, 0xF00F9344U, 0xD6D6A3E8U, 0xCB61B38CU,
+                                       0x9B64C2B0U, 0x86D3D2D4U, 0xA00AE278U, 0xBDBDF21CU};
     crc = ~crc;
     for (size_t i = 0; i < count; i++) {
         crc ^= bytes[i];
@@ -62,8 +62,8 @@ size_t usb_frame_pack(uint8_t *frame, const struct usb_header *header, const uin
 /* Bytes before the next place, from 1 on, where a frame may begin. */
 static size_t skip_to_magic(const uint8_t *bytes, size_t count) {
     size_t place = 1;
-    while (place < count && !(bytes[place] == MAGIC_0 &&
-                              (place + 1 == count || bytes[place + 1] == MAGIC_1))) {
+    while (place < count &&
+           !(bytes[place] == MAGIC_0 && (place + 1 == count || bytes[place + 1] == MAGIC_1))) {
         place++;
     }
     return place;

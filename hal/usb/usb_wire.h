@@ -15,14 +15,14 @@ enum {
     USB_OVERHEAD = USB_HEADER_BYTES + USB_CHECK_BYTES, /* of a frame, beside its payload */
     USB_PAYLOAD_MOST = 4096,                           /* bytes of ops in one frame */
     USB_FRAME_MOST = USB_OVERHEAD + USB_PAYLOAD_MOST,
-    USB_READ_MOST = 510,           /* bytes that the reads of one frame may give: 170 pixels */
+    USB_READ_MOST = 510, /* bytes that the reads of one frame may give: 170 pixels */
     USB_REPLY_MOST = USB_OVERHEAD + USB_READ_MOST,
-    USB_PAYLOAD_LEAST = 1024,      /* an adapter must take at least so much: the longest op fits */
-    USB_CREDITS_MOST = 8,          /* frames that may wait for their replies */
-    USB_HELLO_BYTES = 2,           /* payload of a hello */
-    USB_HELLO_REPLY_BYTES = 8,     /* payload of its reply */
-    USB_REPORT_BYTES = 64,         /* of a HID report */
-    USB_REPORT_STREAM_BYTES = 63   /* of these, what is no length */
+    USB_PAYLOAD_LEAST = 1024,    /* an adapter must take at least so much: the longest op fits */
+    USB_CREDITS_MOST = 8,        /* frames that may wait for their replies */
+    USB_HELLO_BYTES = 2,         /* payload of a hello */
+    USB_HELLO_REPLY_BYTES = 8,   /* payload of its reply */
+    USB_REPORT_BYTES = 64,       /* of a HID report */
+    USB_REPORT_STREAM_BYTES = 63 /* of these, what is no length */
 };
 
 /* What a frame is. */
@@ -101,7 +101,8 @@ enum usb_scan usb_frame_scan(const uint8_t *bytes, size_t count, struct usb_head
                              size_t *length);
 
 /* Packs and unpacks the payload of the reply to a hello. False if a value is out of range. */
-void usb_hello_reply_pack(uint8_t bytes[USB_HELLO_REPLY_BYTES], const struct usb_hello_reply *hello);
+void usb_hello_reply_pack(uint8_t bytes[USB_HELLO_REPLY_BYTES],
+                          const struct usb_hello_reply *hello);
 bool usb_hello_reply_unpack(const uint8_t *bytes, size_t count, struct usb_hello_reply *hello);
 
 /* A HID report carries up to 63 bytes of the same stream. Returns how many of count it took. */

@@ -1,0 +1,190 @@
+/* SPDX-License-Identifier: MIT */
+/* The POV-Ray export: refuses by name what POV-Ray 3.7 can't show as it is. */
+#include <math.h>
+#include <stdarg.h>
+#include <string.h>
+
+#include "export_pov.h"
+
+/* Points along each axis where two objects may overlap: what is thinner than this share of the
+ * common part of their bounds may be missed. */
+enum { SAMPLES = 40 };
+
+static bool refuse(struct scene_error *error, const struct scene_description *description,
+                   unsigned line, const char *format, ...)
+#if defined(__GNUC__)
+    __attribute__((format(printf, 4, 5)))
+#endif
+    ;
+
+static bool refuse(struct scene_error *error, const struct scene_description *description,
+                   unsigned line, const char *format, ...) {
+    char what[400], where[24] = "";
+    va_list arguments;
+    va_start(arguments, format);
+    (void)vsnprintf(what, sizeof what, format, arguments);
+    va_end(arguments);
+    if (line > 0) {
+        (void)snprintf(where, sizeof where, ":%u", line);
+    }
+    (void)snprintf(error->text, sizeof error->text, "%.80s%s: %s", description->path, where, what);
+    return false;
+}
+
+static bool check_scene(const struct scene_description *description, struct scene_error *error) {
+    if (description->model == MODEL_SIMPLE) {
+        return refuse(error, description, 0,
+                      "model simple: POV-Ray does not count rays that go straight on; allowed is: "
+                      "fresnel");
+    }
+    if (description->model == MODEL_WAVELENGTH) {
+        return refuse(error, description, 0,
+                      "model wavelength: POV-Ray's dispersion is another one; allowed is: fresnel");
+    }
+    if (description->mixing == MIXING_FILTER) {
+        return refuse(error, description, 0,
+                      "mixing filter: POV-Ray adds up a path's light otherwise; allowed is: "
+                      "additive");
+    }
+    if (description->has_attenuation) {
+        return refuse(error, description, 0,
+                      "attenuation: POV-Ray's light fades with the way from the light, not from "
+                      "the eye; allowed is: to leave it out");
+    }
+    return true;
+}
+
+static bool check_material(const struct scene_description *description,
+                           const struct scene_material *material, struct scene_error *error) {
+    if (material->has_specular_table) {
+        return refuse(error, description, material->line,
+                      "material \"%.40s\": POV-Ray has no w(theta) from a table; allowed is: one "
+                      "number as specular",
+                      material->name);
+    }
+    if (material->transparent && material->casts_shadow) {
+        return refuse(error, description, material->line,
+                      "material \"%.40s\": POV-Ray lets light through a transparent solid; allowed "
+                      "is: casts_shadow = false",
+                      material->name);
+    }
+    return true;
+}
+
+/* The part of space that the bounds of two objects have in common; false if there is none. */
+static bool common_bounds(const struct compiled_object *a, const struct compiled_object *b,
+                          double low[3], double high[3]) {
+    for (int i = 0; i < 3; i++) {
+        low[i] = fmax(a->low[i], b->low[i]);
+        high[i] = fmin(a->high[i], b->high[i]);
+        if (low[i] > high[i]) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool both_hold(const struct compiled_scene *scene, uint8_t a, uint8_t b,
+                      const double point[3]) {
+    struct compiled_set inside;
+    memset(&inside, 0, sizeof inside);
+    for (uint8_t i = 0; i < scene->primitive_count; i++) {
+        if (compiled_primitive_holds(scene, i, point)) {
+            inside.word[i / 32] |= (uint32_t)1 << i % 32;
+        }
+    }
+    return compiled_object_holds(scene, a, &inside) && compiled_object_holds(scene, b, &inside);
+}
+
+static bool overlap(const struct compiled_scene *scene, uint8_t a, uint8_t b) {
+    double low[3], high[3];
+    if (!common_bounds(&scene->objects[a], &scene->objects[b], low, high)) {
+        return false;
+    }
+    for (int sample = 0; sample < SAMPLES * SAMPLES * SAMPLES; sample++) {
+        const int step[3] = {sample % SAMPLES, sample / SAMPLES % SAMPLES,
+                             sample / (SAMPLES * SAMPLES)};
+        double point[3];
+        for (int i = 0; i < 3; i++) {
+            point[i] = low[i] + (high[i] - low[i]) * (step[i] + 0.5) / SAMPLES;
+        }
+        if (both_hold(scene, a, b, point)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Whether an object's program names a primitive that this surface bounds. */
+static bool has_surface(const struct compiled_scene *scene, uint8_t index, unsigned surface) {
+    const struct compiled_object *object = &scene->objects[index];
+    for (uint8_t i = 0; i < object->length; i++) {
+        uint8_t code = scene->programs[object->program + i];
+        if (code < CODE_UNION && (scene->surfaces[surface].word[code / 32] >> code % 32 & 1)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Whether two objects may lie on each other with a face. */
+static bool touch(const struct compiled_scene *scene, uint8_t a, uint8_t b) {
+    double low[3], high[3];
+    if (!common_bounds(&scene->objects[a], &scene->objects[b], low, high)) {
+        return false;
+    }
+    for (unsigned i = 0; i < scene->surface_count; i++) {
+        if (has_surface(scene, a, i) && has_surface(scene, b, i)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* What an opaque object fills of a transparent one before it needs no care: no ray gets there. All
+ * else that a transparent object has in common with another one POV-Ray shows otherwise. */
+static bool check_pair(const struct scene_description *description,
+                       const struct compiled_scene *scene, uint8_t earlier, uint8_t later,
+                       struct scene_error *error) {
+    const struct compiled_object *a = &scene->objects[earlier], *b = &scene->objects[later];
+    bool a_transparent = scene->materials[a->material].transparent;
+    bool b_transparent = scene->materials[b->material].transparent;
+    if (!a_transparent && !b_transparent) {
+        return true;
+    }
+    if (touch(scene, earlier, later)) {
+        return refuse(error, description, b->line,
+                      "object \"%s\" has a face in one plane with \"%s\": POV-Ray loses a boundary "
+                      "where they touch; allowed is: a gap",
+                      scene->object_names[later], scene->object_names[earlier]);
+    }
+    if (b_transparent && overlap(scene, earlier, later)) {
+        return refuse(error, description, b->line, "object \"%s\" overlaps \"%s\": %s",
+                      scene->object_names[later], scene->object_names[earlier],
+                      a_transparent ? "POV-Ray 3.7 takes Fresnel's formula with n = 1 where a ray "
+                                      "leaves the inner one; allowed is: to cut one out of the "
+                                      "other, with a gap"
+                                    : "POV-Ray would see the opaque one in it; allowed is: the "
+                                      "opaque one after it");
+    }
+    return true;
+}
+
+bool export_pov_check(const struct scene_description *description,
+                      const struct compiled_scene *scene, struct scene_error *error) {
+    if (!check_scene(description, error)) {
+        return false;
+    }
+    for (uint8_t i = 1; i < scene->object_count; i++) {
+        uint8_t material = scene->objects[i].material;
+        if (!check_material(description, &description->materials[material - 1], error)) {
+            return false;
+        }
+        for (uint8_t j = 1; j < i; j++) {
+            if (!check_pair(description, scene, j, i, error)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}

@@ -1,0 +1,159 @@
+/* SPDX-License-Identifier: MIT */
+/* The POV-Ray export: materials, so that POV-Ray's shading is Eq. (1). */
+#include <math.h>
+#include <stdio.h>
+
+#include "export_pov_internal.h"
+
+/* What POV-Ray's transparent pigments let through, T = 1 - 2^-20: its own, opaque part of the light
+ * is scaled by 1 - T, the pigment is scaled up by as much, and what is lost in a path of 255
+ * crossings is 1/16 of a level. Both factors are exact in POV-Ray's single precision. */
+#define OPACITY 0x1p-20
+
+/* Where a surface has an ambient light but no own colour to scale it by, this one: the diffuse
+ * light that it adds is less than 1/60000 of a level. */
+#define TRACE_OF_COLOUR 0x1p-24
+
+/* POV-Ray does not count a ray as a new one where both indices are the same. This much more makes
+ * it count, and bends nothing by a pixel. */
+#define INDEX_STEP 1e-7
+
+/* POV-Ray takes a point for the next cell where less than this share of the cell is left. */
+#define CHECKER_TOLERANCE 0.001
+
+/* A cell that holds all of the world along an axis without a pattern, from -1/2 to 1/2 of it. */
+#define WHOLE_CELL 8192.0
+
+void export_pov_material_name(const struct scene_description *description, uint8_t material,
+                              char name[POV_NAME_SIZE]) {
+    (void)snprintf(name, POV_NAME_SIZE, "M%u_%.36s", material,
+                   description->materials[material - 1].name);
+    for (char *letter = name; *letter != '\0'; letter++) {
+        *letter = (char)(*letter == '-' ? '_' : *letter);
+    }
+}
+
+static bool is_index_of_air(const struct compiled_material *material) {
+    return fabs(material->ior[0] - 1) < INDEX_STEP;
+}
+
+/* a Ia or a Ic is POV-Ray's emission, which it multiplies by the pigment; the pigment is made
+ * visible where it has to be. */
+static void write_emission(FILE *out, const struct compiled_material *material,
+                           const double pigment[3]) {
+    double emission[3];
+    for (int i = 0; i < 3; i++) {
+        emission[i] = material->ambient_share;
+        if (material->ambient[i] > 0) {
+            emission[i] += material->ambient[i] / 255 / pigment[i];
+        }
+    }
+    (void)fputs(" emission rgb ", out);
+    export_pov_vector(out, emission[0], emission[1], emission[2]);
+}
+
+/* A highlight by alpha is POV-Ray's phong, one by beta its specular. */
+static void write_highlight(FILE *out, const struct compiled_material *material, bool blinn) {
+    if (material->specular <= 0) {
+        return;
+    }
+    if (blinn) {
+        (void)fprintf(out, "\n        specular %.17g roughness %.17g", material->specular,
+                      1 / fmax(material->gloss, 1e-9));
+    } else {
+        (void)fprintf(out, "\n        phong %.17g phong_size %u", material->specular,
+                      material->gloss);
+    }
+}
+
+static void write_reflection(FILE *out, const struct compiled_material *material) {
+    if (!material->transparent && material->specular > 0) {
+        (void)fprintf(out, "\n        reflection { %.17g }", material->specular);
+    } else if (material->transparent && !is_index_of_air(material)) {
+        (void)fputs("\n        reflection { 0, 1 fresnel on } conserve_energy", out);
+    }
+}
+
+static void write_texture(FILE *out, const struct compiled_material *material,
+                          const double colour[3], bool blinn) {
+    double pigment[3];
+    double scale = material->transparent ? 1 / OPACITY : 1;
+    for (int i = 0; i < 3; i++) {
+        pigment[i] = colour[i] / 255;
+        if (material->ambient[i] > 0) {
+            pigment[i] = fmax(pigment[i], TRACE_OF_COLOUR);
+        }
+    }
+    (void)fputs("    texture {\n        pigment { rgb ", out);
+    export_pov_vector(out, pigment[0] * scale, pigment[1] * scale, pigment[2] * scale);
+    if (material->transparent) {
+        (void)fprintf(out, " transmit %.17g", 1 - OPACITY);
+    }
+    (void)fprintf(out, " }\n        finish { ambient 0 diffuse %.17g", material->diffuse);
+    write_emission(out, material, pigment);
+    write_highlight(out, material, blinn);
+    write_reflection(out, material);
+    (void)fputs(" }\n    }\n", out);
+}
+
+/* Cells of two colours: POV-Ray's checker has cells of size 1, the even ones first. */
+static void write_pattern(FILE *out, const struct compiled_pattern *pattern,
+                          const struct compiled_material *material, bool blinn) {
+    double size[3], origin[3];
+    for (int i = 0; i < 3; i++) {
+        bool changes = (pattern->axes >> i & 1) != 0;
+        size[i] = changes ? pattern->size[i] : WHOLE_CELL;
+        origin[i] = changes ? pattern->origin[i] + CHECKER_TOLERANCE * size[i] : -WHOLE_CELL / 2;
+    }
+    (void)fputs("    texture {\n    checker\n", out);
+    write_texture(out, material, material->colour, blinn);
+    write_texture(out, material, pattern->colour, blinn);
+    (void)fputs("    scale ", out);
+    export_pov_vector(out, size[0], size[1], size[2]);
+    (void)fputs("\n    translate ", out);
+    export_pov_vector(out, origin[0], origin[1], origin[2]);
+    (void)fputs("\n    }\n", out);
+}
+
+static void write_interior(FILE *out, const struct compiled_material *material) {
+    double ior = is_index_of_air(material) ? 1 + INDEX_STEP : material->ior[0];
+    (void)fprintf(out, "    interior {\n        ior %.17g\n", ior);
+    if (material->absorbs) {
+        (void)fputs("        media { absorption rgb ", out);
+        export_pov_vector(out, material->absorption[0], material->absorption[1],
+                          material->absorption[2]);
+        (void)fputs(" }\n", out);
+    }
+    (void)fputs("    }\n", out);
+}
+
+static bool is_used(const struct compiled_scene *scene, uint8_t material) {
+    for (uint8_t i = 1; i < scene->object_count; i++) {
+        if (scene->objects[i].material == material) {
+            return true;
+        }
+    }
+    return false;
+}
+
+void export_pov_materials(FILE *out, const struct scene_description *description,
+                          const struct compiled_scene *scene) {
+    char name[POV_NAME_SIZE];
+    for (uint8_t i = 1; i < scene->material_count; i++) {
+        const struct compiled_material *material = &scene->materials[i];
+        if (!is_used(scene, i)) {
+            continue;
+        }
+        export_pov_material_name(description, i, name);
+        (void)fprintf(out, "#declare %s = material {\n", name);
+        if (material->pattern == NO_PATTERN) {
+            write_texture(out, material, material->colour, scene->blinn);
+        } else {
+            write_pattern(out, &scene->patterns[material->pattern], material, scene->blinn);
+        }
+        if (material->transparent) {
+            write_interior(out, material);
+        }
+        (void)fputs("}\n\n", out);
+    }
+}

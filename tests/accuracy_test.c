@@ -1,0 +1,114 @@
+/* SPDX-License-Identifier: MIT */
+/* Every arithmetic against f128: pixels of whole scenes, where they stand and far away. */
+#include "scene_fixture.h"
+
+enum { PIXELS = 4000 };
+
+/* Moves and scales everything that a description says of places. */
+static void transform(struct scene_description *description, double scale, double move) {
+    struct affine around = {{{scale, 0, 0, move}, {0, scale, 0, move}, {0, 0, scale, move}}};
+    bool done[SCENE_NODES_MOST] = {false};
+    for (size_t i = 0; i < description->object_count; i++) {
+        int root = description->objects[i].solid;
+        struct affine *placement = &description->nodes[root].placement;
+        struct affine inner = *placement;
+        for (int row = 0; row < 3 && !done[root]; row++) {
+            for (int column = 0; column < 4; column++) {
+                placement->m[row][column] = around.m[row][row] * inner.m[row][column];
+            }
+            placement->m[row][3] += move;
+        }
+        done[root] = true;
+    }
+    for (int i = 0; i < 3; i++) {
+        description->camera.eye[i] = scale * description->camera.eye[i] + move;
+        description->camera.look_at[i] = scale * description->camera.look_at[i] + move;
+        for (size_t j = 0; j < description->light_count; j++) {
+            double *position = description->lights[j].position;
+            position[i] = scale * position[i] + move;
+        }
+        for (size_t j = 0; j < description->material_count; j++) {
+            struct scene_pattern *pattern = &description->materials[j].pattern;
+            pattern->size[i] *= scale;
+            pattern->origin[i] = scale * pattern->origin[i] + move;
+        }
+    }
+}
+
+/* How many of the seeded pixels differ from f128's by more than 1 level in some channel. */
+static int wrong_pixels(const struct scene_description *description, const char *arithmetic,
+                        int pixels) {
+    struct loaded_scene exact = load_description(description, "f128");
+    struct loaded_scene tested = load_description(description, arithmetic);
+    struct render_counts counts = {0, 0, 0, 0, 0};
+    uint64_t state = 1988;
+    int wrong = 0;
+    for (int i = 0; i < pixels; i++) {
+        unsigned x = next_random(&state) % (unsigned)description->width;
+        unsigned y = next_random(&state) % (unsigned)description->height;
+        int expected[3], found[3];
+        pixel_levels(&exact, x, y, expected, &counts);
+        pixel_levels(&tested, x, y, found, &counts);
+        bool good = true;
+        for (int j = 0; j < 3; j++) {
+            good = good && abs(expected[j] - found[j]) <= 1;
+        }
+        if (!good) {
+            print_message("%s: pixel %u %u is (%d, %d, %d) instead of (%d, %d, %d)\n", arithmetic,
+                          x, y, found[0], found[1], found[2], expected[0], expected[1],
+                          expected[2]);
+        }
+        wrong += !good;
+    }
+    assert_int_equal(counts.leaked_rays, 0);
+    unload(&exact);
+    unload(&tested);
+    return wrong;
+}
+
+/* 99.99 % of the pixels for fx and f32, all for f64. */
+static void check(double scale, double move) {
+    static const char *const arithmetics[] = {"fx", "f32", "f64"};
+    struct scene_error error;
+    for (int i = 0; i < 3; i++) {
+        struct scene_description *description = load_scene("fig3", &error);
+        assert_non_null(description);
+        description->width = 640;
+        description->height = 400;
+        transform(description, scale, move);
+        int pixels = PIXELS / (i == 2 ? 4 : 1);
+        int wrong = wrong_pixels(description, arithmetics[i], pixels);
+        assert_true(10000 * wrong <= (i == 2 ? 0 : pixels));
+        scene_description_free(description);
+    }
+}
+
+static void fig3_is_right_in_every_arithmetic(void **state) {
+    (void)state;
+    check(1, 0);
+}
+
+static void fig3_a_thousand_times_smaller_is_right(void **state) {
+    (void)state;
+    check(1e-3, 0);
+}
+
+static void fig3_a_thousand_times_larger_is_right(void **state) {
+    (void)state;
+    check(1e3, 0);
+}
+
+static void fig3_moved_by_a_hundred_is_right(void **state) {
+    (void)state;
+    check(1, 100);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(fig3_is_right_in_every_arithmetic),
+        cmocka_unit_test(fig3_a_thousand_times_smaller_is_right),
+        cmocka_unit_test(fig3_a_thousand_times_larger_is_right),
+        cmocka_unit_test(fig3_moved_by_a_hundred_is_right),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
