@@ -82,13 +82,13 @@ static bool primitive_crossing(const struct search *search, uint8_t index, bool 
     const struct primitive *primitive = &scene->primitives[index];
     bool starts_there =
         search->surface != SURFACE_NONE && set_has(&scene->surfaces[search->surface], index);
-    if (starts_there && !inside && primitive->convex) {
-        return false; /* a ray that has left its surface does not come back */
+    if (starts_there && !inside && primitive->left_for_good) {
+        return false;
     }
     struct segment segments[2];
     counts->solid_tests++;
-    uint8_t count = primitive_segments(scene, primitive, &search->world,
-                                       starts_there ? search->surface : SURFACE_NONE, segments);
+    const struct start start = {starts_there ? search->surface : SURFACE_NONE, inside};
+    uint8_t count = primitive_segments(scene, primitive, &search->world, start, segments);
     crossing->leaving = inside;
     if (inside) {
         leaving_crossing(segments, count, from, crossing);

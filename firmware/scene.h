@@ -29,10 +29,10 @@ enum primitive_kind { PRIMITIVE_BOX, PRIMITIVE_BALL, PRIMITIVE_POLYHEDRON, PRIMI
 
 /* Names an entry of the table of its kind. */
 struct primitive {
-    uint8_t kind;  /* enum primitive_kind */
-    uint8_t index; /* into the table of that kind */
-    uint8_t frame; /* into frames, or FRAME_WORLD */
-    bool convex;   /* a ray meets it in one stretch */
+    uint8_t kind;       /* enum primitive_kind */
+    uint8_t index;      /* into the table of that kind */
+    uint8_t frame;      /* into frames, or FRAME_WORLD */
+    bool left_for_good; /* curved and convex: a ray that has left its surface never returns */
 };
 
 /* The points with minimum <= p < maximum. Faces: 0 1 2 the low ones of x y z, 3 4 5 the high ones.

@@ -27,7 +27,7 @@ struct local_ray local_ray_in(const struct frame *frame, struct point origin,
 
 static struct segment polyhedron_segment(const struct scene *scene,
                                          const struct polyhedron *polyhedron,
-                                         const struct local_ray *ray, uint16_t skip) {
+                                         const struct local_ray *ray, struct start start) {
     struct segment segment = {length_negate(LENGTH_FAR), LENGTH_FAR, 0, 0, true};
     for (uint8_t i = 0; i < polyhedron->count; i++) {
         const struct plane *plane = &scene->planes[polyhedron->first + i];
@@ -37,15 +37,12 @@ static struct segment polyhedron_segment(const struct scene *scene,
             segment.hit = segment.hit && length_less(REAL_LENGTH(0.0), ahead);
             continue;
         }
-        real_length t = length_over(ahead, slope_of(along));
+        bool on_it = plane->surface == start.surface;
+        real_length t = on_it ? REAL_LENGTH(0.0) : length_over(ahead, slope_of(along));
         if (unit_is_negative(along)) {
-            if (length_less(segment.in, t)) {
-                segment.in = t;
-                segment.in_face = i;
-            }
-        } else if (length_less(t, segment.out) && plane->surface != skip) {
-            segment.out = t;
-            segment.out_face = i;
+            segment_enter(&segment, t, i);
+        } else if (!on_it || !start.inside) {
+            segment_leave(&segment, t, i);
         }
     }
     segment.hit = segment.hit && length_less(segment.in, segment.out);
@@ -142,7 +139,7 @@ static uint8_t quadric_segments(const struct quadric *quadric, const struct loca
 }
 
 uint8_t primitive_segments(const struct scene *scene, const struct primitive *primitive,
-                           const struct local_ray *world, uint16_t skip,
+                           const struct local_ray *world, struct start start,
                            struct segment segments[2]) {
     const struct local_ray *ray = world;
     struct local_ray local;
@@ -152,7 +149,7 @@ uint8_t primitive_segments(const struct scene *scene, const struct primitive *pr
         return 1;
     }
     if (FEATURE_POLYHEDRON && primitive->kind == PRIMITIVE_POLYHEDRON) {
-        segments[0] = polyhedron_segment(scene, &scene->polyhedra[primitive->index], world, skip);
+        segments[0] = polyhedron_segment(scene, &scene->polyhedra[primitive->index], world, start);
         return 1;
     }
     if (FEATURE_ROTATION && primitive->frame != FRAME_WORLD) {
@@ -160,10 +157,10 @@ uint8_t primitive_segments(const struct scene *scene, const struct primitive *pr
         ray = &local;
     }
     if (FEATURE_QUADRIC && primitive->kind == PRIMITIVE_QUADRIC) {
-        return quadric_segments(&scene->quadrics[primitive->index], ray, skip != SURFACE_NONE,
-                                segments);
+        return quadric_segments(&scene->quadrics[primitive->index], ray,
+                                start.surface != SURFACE_NONE, segments);
     }
-    segments[0] = box_segment(&scene->boxes[primitive->index], ray, skip);
+    segments[0] = box_segment(&scene->boxes[primitive->index], ray, start);
     return 1;
 }
 

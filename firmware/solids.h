@@ -26,6 +26,27 @@ struct local_ray local_ray_world(struct point origin, struct direction direction
 struct local_ray local_ray_in(const struct frame *frame, struct point origin,
                               struct direction direction);
 
+/* Where a ray starts: on a surface of the primitive, or SURFACE_NONE; and whether it is inside. A
+ * face on that surface lies at exactly 0, and is not where a ray that is inside leaves. */
+struct start {
+    uint16_t surface;
+    bool inside;
+};
+
+static inline void segment_enter(struct segment *segment, real_length t, uint8_t face) {
+    if (length_less(segment->in, t)) {
+        segment->in = t;
+        segment->in_face = face;
+    }
+}
+
+static inline void segment_leave(struct segment *segment, real_length t, uint8_t face) {
+    if (length_less(t, segment->out)) {
+        segment->out = t;
+        segment->out_face = face;
+    }
+}
+
 /* One axis of a box's test. */
 struct slab {
     real_length origin, minimum, maximum;
@@ -34,7 +55,7 @@ struct slab {
 };
 
 static inline void box_clip(const struct slab *slab, uint8_t axis, const uint16_t *surface,
-                            uint16_t skip, struct segment *segment) {
+                            struct start start, struct segment *segment) {
     if (unit_is_zero(slab->direction)) {
         if (length_less(slab->origin, slab->minimum) || !length_less(slab->origin, slab->maximum)) {
             segment->hit = false;
@@ -49,19 +70,16 @@ static inline void box_clip(const struct slab *slab, uint8_t axis, const uint16_
     real_length out = backwards ? low : high;
     uint8_t in_face = backwards ? high_face : low_face;
     uint8_t out_face = backwards ? low_face : high_face;
-    if (length_less(segment->in, in)) {
-        segment->in = in;
-        segment->in_face = in_face;
-    }
-    if (length_less(out, segment->out) && surface[out_face] != skip) {
-        segment->out = out;
-        segment->out_face = out_face;
+    segment_enter(segment, surface[in_face] == start.surface ? REAL_LENGTH(0.0) : in, in_face);
+    if (surface[out_face] != start.surface) {
+        segment_leave(segment, out, out_face);
+    } else if (!start.inside) {
+        segment_leave(segment, REAL_LENGTH(0.0), out_face);
     }
 }
 
-/* `skip` is the surface that the ray starts on: it cannot be where the ray leaves. */
 static inline struct segment box_segment(const struct box *box, const struct local_ray *ray,
-                                         uint16_t skip) {
+                                         struct start start) {
     struct segment segment = {length_negate(LENGTH_FAR), LENGTH_FAR, 0, 0, true};
     const struct slab x = {ray->origin.x, box->minimum.x, box->maximum.x, ray->direction.x,
                            ray->slope[0]};
@@ -69,9 +87,9 @@ static inline struct segment box_segment(const struct box *box, const struct loc
                            ray->slope[1]};
     const struct slab z = {ray->origin.z, box->minimum.z, box->maximum.z, ray->direction.z,
                            ray->slope[2]};
-    box_clip(&x, 0, box->surface, skip, &segment);
-    box_clip(&y, 1, box->surface, skip, &segment);
-    box_clip(&z, 2, box->surface, skip, &segment);
+    box_clip(&x, 0, box->surface, start, &segment);
+    box_clip(&y, 1, box->surface, start, &segment);
+    box_clip(&z, 2, box->surface, start, &segment);
     segment.hit = segment.hit && length_less(segment.in, segment.out);
     return segment;
 }
@@ -93,7 +111,7 @@ static inline struct segment ball_segment(const struct ball *ball, struct point 
 /* The stretches of a ray inside a primitive, one or two, in order: their number. world is the ray
  * in world coordinates; skip is the surface of the primitive that it starts on, or SURFACE_NONE. */
 uint8_t primitive_segments(const struct scene *scene, const struct primitive *primitive,
-                           const struct local_ray *world, uint16_t skip,
+                           const struct local_ray *world, struct start start,
                            struct segment segments[2]);
 
 uint16_t primitive_surface(const struct scene *scene, const struct primitive *primitive,

@@ -4,7 +4,9 @@
 #include <string.h>
 
 #include "arithmetic.h"
+#include "board_picture.h"
 #include "command.h"
+#include "equip_chain.h"
 #include "exposures.h"
 #include "interrupt.h"
 #include "load_scene.h"
@@ -15,6 +17,7 @@
 #include "screen_output.h"
 #include "stats.h"
 #include "stopwatch.h"
+#include "trace_file.h"
 
 enum { NAME_SIZE = 256 };
 
@@ -24,18 +27,13 @@ struct render_run {
     const char *scene_name;
     struct timespec began;
     struct compiled_scene *compiled;
+    struct ports_linux ports; /* of --bus ports */
     struct port_chain *chain;
     struct exposures *exposures; /* NULL: the scene is not shown by exposures, or to no board */
     struct output picture, trace, stats;
     char default_name[NAME_SIZE];
     struct render_totals totals;
 };
-
-/* A name that ends in .txt asks for the plain-text form. */
-static enum trace_format format_of(const char *path) {
-    size_t length = strlen(path);
-    return length >= 4 && strcmp(path + length - 4, ".txt") == 0 ? TRACE_TEXT : TRACE_BINARY;
-}
 
 /* Where the picture goes; NULL: there is none. */
 static const char *picture_name(struct render_run *run) {
@@ -61,7 +59,7 @@ static bool open_outputs(struct render_run *run) {
         return false;
     }
     if (trace != NULL) {
-        port_chain_record(run->chain, run->trace.file, format_of(trace));
+        port_chain_record(run->chain, run->trace.file, trace_file_format(trace));
     }
     return true;
 }
@@ -82,6 +80,10 @@ static int open_exposures(struct render_run *run) {
 static int prepare(struct render_run *run) {
     const struct options *options = run->options;
     struct scene_error error;
+    int status = open_own_ports(&run->ports, options);
+    if (status != STATUS_DONE) {
+        return status;
+    }
     run->compiled = load_compiled_scene(run->scene_name, &options->overrides, &error);
     if (run->compiled == NULL) {
         return bad_input("%s", error.text);
@@ -98,7 +100,13 @@ static int prepare(struct render_run *run) {
         complain("out of memory");
         return STATUS_FAILED;
     }
-    int status = open_exposures(run);
+    if (options->bus == BUS_CHOICE_PORTS) {
+        port_chain_end_at(run->chain, &run->ports.bus);
+    }
+    status = equip_chain(run->chain, options);
+    if (status == STATUS_DONE) {
+        status = open_exposures(run);
+    }
     if (status != STATUS_DONE) {
         return status;
     }
@@ -133,7 +141,9 @@ static int render_rows(struct render_run *run) {
 /* The screen's picture, or the camera's. */
 static bool write_picture(struct render_run *run) {
     if (run->exposures == NULL) {
-        return screen_write(&run->picture, run->chain);
+        return board_picture_write(&run->picture, &run->chain->board,
+                                   run->chain->has_native ? &run->chain->native : NULL,
+                                   run->options->board.picture);
     }
     return picture_write(&run->picture, run->exposures->rgb);
 }
@@ -167,6 +177,7 @@ static int write_results(struct render_run *run) {
                                         .compiled = run->compiled,
                                         .totals = &run->totals,
                                         .chain = run->chain,
+                                        .board = &run->options->board,
                                         .total_seconds = stopwatch_seconds(&run->began),
                                         .photograph =
                                             run->exposures != NULL ? run->exposures->rgb : NULL};

@@ -1,16 +1,17 @@
 /* SPDX-License-Identifier: MIT */
 /* superframe replay: port traces, binary or plain text, on the emulated board. */
-#include <errno.h>
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "board_picture.h"
 #include "command.h"
+#include "equip_chain.h"
 #include "output.h"
 #include "port_chain.h"
-#include "screen_output.h"
 #include "stats.h"
 #include "stopwatch.h"
+#include "trace_file.h"
 #include "trace_replay.h"
 
 /* One run of the command. */
@@ -19,48 +20,49 @@ struct replay_run {
     struct timespec began;
     struct port_chain *chain;
     struct trace_reader *reader; /* 66 KB: not on the stack */
+    uint64_t played;             /* accesses, of all traces */
     struct output picture, stats;
 };
 
-static int complain_about_trace(const char *path, const struct trace_error *error) {
-    char text[512];
-    (void)trace_error_format(text, sizeof text, path, error);
-    return bad_input("%s", text);
-}
-
 /* Plays one file on the chain: what it wrote is written, what it read is read and compared. */
-static int play(struct replay_run *run, const char *path, FILE *file) {
+static int play(struct replay_run *run, const char *path) {
     const struct trace_header board = {run->options->profile, run->options->base};
+    uint64_t stop = run->options->board.stop;
     struct trace_replay replay;
-    enum trace_status status = trace_reader_open(run->reader, file);
+    enum trace_status status = trace_reader_require(run->reader, &board);
     memset(&replay, 0, sizeof replay);
     if (status == TRACE_OK) {
-        status = trace_reader_require(run->reader, &board);
+        status = trace_replay(run->reader, &run->chain->hash.bus,
+                              stop == 0 ? 0 : stop - run->played, &replay);
     }
-    if (status == TRACE_OK) {
-        status = trace_replay(run->reader, &run->chain->hash.bus, 0, &replay);
-    }
+    run->played += replay.accesses;
     if (replay.different_reads > 0) {
         complain("%s: %" PRIu64 " reads were answered otherwise than recorded, the first at access "
                  "%" PRIu64,
                  path, replay.different_reads, replay.first_different);
     }
-    return status == TRACE_END ? STATUS_DONE : complain_about_trace(path, &run->reader->error);
+    return status == TRACE_END || status == TRACE_OK
+               ? STATUS_DONE
+               : trace_file_complain(path, &run->reader->error);
 }
 
 static int play_all(struct replay_run *run) {
+    uint64_t stop = run->options->board.stop;
     int status = STATUS_DONE;
     for (int i = 0; i < run->options->operand_count && status == STATUS_DONE; i++) {
-        const char *path = run->options->operands[i];
-        bool is_stdin = strcmp(path, "-") == 0;
-        FILE *file = is_stdin ? stdin : fopen(path, "rb");
-        if (file == NULL) {
-            return bad_input("%s: cannot be read: %s", path, strerror(errno));
+        FILE *file;
+        if (stop != 0 && run->played == stop) {
+            return STATUS_DONE;
         }
-        status = play(run, path, file);
-        if (!is_stdin) {
-            (void)fclose(file);
+        status = trace_file_open(run->options->operands[i], &file, run->reader);
+        if (status == STATUS_DONE) {
+            status = play(run, run->options->operands[i]);
         }
+        trace_file_close(file);
+    }
+    if (status == STATUS_DONE && run->played < stop) {
+        complain("the traces end after access %" PRIu64 ", before --stop %" PRIu64, run->played,
+                 stop);
     }
     return status;
 }
@@ -75,6 +77,10 @@ static int prepare(struct replay_run *run) {
         complain("out of memory");
         return STATUS_FAILED;
     }
+    int status = equip_chain(run->chain, options);
+    if (status != STATUS_DONE) {
+        return status;
+    }
     if ((options->output != NULL && !output_open(&run->picture, options->output)) ||
         (options->stats != NULL && !output_open(&run->stats, options->stats))) {
         return STATUS_FAILED;
@@ -83,11 +89,16 @@ static int prepare(struct replay_run *run) {
 }
 
 static int write_results(struct replay_run *run) {
-    if (run->picture.file != NULL && !screen_write(&run->picture, run->chain)) {
+    const struct options *options = run->options;
+    if (run->picture.file != NULL &&
+        !board_picture_write(&run->picture, &run->chain->board,
+                             run->chain->has_native ? &run->chain->native : NULL,
+                             options->board.picture)) {
         return STATUS_FAILED;
     }
     if (run->stats.file != NULL) {
         const struct run_stats stats = {.chain = run->chain,
+                                        .board = &options->board,
                                         .total_seconds = stopwatch_seconds(&run->began)};
         stats_write(run->stats.file, &stats);
         if (!output_commit(&run->stats)) {

@@ -76,7 +76,7 @@ static void note_answer(struct trace_run *run, const struct trace_access *access
     if (run->lists || run->options->tracing.judges) {
         (void)printf("%s%" PRIu64 "%s the board answers %0*X\n",
                      run->lists ? "           ? access " : "access ", run->reader.accesses, ":",
-                     access->width * 2, answer);
+                     access->width == BUS_WORD ? 4 : 2, answer);
     }
 }
 

@@ -69,7 +69,7 @@ int compile_quadric(struct compiler *compiler, const struct quadric_form *form);
 
 /* A new entry of the table of primitives, with what is common to all kinds. */
 int compile_new_primitive(struct compiler *compiler, uint8_t kind, uint8_t index, uint8_t frame,
-                          bool convex);
+                          bool left_for_good);
 
 /* Says that a surface bounds a primitive. */
 void compile_bind_surface(struct compiler *compiler, int surface, int primitive);

@@ -71,7 +71,7 @@ static int add_polyhedron(struct compiler *compiler, const struct scene_plane *p
         return -1;
     }
     int primitive = compile_new_primitive(compiler, KIND_POLYHEDRON, scene->polyhedron_count,
-                                          WORLD_FRAME, true);
+                                          WORLD_FRAME, false);
     if (primitive < 0) {
         return -1;
     }

@@ -50,7 +50,7 @@ void compile_bind_surface(struct compiler *compiler, int surface, int primitive)
 }
 
 int compile_new_primitive(struct compiler *compiler, uint8_t kind, uint8_t index, uint8_t frame,
-                          bool convex) {
+                          bool left_for_good) {
     struct compiled_scene *scene = compiler->scene;
     if (scene->primitive_count == COMPILED_PRIMITIVES_MOST) {
         compile_fail(compiler, compiler->line, "more than %d different solids",
@@ -61,7 +61,7 @@ int compile_new_primitive(struct compiler *compiler, uint8_t kind, uint8_t index
     primitive->kind = kind;
     primitive->index = index;
     primitive->frame = frame;
-    primitive->convex = convex;
+    primitive->left_for_good = left_for_good;
     primitive->line = compiler->line;
     return scene->primitive_count++;
 }
@@ -147,7 +147,7 @@ static int add_box(struct compiler *compiler, int frame, double axis[3][3], cons
         }
     }
     int primitive =
-        compile_new_primitive(compiler, KIND_BOX, scene->box_count, (uint8_t)frame, true);
+        compile_new_primitive(compiler, KIND_BOX, scene->box_count, (uint8_t)frame, false);
     if (primitive < 0) {
         return -1;
     }

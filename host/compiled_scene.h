@@ -33,7 +33,7 @@ struct compiled_frame {
 
 struct compiled_primitive {
     uint8_t kind, index, frame;
-    bool convex;
+    bool left_for_good;
     unsigned line; /* of the scene file, for what an arithmetic may find wrong with it */
 };
 

@@ -96,7 +96,7 @@ static void emit_primitives(FILE *out, const struct compiled_scene *scene) {
     for (int i = 0; i < scene->primitive_count; i++) {
         const struct compiled_primitive *primitive = &scene->primitives[i];
         fprintf(out, "    {%u, %u, %u, %s},\n", primitive->kind, primitive->index, primitive->frame,
-                truth(primitive->convex));
+                truth(primitive->left_for_good));
     }
     fprintf(out, "};\n\nstatic const struct primitive_set surfaces[] = {\n");
     for (int i = 0; i < scene->surface_count; i++) {

@@ -2,7 +2,6 @@
 /* What the CRT shows as a PNG in its place. */
 #include "screen_output.h"
 
-#include "command.h"
 #include "png_file.h"
 
 bool picture_write(struct output *output, const uint8_t rgb[PICTURE_BYTES]) {
@@ -12,12 +11,4 @@ bool picture_write(struct output *output, const uint8_t rgb[PICTURE_BYTES]) {
         return false;
     }
     return output_commit(output);
-}
-
-bool screen_write(struct output *output, struct port_chain *chain) {
-    port_chain_picture(chain);
-    if (chain->picture_state != PICTURE_OK) {
-        complain("the picture is black: %s", picture_state_text(chain->picture_state));
-    }
-    return picture_write(output, chain->rgb);
 }

@@ -4,6 +4,8 @@
 
 #include <inttypes.h>
 
+#include "stats_cost.h"
+
 void stats_write_string(FILE *out, const char *text) {
     (void)fputc('"', out);
     for (; *text != '\0'; text++) {
@@ -64,6 +66,9 @@ void stats_write(FILE *out, const struct run_stats *stats) {
     if (stats->photograph != NULL) {
         (void)fprintf(out, "  \"photograph_crc\": \"%08" PRIx32 "\",\n",
                       picture_crc(stats->photograph));
+    }
+    if (stats->board != NULL && chain->is_counting) {
+        stats_write_cost(out, &chain->cost, stats->board);
     }
     if (stats->totals != NULL) {
         (void)fprintf(out, "  \"render_seconds\": %.6f,\n", stats->totals->seconds);

@@ -7,6 +7,7 @@
 #include <stdint.h>
 #include <stdio.h>
 
+#include "board_options.h"
 #include "port_chain.h"
 #include "render.h"
 
@@ -17,6 +18,7 @@ struct run_stats {
     const struct render_totals *totals; /* of a render; NULL: a replay, which has only the ports */
     struct port_chain *chain;           /* its picture is drawn if it has a board */
     double total_seconds;
+    const struct board_options *board; /* for the cost of the ports; NULL: not told */
     const uint8_t *photograph; /* of a multiple exposure, PICTURE_BYTES; NULL: none was taken */
 };
 

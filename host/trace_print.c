@@ -4,10 +4,8 @@
 
 #include <inttypes.h>
 
+#include "stats_cost.h"
 #include "trace_words.h"
-
-/* The machines that stand for the three CPUs of the time. */
-static const char *const machines[] = {"VM2", "VX2", "RA2"};
 
 static void print_registers(FILE *out, const struct board *board) {
     uint64_t own = 0;
@@ -34,8 +32,8 @@ static void print_cost(FILE *out, const struct cost_bus *cost,
                        const struct board_options *options) {
     (void)fprintf(out, "\n%-8s %-6s %5s %12s  %s\n", "machine", "CPU", "MHz", "seconds",
                   "share of the frame");
-    for (size_t i = 0; i < sizeof machines / sizeof machines[0]; i++) {
-        const struct cost_machine *machine = cost_machine_by_name(machines[i]);
+    for (int i = 0; cost_shown_machines[i] != NULL; i++) {
+        const struct cost_machine *machine = cost_machine_by_name(cost_shown_machines[i]);
         double seconds = cost_bus_seconds(cost, machine, options->bus_wait);
         (void)fprintf(out, "%-8s %-6s %5.1f %12.6f  ", machine->name, cost_cpu_text(machine->cpu),
                       machine->megahertz, seconds);

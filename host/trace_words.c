@@ -12,6 +12,10 @@ const char *trace_register_name(unsigned offset) {
     return names[offset / 2 % 8];
 }
 
+static int digits(const struct trace_access *access) {
+    return access->width == BUS_WORD ? 4 : 2;
+}
+
 static const char *mode_words(unsigned mode) {
     switch (mode) {
     case 0x00:
@@ -61,7 +65,7 @@ static void words_of_pixel(char *text, const struct board *before, unsigned offs
         return;
     }
     (void)snprintf(text, TRACE_WORDS_SIZE, "%s of (%u, %u) %s %0*X", trace_register_name(offset),
-                   before->x, before->y, access->is_read ? "is" : "=", access->width * 2,
+                   before->x, before->y, access->is_read ? "is" : "=", digits(access),
                    access->value);
 }
 
@@ -74,12 +78,12 @@ const char *trace_words(char text[TRACE_WORDS_SIZE], const struct board *before,
     } else if ((offset & 1) != 0) {
         (void)snprintf(text, TRACE_WORDS_SIZE, "%s, %s: %0*X %s", trace_register_name(offset),
                        access->width == BUS_WORD ? "across two registers" : "upper half",
-                       access->width * 2, access->value, access->is_read ? "read" : "written");
+                       digits(access), access->value, access->is_read ? "read" : "written");
     } else if (number >= RED && number <= BLUE) {
         words_of_pixel(text, before, offset, access);
     } else if (access->is_read || !words_of_write(text, before, number, access)) {
         (void)snprintf(text, TRACE_WORDS_SIZE, "%s is %0*X", trace_register_name(offset),
-                       access->width * 2, access->value);
+                       digits(access), access->value);
     }
     return text;
 }

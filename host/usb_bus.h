@@ -68,7 +68,7 @@ struct usb_bus {
 
     bool is_greeted; /* the reply to a hello has come */
     uint8_t greeting_status;
-    uint32_t greeting_session, greeting_last;
+    uint32_t greeting_last;
     struct usb_hello_reply greeting;
 
     size_t input_count;

@@ -93,15 +93,17 @@ static void go_back(struct usb_bus *usb_bus) {
     usb_bus->sent = usb_bus->acked;
 }
 
-/* Sends what the credits allow. */
-static void fill_window(struct usb_bus *usb_bus) {
+/* Sends what the credits allow. False if something got in between: what is on its way is unknown.
+ */
+static bool fill_window(struct usb_bus *usb_bus) {
     while (!has_failed(usb_bus) && usb_bus->sent < usb_bus->sealed &&
            usb_bus->sent - usb_bus->acked < usb_bus->credits) {
         usb_bus->sent++;
         if (!recover(usb_bus, send_one(usb_bus, usb_bus->sent))) {
-            return;
+            return false;
         }
     }
+    return !has_failed(usb_bus);
 }
 
 /* ---- Replies ------------------------------------------------------------------------------- */
@@ -152,9 +154,11 @@ static void take_reply(struct usb_bus *usb_bus, const struct usb_header *header,
         return;
     }
     if (header->sequence == 0) {
+        if (header->status == USB_STATUS_OK && header->session != usb_bus->session) {
+            return; /* the reply to a hello from long ago */
+        }
         usb_bus->is_greeted = usb_hello_reply_unpack(payload, header->length, &usb_bus->greeting);
         usb_bus->greeting_status = header->status;
-        usb_bus->greeting_session = header->session;
         usb_bus->greeting_last = header->last;
     } else if (header->session == usb_bus->session) {
         take_run_reply(usb_bus, header, payload);
@@ -184,12 +188,12 @@ static void take_input(struct usb_bus *usb_bus) {
 
 /* ---- Waiting ------------------------------------------------------------------------------- */
 
-/* Waits for one answer of the link and takes it. */
-static enum usb_link_status listen(struct usb_bus *usb_bus) {
+/* Waits for one answer of the link, at most so long, and takes it. */
+static enum usb_link_status listen(struct usb_bus *usb_bus, unsigned timeout_ms) {
     size_t count = 0;
     enum usb_link_status status = usb_bus->link->operations->receive(
         usb_bus->link, usb_bus->input + usb_bus->input_count,
-        sizeof usb_bus->input - usb_bus->input_count, usb_bus->limits.reply_ms, &count);
+        sizeof usb_bus->input - usb_bus->input_count, timeout_ms, &count);
     if (status == USB_LINK_OK) {
         usb_bus->input_count += count;
         take_input(usb_bus);
@@ -226,7 +230,7 @@ static enum usb_link_status greet(struct usb_bus *usb_bus, bool is_start) {
         usb_bus->counts.wire_bytes += length;
         enum usb_link_status status = usb_bus->link->operations->send(usb_bus->link, frame, length);
         while (status == USB_LINK_OK && !usb_bus->is_greeted && !has_failed(usb_bus)) {
-            status = listen(usb_bus);
+            status = listen(usb_bus, usb_bus->limits.reply_ms);
         }
         if (usb_bus->is_greeted || status == USB_LINK_LOST) {
             return status;
@@ -263,8 +267,7 @@ static bool can_go_on(struct usb_bus *usb_bus, bool *must_restart) {
         return false;
     }
     /* The reply to an earlier hello, or an adapter that lost or made up frames. */
-    if (usb_bus->greeting_session != usb_bus->session || usb_bus->greeting_last < usb_bus->acked ||
-        usb_bus->greeting_last > usb_bus->highest_sent) {
+    if (usb_bus->greeting_last < usb_bus->acked || usb_bus->greeting_last > usb_bus->highest_sent) {
         *must_restart = true;
         return false;
     }
@@ -348,11 +351,10 @@ static bool recover(struct usb_bus *usb_bus, enum usb_link_status status) {
 
 /* One step on: sends what may be sent, waits for one answer. */
 static void step(struct usb_bus *usb_bus) {
-    fill_window(usb_bus);
-    if (has_failed(usb_bus)) {
+    if (!fill_window(usb_bus)) {
         return;
     }
-    (void)recover(usb_bus, listen(usb_bus));
+    (void)recover(usb_bus, listen(usb_bus, usb_bus->limits.reply_ms));
     if (usb_bus->must_ask && !has_failed(usb_bus)) {
         (void)recover(usb_bus, take_up(usb_bus));
     }
@@ -381,7 +383,13 @@ void usb_session_seal(struct usb_bus *usb_bus) {
     }
     usb_bus->counts.frames++;
     usb_bus->counts.payload_bytes += encoder->used;
-    fill_window(usb_bus);
+    if (fill_window(usb_bus)) {
+        /* A glance at what has come meanwhile: what is known to have arrived is up to date. */
+        enum usb_link_status status = listen(usb_bus, 0);
+        if (status != USB_LINK_TIMEOUT) {
+            (void)recover(usb_bus, status);
+        }
+    }
     while (!has_failed(usb_bus) && usb_bus->sent < usb_bus->sealed) {
         step(usb_bus);
     }
@@ -400,8 +408,12 @@ bool usb_session_ask(struct usb_bus *usb_bus, size_t count) {
     usb_bus->has_data = false;
     usb_session_seal(usb_bus);
     usb_bus->encoder.used = 0;
-    while (!has_failed(usb_bus) && !usb_bus->has_data) {
+    for (unsigned tries = 0; !has_failed(usb_bus) && !usb_bus->has_data;) {
         if (usb_bus->acked >= usb_bus->awaited) {
+            if (tries++ > usb_bus->limits.retries) {
+                usb_bus_give_up(usb_bus, BUS_PROTOCOL, "the adapter ran a read, but gives no data");
+                break;
+            }
             /* It was run, but its data got lost on the way: a duplicate brings it once more. */
             usb_bus->sent = usb_bus->awaited - 1;
             usb_bus->acked = usb_bus->awaited - 1;

@@ -90,7 +90,7 @@ static void load_solids(struct loaded *to, const struct compiled_scene *from) {
         to->primitives[i].kind = primitive->kind;
         to->primitives[i].index = primitive->index;
         to->primitives[i].frame = primitive->frame;
-        to->primitives[i].convex = primitive->convex;
+        to->primitives[i].left_for_good = primitive->left_for_good;
     }
     for (int i = 0; i < from->box_count; i++) {
         to->boxes[i].minimum = point_of(from->boxes[i].minimum);
