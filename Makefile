@@ -27,27 +27,38 @@ CFLAGS_sanitized := -O1 $(DEBUG) -fsanitize=address,undefined -fno-sanitize-reco
 LDFLAGS_release   :=
 LDFLAGS_sanitized := -fsanitize=address,undefined
 
-HAL_SOURCES      := $(wildcard hal/*.c)
+HAL_SOURCES      := $(wildcard hal/*.c) $(wildcard hal/usb/*.c)
 EMULATOR_SOURCES := $(wildcard emulator/*.c)
 FIRMWARE_SOURCES := $(wildcard firmware/*.c)
 # Compiled once for each arithmetic beside the firmware, on the host only.
 PER_ARITHMETIC_SOURCES := $(wildcard host/arithmetic/*.c)
 HOST_SOURCES     := $(wildcard host/*.c)
+
+# The ways to an adapter: a library that is not there is replaced by a file that says so.
+# USB_LIBUSB=no and USB_HIDAPI=no leave it out; USB_HIDAPI=hidapi-libusb takes the other flavour.
+USB_LIBUSB ?= libusb-1.0
+USB_HIDAPI ?= hidapi-hidraw
+has_package = $(shell pkg-config --exists '$(1)' 2>/dev/null && echo yes)
+USB_PACKAGES := $(foreach package,$(USB_LIBUSB) $(USB_HIDAPI),$(if $(call has_package,$(package)),$(package)))
+HOST_SOURCES += $(if $(filter libusb%,$(USB_PACKAGES)),$(wildcard host/usb/libusb*.c),host/usb/no_libusb.c) \
+                $(if $(filter hidapi%,$(USB_PACKAGES)),host/usb/hidapi.c,host/usb/no_hidapi.c)
+USB_CFLAGS := $(if $(USB_PACKAGES),$(subst -I,-isystem ,$(shell pkg-config --cflags-only-I $(USB_PACKAGES))))
+USB_LIBS   := $(if $(USB_PACKAGES),$(shell pkg-config --libs $(USB_PACKAGES)))
 TEST_SOURCES     := $(wildcard tests/*_test.c)
 REAL_TEST_SOURCES := $(wildcard tests/real/*_test.c)
 SCENE_FILES      := $(wildcard firmware/scenes/*.scene)
 
-INCLUDE_hal      := -Ihal
-INCLUDE_emulator := -Ihal -Iemulator
+INCLUDE_hal      := -Ihal -Ihal/usb
+INCLUDE_emulator := -Ihal -Ihal/usb -Iemulator
 INCLUDE_firmware := -Ihal -Ifirmware
-INCLUDE_host     := -Ihal -Iemulator -Ifirmware -Ihost
-INCLUDE_tests    := -Ihal -Iemulator -Ifirmware -Ihost -Itests
+INCLUDE_host     := -Ihal -Ihal/usb -Iemulator -Ifirmware -Ihost
+INCLUDE_tests    := -Ihal -Ihal/usb -Iemulator -Ifirmware -Ihost -Itests
 
 # Where gcc keeps quadmath.h: clang links gcc's library but does not look among its headers.
 COMPILER_HEADERS = $(dir $(shell $(CC) -print-file-name=include/quadmath.h))
 
 POSIX   := -D_POSIX_C_SOURCE=200809L
-LIBS    := -lpng -lconfig -lxxhash -lz -lquadmath -lm -lpthread
+LIBS    := -lpng -lconfig -lxxhash -lz -lquadmath -lm -lpthread $(USB_LIBS)
 
 .PHONY: all
 all: $(BUILD)/superframe ## Build the program (the default)
@@ -93,7 +104,7 @@ $$(BUILD)/$(1)/emulator/%.o: emulator/%.c $$(BUILD)/flags | setup
 
 $$(BUILD)/$(1)/host/%.o: host/%.c $$(BUILD)/flags | setup
 	@mkdir -p $$(@D)
-	$$(CC) $$(WARNINGS) $$(POSIX) $$(CFLAGS_$(1)) $$(INCLUDE_host) -MMD -MP -c -o $$@ $$<
+	$$(CC) $$(WARNINGS) $$(POSIX) $$(CFLAGS_$(1)) $$(INCLUDE_host) $$(USB_CFLAGS) -MMD -MP -c -o $$@ $$<
 
 $$(BUILD)/$(1)/builtin_scenes.o: $$(BUILD)/builtin_scenes.c host/builtin_scenes.h $$(BUILD)/flags
 	@mkdir -p $$(@D)
@@ -134,6 +145,12 @@ $(BUILD)/builtin_scenes.c: host/embed_scenes.sh $(SCENE_FILES)
 	@mkdir -p $(@D)
 	sh host/embed_scenes.sh $(SCENE_FILES) > $@.tmp && mv $@.tmp $@
 
+# ---- The library, and what is measured of it ------------------------------------------------
+
+include install.mk
+include tests/measures.mk
+include tests/pov/pov.mk
+
 # ---- Running --------------------------------------------------------------------------------
 
 .PHONY: run
@@ -154,6 +171,13 @@ $(BUILD)/sanitized/tests/%_test.o: tests/%_test.c $(BUILD)/flags | setup
 $(TEST_PROGRAMS): %: %.o $(sanitized_LIBRARY) $(BUILD)/sources
 	$(CC) $(LDFLAGS_sanitized) -o $@ $(filter %.o,$^) -lcmocka $(LIBS)
 
+# The test kit is no part of the program: its own suite alone is linked with it.
+$(BUILD)/sanitized/testkit/%.o: testkit/%.c $(BUILD)/flags | setup
+	@mkdir -p $(@D)
+	$(CC) $(WARNINGS) $(POSIX) $(CFLAGS_sanitized) $(INCLUDE_testkit) -MMD -MP -c -o $@ $<
+$(BUILD)/sanitized/tests/testkit_test.o: INCLUDE_tests += -Itestkit
+$(BUILD)/sanitized/tests/testkit_test: $(TESTKIT_SOURCES:%.c=$(BUILD)/sanitized/%.o)
+
 define real_test_rules
 $$(BUILD)/sanitized/tests/real/%_test_$(1).o: tests/real/%_test.c $$(BUILD)/flags | setup
 	@mkdir -p $$(@D)
@@ -165,10 +189,10 @@ endef
 $(foreach arithmetic,$(ARITHMETICS),$(eval $(call real_test_rules,$(arithmetic))))
 
 FIRMWARE_IMAGES := $(BUILD)/release/firmware_fx.o $(BUILD)/release/firmware_f32.o $(BUILD)/release/firmware_f64.o
-TEST_SCRIPTS := tests/check_includes.sh tests/check_symbols.sh tests/check_recursion.sh
+TEST_SCRIPTS := tests/check_includes.sh tests/check_symbols.sh tests/check_recursion.sh tests/check_install.sh
 
 .PHONY: test
-test: $(TEST_PROGRAMS) $(REAL_TEST_PROGRAMS) $(BUILD)/superframe $(BUILD)/sanitized/superframe $(FIRMWARE_IMAGES) strict ## Run every test (under the address and undefined-behaviour sanitizers)
+test: $(TEST_PROGRAMS) $(REAL_TEST_PROGRAMS) $(BUILD)/superframe $(BUILD)/sanitized/superframe $(FIRMWARE_IMAGES) strict fresh-prefix ## Run every test (under the address and undefined-behaviour sanitizers)
 	@sh tests/run.sh $(BUILD) $(TEST_SCRIPTS) $(TEST_PROGRAMS) $(REAL_TEST_PROGRAMS)
 
 # ---- Checks that run nothing ----------------------------------------------------------------
@@ -199,6 +223,10 @@ lint-tidy: | setup
 # anything is compiled.
 SETUP_FOR_test := test
 SETUP_FOR_lint := lint
+SETUP_FOR_library := test
+SETUP_FOR_install := test
+SETUP_FOR_coverage := test coverage
+SETUP_FOR_mutants := test
 SETUP_FOR_lint-style := lint
 SETUP_FOR_lint-cppcheck := lint
 SETUP_FOR_lint-tidy := lint

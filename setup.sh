@@ -24,9 +24,13 @@ build|header|zlib.h|zlib1g-dev
 test|header|cmocka.h|libcmocka-dev
 test|m32|stdio.h|gcc-multilib
 test|tool|clang|clang
+pov|tool|povray|povray
+test|tool|pkg-config|pkg-config
+paper|tool|gnuplot|gnuplot-nox
 lint|tool|clang-format|clang-format
 lint|tool|clang-tidy|clang-tidy
 lint|tool|cppcheck|cppcheck
+coverage|tool|gcovr|gcovr
 '
 
 say() {

@@ -22,6 +22,14 @@ static inline void set_include(struct primitive_set *set, uint8_t primitive) {
     set->word[primitive >> 5] |= (uint32_t)1 << (primitive & 31);
 }
 
+static inline bool sets_overlap(const struct primitive_set *a, const struct primitive_set *b) {
+    uint32_t common = 0;
+    for (uint8_t i = 0; i < FEATURE_PRIMITIVE_WORDS; i++) {
+        common |= a->word[i] & b->word[i];
+    }
+    return common != 0;
+}
+
 static inline void set_clear(struct primitive_set *set) {
     for (uint8_t i = 0; i < FEATURE_PRIMITIVE_WORDS; i++) {
         set->word[i] = 0;

@@ -11,16 +11,25 @@ struct crossing {
     uint16_t surface;
     uint8_t primitive, face;
     bool leaving;
-    struct primitive_set toggled; /* all primitives that the surface bounds there */
 };
 
 /* What a search for the next crossing goes by. */
 struct search {
     const struct scene *scene;
     struct local_ray world;
-    const struct primitive_set *only; /* the primitives to look at; NULL: all */
-    uint16_t surface;                 /* that the ray starts on */
+    const struct primitive_set *only;  /* the primitives to look at; NULL: all that matter */
+    uint16_t surface;                  /* that the ray starts on */
+    const struct primitive_set *touch; /* what that surface bounds; NULL: none */
 };
+
+static void start_search(struct search *search, const struct scene *scene, const struct ray *ray,
+                         const struct primitive_set *only) {
+    search->scene = scene;
+    search->only = only;
+    search->surface = ray->surface;
+    search->touch = ray->surface == SURFACE_NONE ? 0 : &scene->surfaces[ray->surface];
+    local_ray_world(&search->world, ray->origin, ray->direction);
+}
 
 static void set_crossing(struct crossing *crossing, real_length t, uint8_t face) {
     crossing->t = t;
@@ -80,15 +89,19 @@ static bool primitive_crossing(const struct search *search, uint8_t index, bool 
                                struct render_counts *counts) {
     const struct scene *scene = search->scene;
     const struct primitive *primitive = &scene->primitives[index];
-    bool starts_there =
-        search->surface != SURFACE_NONE && set_has(&scene->surfaces[search->surface], index);
+    bool starts_there = search->touch && set_has(search->touch, index);
     if (starts_there && !inside && primitive->left_for_good) {
         return false;
     }
     struct segment segments[2];
+    uint8_t count = 1;
     counts->solid_tests++;
     const struct start start = {starts_there ? search->surface : SURFACE_NONE, inside};
-    uint8_t count = primitive_segments(scene, primitive, &search->world, start, segments);
+    if (primitive->kind == PRIMITIVE_BOX && primitive->frame == FRAME_WORLD) {
+        segments[0] = box_segment(&scene->boxes[primitive->index], &search->world, start);
+    } else {
+        count = primitive_segments(scene, primitive, &search->world, start, segments);
+    }
     crossing->leaving = inside;
     if (inside) {
         leaving_crossing(segments, count, from, crossing);
@@ -99,23 +112,40 @@ static bool primitive_crossing(const struct search *search, uint8_t index, bool 
     return length_less(crossing->t, LENGTH_FAR);
 }
 
+/* Whether the next crossing can be one of this primitive. What lies strictly within another can
+ * only be entered from inside of that; and the ray leaves what is within before it leaves that. The
+ * search for shadows keeps no account of all primitives: it looks at its own, always. */
+static bool may_be_next(const struct search *search, uint8_t index,
+                        const struct primitive_set *inside) {
+    if (search->only) {
+        return set_has(search->only, index);
+    }
+    uint8_t enclosure = search->scene->primitives[index].enclosure;
+    if (set_has(inside, index)) {
+        return !sets_overlap(&search->scene->enclosed[index], inside);
+    }
+    return enclosure == ENCLOSURE_NONE || set_has(inside, enclosure);
+}
+
+/* The nearest crossing at or after `from`, and all the primitives that are crossed there. */
 static bool next_crossing(const struct search *search, const struct primitive_set *inside,
-                          real_length from, struct crossing *best, struct render_counts *counts) {
+                          real_length from, struct crossing *best, struct primitive_set *toggled,
+                          struct render_counts *counts) {
     best->t = LENGTH_FAR;
     best->surface = SURFACE_NONE;
     best->leaving = false;
     for (uint8_t i = 0; i < search->scene->primitive_count; i++) {
         struct crossing found;
-        if ((search->only && !set_has(search->only, i)) ||
+        if (!may_be_next(search, i, inside) ||
             !primitive_crossing(search, i, set_has(inside, i), from, &found, counts)) {
             continue;
         }
         if (best->surface != SURFACE_NONE && crossings_coincide(&found, best)) {
-            set_include(&best->toggled, i);
+            set_include(toggled, i);
         } else if (crossing_precedes(&found, best)) {
             found.primitive = i;
-            set_clear(&found.toggled);
-            set_include(&found.toggled, i);
+            set_clear(toggled);
+            set_include(toggled, i);
             *best = found;
         }
     }
@@ -145,13 +175,31 @@ static bool object_holds(const struct scene *scene, const struct object *object,
     return (stack & 1) != 0;
 }
 
-/* The object that fills the place where these primitives overlap: the last one that holds it. */
+/* The object that fills a place: the last one that holds the primitives that overlap there. */
 static uint8_t object_at(const struct scene *scene, const struct primitive_set *inside,
                          bool shadow_only) {
     uint8_t i = (uint8_t)(scene->object_count - 1);
     for (; i > OBJECT_AIR; i--) {
         const struct object *object = &scene->objects[i];
         if ((!shadow_only || object->in_shadow_test) && object_holds(scene, object, inside)) {
+            break;
+        }
+    }
+    return i;
+}
+
+/* The same, after a crossing: objects that have no part in it are what they were. */
+static uint8_t object_behind(const struct scene *scene, uint8_t before,
+                             const struct primitive_set *toggled,
+                             const struct primitive_set *inside) {
+    uint8_t i = (uint8_t)(scene->object_count - 1);
+    for (; i > OBJECT_AIR; i--) {
+        const struct object *object = &scene->objects[i];
+        if (i >= before && !sets_overlap(&object->uses, toggled)) {
+            if (i == before) {
+                break;
+            }
+        } else if (object_holds(scene, object, inside)) {
             break;
         }
     }
@@ -173,16 +221,17 @@ static void describe_hit(const struct scene *scene, const struct ray *ray,
 
 bool ray_hit(const struct scene *scene, const struct ray *ray, struct hit *hit,
              struct render_counts *counts) {
-    const struct search search = {scene, local_ray_world(ray->origin, ray->direction), 0,
-                                  ray->surface};
+    struct search search;
     real_length from = REAL_LENGTH(0.0);
     struct crossing crossing;
+    struct primitive_set toggled;
+    start_search(&search, scene, ray, 0);
     hit->inside_before = ray->inside;
     hit->before = ray->object;
-    while (next_crossing(&search, &hit->inside_before, from, &crossing, counts)) {
+    while (next_crossing(&search, &hit->inside_before, from, &crossing, &toggled, counts)) {
         hit->inside_after = hit->inside_before;
-        set_toggle(&hit->inside_after, &crossing.toggled);
-        hit->after = object_at(scene, &hit->inside_after, false);
+        set_toggle(&hit->inside_after, &toggled);
+        hit->after = object_behind(scene, hit->before, &toggled, &hit->inside_after);
         if (scene->objects[hit->after].material != scene->objects[hit->before].material) {
             describe_hit(scene, ray, &crossing, hit);
             return true;
@@ -194,21 +243,24 @@ bool ray_hit(const struct scene *scene, const struct ray *ray, struct hit *hit,
     return false;
 }
 
+static bool throws_shadow(const struct scene *scene, const struct primitive_set *inside) {
+    return scene->materials[scene->objects[object_at(scene, inside, true)].material].casts_shadow;
+}
+
 bool ray_is_shadowed(const struct scene *scene, const struct ray *ray, real_length distance,
                      struct render_counts *counts) {
-    const struct search search = {scene, local_ray_world(ray->origin, ray->direction),
-                                  &scene->shadow_primitives, ray->surface};
-    struct primitive_set inside = ray->inside;
+    struct search search;
+    struct primitive_set inside = ray->inside, toggled;
     real_length from = REAL_LENGTH(0.0);
     struct crossing crossing;
+    start_search(&search, scene, ray, &scene->shadow_primitives);
     counts->shadow_rays++;
-    while (
-        !scene->materials[scene->objects[object_at(scene, &inside, true)].material].casts_shadow) {
-        if (!next_crossing(&search, &inside, from, &crossing, counts) ||
+    while (!throws_shadow(scene, &inside)) {
+        if (!next_crossing(&search, &inside, from, &crossing, &toggled, counts) ||
             !length_less(crossing.t, distance)) {
             return false;
         }
-        set_toggle(&inside, &crossing.toggled);
+        set_toggle(&inside, &toggled);
         from = crossing.t;
     }
     return true;

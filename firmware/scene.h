@@ -33,7 +33,10 @@ struct primitive {
     uint8_t index;      /* into the table of that kind */
     uint8_t frame;      /* into frames, or FRAME_WORLD */
     bool left_for_good; /* curved and convex: a ray that has left its surface never returns */
+    uint8_t enclosure;  /* the primitive that it lies strictly within, or ENCLOSURE_NONE */
 };
+
+enum { ENCLOSURE_NONE = 0xFF };
 
 /* The points with minimum <= p < maximum. Faces: 0 1 2 the low ones of x y z, 3 4 5 the high ones.
  */
@@ -77,7 +80,8 @@ struct object {
     uint16_t program; /* first byte in programs */
     uint8_t length;
     uint8_t material;
-    bool in_shadow_test; /* it, or what it may cut away from, can keep light off a surface */
+    bool in_shadow_test;       /* it, or what it may cut away from, can keep light off a surface */
+    struct primitive_set uses; /* the primitives of its program */
 };
 
 /* Bytes of a program: below PROGRAM_UNION the number of a primitive. */
@@ -130,6 +134,7 @@ struct material {
 
 struct light {
     bool parallel;
+    bool casts_shadows;       /* something may stand between it and a surface */
     struct direction towards; /* parallel: where the light comes from */
     struct point position;    /* otherwise */
     struct colours colour;    /* Ip */
@@ -172,6 +177,7 @@ struct scene {
     const struct plane *planes;
     const struct quadric *quadrics;
     const struct primitive_set *surfaces; /* by surface: the primitives that it bounds */
+    const struct primitive_set *enclosed; /* by primitive: those whose enclosure it is */
     const uint8_t *programs;
     const struct object *objects;     /* [OBJECT_AIR] first */
     const struct material *materials; /* [MATERIAL_AIR] first */
@@ -182,7 +188,6 @@ struct scene {
     /* What can stand between a surface and a light: the primitives of the objects that are marked
      * in_shadow_test. */
     struct primitive_set shadow_primitives;
-    bool has_shadows;
 
     uint8_t show;      /* enum show */
     uint8_t show_bits; /* 1..8, of SHOW_BITS; 8 otherwise */

@@ -68,7 +68,7 @@ static struct colours lit_by(const struct scene *scene, const struct material *m
     if (!unit_less(REAL_UNIT(0.0), cosine)) {
         return none;
     }
-    if (FEATURE_SHADOWS && scene->has_shadows) {
+    if (FEATURE_SHADOWS && light->casts_shadows) {
         const struct ray shadow = {hit->where, towards, hit->inside_before, hit->surface,
                                    hit->before};
         if (ray_is_shadowed(scene, &shadow, distance, counts)) {

@@ -2,27 +2,31 @@
 /* Primitives: a ray in their coordinates, their surfaces, their normals. */
 #include "solids.h"
 
-static real_slope slope_unless_zero(real_unit u) {
-    return unit_is_zero(u) ? slope_of(REAL_UNIT(1.0)) : slope_of(u);
+static void set_slope(struct local_ray *ray, uint8_t axis, real_unit u) {
+    bool level = unit_is_zero(u);
+    ray->slope[axis] = slope_of(level ? REAL_UNIT(1.0) : u);
+    ray->level = (uint8_t)(ray->level | level << axis);
+    ray->falling = (uint8_t)(ray->falling | unit_is_negative(u) << axis);
 }
 
-struct local_ray local_ray_world(struct point origin, struct direction direction) {
-    struct local_ray ray = {origin,
-                            direction,
-                            {slope_unless_zero(direction.x), slope_unless_zero(direction.y),
-                             slope_unless_zero(direction.z)}};
-    return ray;
+void local_ray_world(struct local_ray *ray, struct point origin, struct direction direction) {
+    ray->origin = origin;
+    ray->direction = direction;
+    ray->level = ray->falling = 0;
+    set_slope(ray, 0, direction.x);
+    set_slope(ray, 1, direction.y);
+    set_slope(ray, 2, direction.z);
 }
 
-struct local_ray local_ray_in(const struct frame *frame, struct point origin,
-                              struct direction direction) {
+void local_ray_in(struct local_ray *ray, const struct frame *frame, struct point origin,
+                  struct direction direction) {
     struct point p = point_subtract(origin, frame->origin);
     struct point local = {point_dot(p, frame->axis[0]), point_dot(p, frame->axis[1]),
                           point_dot(p, frame->axis[2])};
     struct direction turned = {direction_dot(direction, frame->axis[0]),
                                direction_dot(direction, frame->axis[1]),
                                direction_dot(direction, frame->axis[2])};
-    return local_ray_world(local, turned);
+    local_ray_world(ray, local, turned);
 }
 
 static struct segment polyhedron_segment(const struct scene *scene,
@@ -153,7 +157,7 @@ uint8_t primitive_segments(const struct scene *scene, const struct primitive *pr
         return 1;
     }
     if (FEATURE_ROTATION && primitive->frame != FRAME_WORLD) {
-        local = local_ray_in(&scene->frames[primitive->frame], world->origin, world->direction);
+        local_ray_in(&local, &scene->frames[primitive->frame], world->origin, world->direction);
         ray = &local;
     }
     if (FEATURE_QUADRIC && primitive->kind == PRIMITIVE_QUADRIC) {

@@ -9,7 +9,9 @@
 struct local_ray {
     struct point origin;
     struct direction direction;
-    real_slope slope[3]; /* of the direction's components; unset where one is zero */
+    real_slope slope[3]; /* of the direction's components; that of 1 where one is zero */
+    uint8_t level;       /* bit 0, 1, 2: the component along x, y, z is zero */
+    uint8_t falling;     /* bit 0, 1, 2: it is negative */
 };
 
 /* The stretch in .. out of a ray that lies inside a primitive. Where the ray misses, `hit` is false
@@ -21,10 +23,10 @@ struct segment {
     bool hit;
 };
 
-struct local_ray local_ray_world(struct point origin, struct direction direction);
+void local_ray_world(struct local_ray *ray, struct point origin, struct direction direction);
 
-struct local_ray local_ray_in(const struct frame *frame, struct point origin,
-                              struct direction direction);
+void local_ray_in(struct local_ray *ray, const struct frame *frame, struct point origin,
+                  struct direction direction);
 
 /* Where a ray starts: on a surface of the primitive, or SURFACE_NONE; and whether it is inside. A
  * face on that surface lies at exactly 0, and is not where a ray that is inside leaves. */
@@ -47,49 +49,40 @@ static inline void segment_leave(struct segment *segment, real_length t, uint8_t
     }
 }
 
-/* One axis of a box's test. */
-struct slab {
-    real_length origin, minimum, maximum;
-    real_unit direction;
-    real_slope slope;
-};
-
-static inline void box_clip(const struct slab *slab, uint8_t axis, const uint16_t *surface,
+/* One axis of a box: origin and slope of the ray, low and high face of the box. A ray that is
+ * inside is asked only where it leaves. */
+static inline void box_axis(const struct local_ray *ray, uint8_t axis, real_length origin,
+                            real_length low, real_length high, const uint16_t *surface,
                             struct start start, struct segment *segment) {
-    if (unit_is_zero(slab->direction)) {
-        if (length_less(slab->origin, slab->minimum) || !length_less(slab->origin, slab->maximum)) {
-            segment->hit = false;
-        }
+    if (ray->level >> axis & 1) {
+        segment->hit = segment->hit && !length_less(origin, low) && length_less(origin, high);
         return;
     }
-    real_length low = length_over(length_subtract(slab->minimum, slab->origin), slab->slope);
-    real_length high = length_over(length_subtract(slab->maximum, slab->origin), slab->slope);
-    bool backwards = unit_is_negative(slab->direction);
-    uint8_t low_face = axis, high_face = (uint8_t)(axis + 3);
-    real_length in = backwards ? high : low;
-    real_length out = backwards ? low : high;
-    uint8_t in_face = backwards ? high_face : low_face;
-    uint8_t out_face = backwards ? low_face : high_face;
-    segment_enter(segment, surface[in_face] == start.surface ? REAL_LENGTH(0.0) : in, in_face);
+    bool falling = (ray->falling >> axis & 1) != 0;
+    uint8_t in_face = falling ? (uint8_t)(axis + 3) : axis;
+    uint8_t out_face = falling ? axis : (uint8_t)(axis + 3);
     if (surface[out_face] != start.surface) {
-        segment_leave(segment, out, out_face);
+        real_length ahead = length_subtract(falling ? low : high, origin);
+        segment_leave(segment, length_over(ahead, ray->slope[axis]), out_face);
     } else if (!start.inside) {
         segment_leave(segment, REAL_LENGTH(0.0), out_face);
     }
+    if (start.inside) {
+        return;
+    }
+    real_length in = REAL_LENGTH(0.0);
+    if (surface[in_face] != start.surface) {
+        in = length_over(length_subtract(falling ? high : low, origin), ray->slope[axis]);
+    }
+    segment_enter(segment, in, in_face);
 }
 
 static inline struct segment box_segment(const struct box *box, const struct local_ray *ray,
                                          struct start start) {
     struct segment segment = {length_negate(LENGTH_FAR), LENGTH_FAR, 0, 0, true};
-    const struct slab x = {ray->origin.x, box->minimum.x, box->maximum.x, ray->direction.x,
-                           ray->slope[0]};
-    const struct slab y = {ray->origin.y, box->minimum.y, box->maximum.y, ray->direction.y,
-                           ray->slope[1]};
-    const struct slab z = {ray->origin.z, box->minimum.z, box->maximum.z, ray->direction.z,
-                           ray->slope[2]};
-    box_clip(&x, 0, box->surface, start, &segment);
-    box_clip(&y, 1, box->surface, start, &segment);
-    box_clip(&z, 2, box->surface, start, &segment);
+    box_axis(ray, 0, ray->origin.x, box->minimum.x, box->maximum.x, box->surface, start, &segment);
+    box_axis(ray, 1, ray->origin.y, box->minimum.y, box->maximum.y, box->surface, start, &segment);
+    box_axis(ray, 2, ray->origin.z, box->minimum.z, box->maximum.z, box->surface, start, &segment);
     segment.hit = segment.hit && length_less(segment.in, segment.out);
     return segment;
 }

@@ -26,19 +26,4 @@ struct board_options {
     double frame_seconds; /* what the whole frame takes; 0: not known */
 };
 
-/* These read a value; false if it is not allowed. */
-bool read_picture_kind(struct board_options *options, const char *value);
-bool read_native(struct board_options *options, const char *value);
-bool read_stop(struct board_options *options, const char *value);
-bool read_bus_wait(struct board_options *options, const char *value);
-bool read_frame_seconds(struct board_options *options, const char *value);
-
-/* A list of faults with commas between: seed=N, lose=N, flip=N, flip-read=N (one access in N, N
- * 1..1000000000), dead=PORT, absent, vanish=N (after N accesses), lost (and the bus says so). */
-bool read_faults(struct board_options *options, const char *value);
-
-/* What read_faults() allows, for messages and the help. */
-#define FAULTS_ALLOWED                                                                             \
-    "seed=N, lose=N, flip=N, flip-read=N, dead=PORT, absent, vanish=N, lost, with commas between"
-
 #endif

@@ -34,7 +34,10 @@ int run_compile(const struct options *options);
 int run_export(const struct options *options);
 int run_tree(const struct options *options);
 int run_replay(const struct options *options);
+int run_devices(const struct options *options);
+int run_adapter(const struct options *options);
 int run_compare(const struct options *options);
+int run_paper(const struct options *options);
 int run_trace(const struct options *options);
 
 #if defined(__GNUC__)

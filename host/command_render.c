@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "adapter_bus.h"
 #include "arithmetic.h"
 #include "board_picture.h"
 #include "command.h"
@@ -27,7 +28,8 @@ struct render_run {
     const char *scene_name;
     struct timespec began;
     struct compiled_scene *compiled;
-    struct ports_linux ports; /* of --bus ports */
+    struct ports_linux ports;   /* of --bus ports */
+    struct adapter_bus adapter; /* of --bus usb and hid */
     struct port_chain *chain;
     struct exposures *exposures; /* NULL: the scene is not shown by exposures, or to no board */
     struct output picture, trace, stats;
@@ -103,6 +105,13 @@ static int prepare(struct render_run *run) {
     if (options->bus == BUS_CHOICE_PORTS) {
         port_chain_end_at(run->chain, &run->ports.bus);
     }
+    if (adapter_bus_is_asked(options)) {
+        status = adapter_bus_open(&run->adapter, options);
+        if (status != STATUS_DONE) {
+            return status;
+        }
+        port_chain_end_at(run->chain, &run->adapter.usb->bus);
+    }
     status = equip_chain(run->chain, options);
     if (status == STATUS_DONE) {
         status = open_exposures(run);
@@ -148,18 +157,33 @@ static bool write_picture(struct render_run *run) {
     return picture_write(&run->picture, run->exposures->rgb);
 }
 
+/* Which rows are there, after a failure. A pixel is two by two dots where the picture fits. */
+static void explain_adapter(const struct render_run *run) {
+    const struct compiled_scene *compiled = run->compiled;
+    bool is_doubled = compiled->width <= BOARD_WIDTH / 2 && compiled->height <= BOARD_HEIGHT / 2;
+    adapter_bus_explain(&run->adapter, run->options->has_rows ? run->options->first_row : 0,
+                        run->options->has_rows ? run->options->last_row : compiled->height,
+                        is_doubled ? 2 : 1);
+}
+
 /* Ends the trace, then writes the rest of what was asked for. */
 static int write_results(struct render_run *run) {
     enum bus_status bus = port_chain_finish(run->chain);
     if (bus != BUS_OK) {
         if (run->trace.file != NULL && bus == BUS_IO_ERROR) {
             output_complain(&run->trace, strerror(run->chain->recorder.error_number));
+        } else if (run->adapter.usb != NULL) {
+            explain_adapter(run);
         } else {
             complain("the ports: %s", bus_status_text(bus));
         }
         return STATUS_FAILED;
     }
     if (run->trace.file != NULL && !output_commit(&run->trace)) {
+        return STATUS_FAILED;
+    }
+    if (run->options->adapter.verify_percent > 0 &&
+        adapter_bus_verify(&run->adapter, run->options) != STATUS_DONE) {
         return STATUS_FAILED;
     }
     if (run->exposures != NULL) {
@@ -224,6 +248,7 @@ int run_render(const struct options *options) {
     output_discard(&run.stats);
     exposures_free(run.exposures);
     port_chain_free(run.chain);
+    adapter_bus_close(&run.adapter);
     free(run.compiled);
     return status;
 }

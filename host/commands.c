@@ -16,9 +16,9 @@ const struct command commands[] = {
     {"compare", "A.png B.png", "Measure how far two pictures of the same size are apart.", 2, 2,
      run_compare},
     {"measure", "[SCENE...]", "Measure speed against accuracy.", 0, 1000, NULL},
-    {"paper", "", "Make every figure of the paper.", 0, 0, NULL},
-    {"devices", "", "List the adapters that are plugged in.", 0, 0, NULL},
-    {"adapter", "", "Be a virtual USB adapter.", 0, 0, NULL},
+    {"paper", "", "Make every figure of the paper, and measure its claims.", 0, 0, run_paper},
+    {"devices", "", "List the adapters that are plugged in.", 0, 0, run_devices},
+    {"adapter", "", "Be a virtual USB adapter with the emulated board behind it.", 0, 0, run_adapter},
     {"trace", "TRACE", "Tell a port trace in words.", 1, 1, run_trace},
     {"boot", "IMAGE.hdm", "Run a PC-98 floppy image.", 1, 1, NULL},
     {NULL, NULL, NULL, 0, 0, NULL}};

@@ -98,4 +98,16 @@ bool compile_materials(struct compiler *compiler);
 void compile_lights(struct compiler *compiler);
 void compile_shadows(struct compiler *compiler);
 
+/* Which primitives lie within which: what a ray need not be tried against. */
+void compile_enclosures(struct compiler *compiler);
+
+/* How far a primitive reaches along a direction of length 1; infinite where it has no end, or where
+ * that is not known. */
+double primitive_reach(const struct compiled_scene *scene, int primitive,
+                       const double direction[3]);
+
+/* Whether a set has a primitive, and putting it in. */
+bool compiled_set_has(const struct compiled_set *set, int primitive);
+void compiled_set_include(struct compiled_set *set, int primitive);
+
 #endif

@@ -173,31 +173,3 @@ void compile_lights(struct compiler *compiler) {
         }
     }
 }
-
-static void include_program(struct compiled_scene *scene, const struct compiled_object *object) {
-    for (uint8_t i = 0; i < object->length; i++) {
-        uint8_t code = scene->programs[object->program + i];
-        if (code < CODE_UNION) {
-            scene->shadow_primitives.word[code / 32] |= (uint32_t)1 << code % 32;
-        }
-    }
-}
-
-/* What can keep light off: the objects that cast shadows, and those after them that may fill some
- * of their place with something that does not. */
-void compile_shadows(struct compiler *compiler) {
-    struct compiled_scene *scene = compiler->scene;
-    for (uint8_t i = 1; i < scene->object_count; i++) {
-        struct compiled_object *object = &scene->objects[i];
-        bool matters = scene->materials[object->material].casts_shadow;
-        scene->has_shadows = scene->has_shadows || (matters && scene->light_count > 0);
-        for (uint8_t j = 1; j < i && !matters; j++) {
-            matters = scene->materials[scene->objects[j].material].casts_shadow &&
-                      bounds_overlap(&compiler->object_bounds[i], &compiler->object_bounds[j]);
-        }
-        object->in_shadow_test = matters;
-        if (matters) {
-            include_program(scene, object);
-        }
-    }
-}

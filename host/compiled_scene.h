@@ -13,7 +13,7 @@
  * already. host/arithmetic/load.c turns this into tables in memory, host/emit.c into C source. */
 
 enum {
-    COMPILED_PRIMITIVES_MOST = 128,
+    COMPILED_PRIMITIVES_MOST = 64,
     COMPILED_SURFACES_MOST = 768,
     COMPILED_FRAMES_MOST = 128,
     COMPILED_PLANES_MOST = 512,
@@ -34,6 +34,7 @@ struct compiled_frame {
 struct compiled_primitive {
     uint8_t kind, index, frame;
     bool left_for_good;
+    uint8_t enclosure;
     unsigned line; /* of the scene file, for what an arithmetic may find wrong with it */
 };
 
@@ -70,6 +71,7 @@ struct compiled_object {
     uint8_t length;
     uint8_t material;
     bool in_shadow_test;
+    struct compiled_set uses;
     unsigned line;          /* of the scene file */
     double low[3], high[3]; /* bounds, perhaps infinite; no part of the firmware's tables */
 };
@@ -97,7 +99,7 @@ struct compiled_specular_table {
 };
 
 struct compiled_light {
-    bool parallel;
+    bool parallel, casts_shadows;
     double towards[3], position[3], colour[3];
 };
 
@@ -136,6 +138,7 @@ struct compiled_scene {
     struct compiled_plane planes[COMPILED_PLANES_MOST];
     struct compiled_quadric quadrics[COMPILED_PRIMITIVES_MOST];
     struct compiled_set surfaces[COMPILED_SURFACES_MOST];
+    struct compiled_set enclosed[COMPILED_PRIMITIVES_MOST];
     uint8_t programs[COMPILED_PROGRAM_BYTES_MOST];
     struct compiled_object objects[COMPILED_OBJECTS_MOST];
     struct compiled_material materials[COMPILED_MATERIALS_MOST];
@@ -144,7 +147,7 @@ struct compiled_scene {
     struct compiled_light lights[SCENE_LIGHTS_MOST];
 
     struct compiled_set shadow_primitives;
-    bool has_shadows;
+    bool has_shadows; /* some light casts them; no part of the firmware's tables */
 
     uint8_t show, show_bits; /* enum compiled_show */
     uint32_t seed;
@@ -162,7 +165,8 @@ enum {
     CODE_DIFFERENCE = 0xFF,
     WORLD_FRAME = 0xFF,
     NO_PATTERN = 0xFF,
-    NO_TABLE = 0xFF
+    NO_TABLE = 0xFF,
+    NO_ENCLOSURE = 0xFF
 };
 
 enum compiled_show { COMPILED_FULL, COMPILED_BITS, COMPILED_DITHER, COMPILED_EXPOSURES };

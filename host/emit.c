@@ -95,8 +95,8 @@ static void emit_primitives(FILE *out, const struct compiled_scene *scene) {
     fprintf(out, "\nstatic const struct primitive primitives[] = {\n");
     for (int i = 0; i < scene->primitive_count; i++) {
         const struct compiled_primitive *primitive = &scene->primitives[i];
-        fprintf(out, "    {%u, %u, %u, %s},\n", primitive->kind, primitive->index, primitive->frame,
-                truth(primitive->left_for_good));
+        fprintf(out, "    {%u, %u, %u, %s, %u},\n", primitive->kind, primitive->index,
+                primitive->frame, truth(primitive->left_for_good), primitive->enclosure);
     }
     fprintf(out, "};\n\nstatic const struct primitive_set surfaces[] = {\n");
     for (int i = 0; i < scene->surface_count; i++) {
@@ -115,8 +115,10 @@ static void emit_objects(FILE *out, const struct compiled_scene *scene) {
     fprintf(out, "\n};\n\nstatic const struct object objects[] = {\n");
     for (int i = 0; i < scene->object_count; i++) {
         const struct compiled_object *object = &scene->objects[i];
-        fprintf(out, "    {%u, %u, %u, %s},\n", object->program, object->length, object->material,
+        fprintf(out, "    {%u, %u, %u, %s, ", object->program, object->length, object->material,
                 truth(object->in_shadow_test));
+        emit_set(out, &object->uses, features_primitive_words(scene));
+        fprintf(out, "},\n");
     }
     fprintf(out, "};\n");
 }
@@ -186,7 +188,7 @@ static void emit_lights(FILE *out, const struct compiled_scene *scene) {
     fprintf(out, "\nstatic const struct light lights[] = {\n");
     for (int i = 0; i < scene->light_count; i++) {
         const struct compiled_light *light = &scene->lights[i];
-        fprintf(out, "    {%s, ", truth(light->parallel));
+        fprintf(out, "    {%s, %s, ", truth(light->parallel), truth(light->casts_shadows));
         emit_vector(out, "REAL_UNIT", light->towards);
         fprintf(out, ",\n     ");
         emit_vector(out, "REAL_LENGTH", light->position);
@@ -228,17 +230,18 @@ static void emit_scene(FILE *out, const struct compiled_scene *scene, const char
     emit_camera(out, &scene->camera, features_primitive_words(scene));
     fprintf(out, "    %u, %u, %u,\n", scene->primitive_count, scene->object_count,
             scene->light_count);
-    fprintf(out, "    %s, %s, %s, %s, %s, %s, %s, %s, %s, objects, materials, %s, %s, %s,\n    ",
-            table(scene->frame_count, "frames"), table(scene->primitive_count, "primitives"),
-            table(scene->box_count, "boxes"), table(scene->ball_count, "balls"),
-            table(scene->polyhedron_count, "polyhedra"), table(scene->plane_count, "planes"),
-            table(scene->quadric_count, "quadrics"), table(scene->surface_count, "surfaces"),
-            table(scene->program_length, "programs"), table(scene->pattern_count, "patterns"),
-            table(scene->specular_table_count, "specular_tables"),
-            table(scene->light_count, "lights"));
+    fprintf(
+        out, "    %s, %s, %s, %s, %s, %s, %s, %s, %s, %s, objects, materials, %s, %s, %s,\n    ",
+        table(scene->frame_count, "frames"), table(scene->primitive_count, "primitives"),
+        table(scene->box_count, "boxes"), table(scene->ball_count, "balls"),
+        table(scene->polyhedron_count, "polyhedra"), table(scene->plane_count, "planes"),
+        table(scene->quadric_count, "quadrics"), table(scene->surface_count, "surfaces"),
+        table(scene->primitive_count, "enclosed"), table(scene->program_length, "programs"),
+        table(scene->pattern_count, "patterns"),
+        table(scene->specular_table_count, "specular_tables"), table(scene->light_count, "lights"));
     emit_set(out, &scene->shadow_primitives, features_primitive_words(scene));
-    fprintf(out, ", %s,\n    %u, %u, UINT32_C(%lu)};\n", truth(scene->has_shadows), scene->show,
-            scene->show_bits, (unsigned long)scene->seed);
+    fprintf(out, ",\n    %u, %u, UINT32_C(%lu)};\n", scene->show, scene->show_bits,
+            (unsigned long)scene->seed);
 }
 
 int scene_emit(FILE *out, const struct compiled_scene *scene, const char *name) {

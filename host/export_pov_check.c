@@ -4,7 +4,7 @@
 #include <stdarg.h>
 #include <string.h>
 
-#include "export_pov.h"
+#include "export_pov_internal.h"
 
 /* Points along each axis where two objects may overlap: what is thinner than this share of the
  * common part of their bounds may be missed. */
@@ -32,14 +32,10 @@ static bool refuse(struct scene_error *error, const struct scene_description *de
 }
 
 static bool check_scene(const struct scene_description *description, struct scene_error *error) {
-    if (description->model == MODEL_SIMPLE) {
-        return refuse(error, description, 0,
-                      "model simple: POV-Ray does not count rays that go straight on; allowed is: "
-                      "fresnel");
-    }
     if (description->model == MODEL_WAVELENGTH) {
-        return refuse(error, description, 0,
-                      "model wavelength: POV-Ray's dispersion is another one; allowed is: fresnel");
+        return refuse(
+            error, description, 0,
+            "model wavelength: POV-Ray's dispersion is another one; allowed is: fresnel or simple");
     }
     if (description->mixing == MIXING_FILTER) {
         return refuse(error, description, 0,
@@ -60,12 +56,6 @@ static bool check_material(const struct scene_description *description,
         return refuse(error, description, material->line,
                       "material \"%.40s\": POV-Ray has no w(theta) from a table; allowed is: one "
                       "number as specular",
-                      material->name);
-    }
-    if (material->transparent && material->casts_shadow) {
-        return refuse(error, description, material->line,
-                      "material \"%.40s\": POV-Ray lets light through a transparent solid; allowed "
-                      "is: casts_shadow = false",
                       material->name);
     }
     return true;
@@ -115,32 +105,6 @@ static bool overlap(const struct compiled_scene *scene, uint8_t a, uint8_t b) {
     return false;
 }
 
-/* Whether an object's program names a primitive that this surface bounds. */
-static bool has_surface(const struct compiled_scene *scene, uint8_t index, unsigned surface) {
-    const struct compiled_object *object = &scene->objects[index];
-    for (uint8_t i = 0; i < object->length; i++) {
-        uint8_t code = scene->programs[object->program + i];
-        if (code < CODE_UNION && (scene->surfaces[surface].word[code / 32] >> code % 32 & 1)) {
-            return true;
-        }
-    }
-    return false;
-}
-
-/* Whether two objects may lie on each other with a face. */
-static bool touch(const struct compiled_scene *scene, uint8_t a, uint8_t b) {
-    double low[3], high[3];
-    if (!common_bounds(&scene->objects[a], &scene->objects[b], low, high)) {
-        return false;
-    }
-    for (unsigned i = 0; i < scene->surface_count; i++) {
-        if (has_surface(scene, a, i) && has_surface(scene, b, i)) {
-            return true;
-        }
-    }
-    return false;
-}
-
 /* What an opaque object fills of a transparent one before it needs no care: no ray gets there. All
  * else that a transparent object has in common with another one POV-Ray shows otherwise. */
 static bool check_pair(const struct scene_description *description,
@@ -152,20 +116,22 @@ static bool check_pair(const struct scene_description *description,
     if (!a_transparent && !b_transparent) {
         return true;
     }
-    if (touch(scene, earlier, later)) {
+    double low[3], high[3];
+    if (common_bounds(a, b, low, high) && export_pov_touch(scene, earlier, later, low, high)) {
         return refuse(error, description, b->line,
-                      "object \"%s\" has a face in one plane with \"%s\": POV-Ray loses a boundary "
-                      "where they touch; allowed is: a gap",
+                      "object \"%s\" touches \"%s\" with a face: POV-Ray loses a boundary there; "
+                      "allowed is: a gap",
                       scene->object_names[later], scene->object_names[earlier]);
     }
     if (b_transparent && overlap(scene, earlier, later)) {
         return refuse(error, description, b->line, "object \"%s\" overlaps \"%s\": %s",
                       scene->object_names[later], scene->object_names[earlier],
-                      a_transparent ? "POV-Ray 3.7 takes Fresnel's formula with n = 1 where a ray "
-                                      "leaves the inner one; allowed is: to cut one out of the "
-                                      "other, with a gap"
-                                    : "POV-Ray would see the opaque one in it; allowed is: the "
-                                      "opaque one after it");
+                      a_transparent
+                          ? "POV-Ray 3.7 knows no boundary of two media (its Fresnel has n = "
+                            "1 there); allowed is: to cut one out of the other, with a "
+                            "gap"
+                          : "POV-Ray would see the opaque one in it; allowed is: the "
+                            "opaque one after it");
     }
     return true;
 }
@@ -179,6 +145,12 @@ bool export_pov_check(const struct scene_description *description,
         uint8_t material = scene->objects[i].material;
         if (!check_material(description, &description->materials[material - 1], error)) {
             return false;
+        }
+        if (export_pov_has_seam(scene, i)) {
+            return refuse(error, description, scene->objects[i].line,
+                          "object \"%s\" is made of solids with a common face: POV-Ray takes noise "
+                          "for its inside there; allowed is: solids that reach over each other",
+                          scene->object_names[i]);
         }
         for (uint8_t j = 1; j < i; j++) {
             if (!check_pair(description, scene, j, i, error)) {

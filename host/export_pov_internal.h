@@ -27,4 +27,11 @@ void export_pov_materials(FILE *out, const struct scene_description *description
 void export_pov_objects(FILE *out, const struct scene_description *description,
                         const struct compiled_scene *scene);
 
+/* Whether a face of one object lies on a face of another somewhere within these bounds. */
+bool export_pov_touch(const struct compiled_scene *scene, uint8_t a, uint8_t b, const double low[3],
+                      const double high[3]);
+
+/* Whether faces of two of an object's own solids lie on each other, so that it matters. */
+bool export_pov_has_seam(const struct compiled_scene *scene, uint8_t object);
+
 #endif

@@ -14,9 +14,9 @@
  * light that it adds is less than 1/60000 of a level. */
 #define TRACE_OF_COLOUR 0x1p-24
 
-/* POV-Ray does not count a ray as a new one where both indices are the same. This much more makes
- * it count, and bends nothing by a pixel. */
-#define INDEX_STEP 1e-7
+/* POV-Ray does not count a ray as a new one where both indices are the same. The next number of its
+ * single precision makes it count, and bends nothing by a pixel. */
+#define INDEX_STEP 0x1p-23
 
 /* POV-Ray takes a point for the next cell where less than this share of the cell is left. */
 #define CHECKER_TOLERANCE 0.001
@@ -33,8 +33,19 @@ void export_pov_material_name(const struct scene_description *description, uint8
     }
 }
 
-static bool is_index_of_air(const struct compiled_material *material) {
-    return fabs(material->ior[0] - 1) < INDEX_STEP;
+/* Whether rays go straight on, and none is reflected. */
+static bool is_straight(const struct compiled_scene *scene,
+                        const struct compiled_material *material) {
+    return scene->simple || fabs(material->ior[0] - 1) < INDEX_STEP / 2;
+}
+
+/* What POV-Ray's single precision makes of 1 - T. */
+static double opacity_of(const struct compiled_scene *scene,
+                         const struct compiled_material *material) {
+    if (!material->transparent) {
+        return 1;
+    }
+    return scene->simple ? fmax(1 - (double)(float)material->transmittance, OPACITY) : OPACITY;
 }
 
 /* a Ia or a Ic is POV-Ray's emission, which it multiplies by the pigment; the pigment is made
@@ -66,18 +77,19 @@ static void write_highlight(FILE *out, const struct compiled_material *material,
     }
 }
 
-static void write_reflection(FILE *out, const struct compiled_material *material) {
+static void write_reflection(FILE *out, const struct compiled_scene *scene,
+                             const struct compiled_material *material) {
     if (!material->transparent && material->specular > 0) {
         (void)fprintf(out, "\n        reflection { %.17g }", material->specular);
-    } else if (material->transparent && !is_index_of_air(material)) {
+    } else if (material->transparent && !is_straight(scene, material)) {
         (void)fputs("\n        reflection { 0, 1 fresnel on } conserve_energy", out);
     }
 }
 
-static void write_texture(FILE *out, const struct compiled_material *material,
-                          const double colour[3], bool blinn) {
+static void write_texture(FILE *out, const struct compiled_scene *scene,
+                          const struct compiled_material *material, const double colour[3]) {
     double pigment[3];
-    double scale = material->transparent ? 1 / OPACITY : 1;
+    double opacity = opacity_of(scene, material);
     for (int i = 0; i < 3; i++) {
         pigment[i] = colour[i] / 255;
         if (material->ambient[i] > 0) {
@@ -85,20 +97,21 @@ static void write_texture(FILE *out, const struct compiled_material *material,
         }
     }
     (void)fputs("    texture {\n        pigment { rgb ", out);
-    export_pov_vector(out, pigment[0] * scale, pigment[1] * scale, pigment[2] * scale);
+    export_pov_vector(out, pigment[0] / opacity, pigment[1] / opacity, pigment[2] / opacity);
     if (material->transparent) {
-        (void)fprintf(out, " transmit %.17g", 1 - OPACITY);
+        (void)fprintf(out, " transmit %.17g", 1 - opacity);
     }
     (void)fprintf(out, " }\n        finish { ambient 0 diffuse %.17g", material->diffuse);
     write_emission(out, material, pigment);
-    write_highlight(out, material, blinn);
-    write_reflection(out, material);
+    write_highlight(out, material, scene->blinn);
+    write_reflection(out, scene, material);
     (void)fputs(" }\n    }\n", out);
 }
 
 /* Cells of two colours: POV-Ray's checker has cells of size 1, the even ones first. */
-static void write_pattern(FILE *out, const struct compiled_pattern *pattern,
-                          const struct compiled_material *material, bool blinn) {
+static void write_pattern(FILE *out, const struct compiled_scene *scene,
+                          const struct compiled_material *material) {
+    const struct compiled_pattern *pattern = &scene->patterns[material->pattern];
     double size[3], origin[3];
     for (int i = 0; i < 3; i++) {
         bool changes = (pattern->axes >> i & 1) != 0;
@@ -106,8 +119,8 @@ static void write_pattern(FILE *out, const struct compiled_pattern *pattern,
         origin[i] = changes ? pattern->origin[i] + CHECKER_TOLERANCE * size[i] : -WHOLE_CELL / 2;
     }
     (void)fputs("    texture {\n    checker\n", out);
-    write_texture(out, material, material->colour, blinn);
-    write_texture(out, material, pattern->colour, blinn);
+    write_texture(out, scene, material, material->colour);
+    write_texture(out, scene, material, pattern->colour);
     (void)fputs("    scale ", out);
     export_pov_vector(out, size[0], size[1], size[2]);
     (void)fputs("\n    translate ", out);
@@ -115,8 +128,9 @@ static void write_pattern(FILE *out, const struct compiled_pattern *pattern,
     (void)fputs("\n    }\n", out);
 }
 
-static void write_interior(FILE *out, const struct compiled_material *material) {
-    double ior = is_index_of_air(material) ? 1 + INDEX_STEP : material->ior[0];
+static void write_interior(FILE *out, const struct compiled_scene *scene,
+                           const struct compiled_material *material) {
+    double ior = is_straight(scene, material) ? 1 + INDEX_STEP : material->ior[0];
     (void)fprintf(out, "    interior {\n        ior %.17g\n", ior);
     if (material->absorbs) {
         (void)fputs("        media { absorption rgb ", out);
@@ -147,12 +161,12 @@ void export_pov_materials(FILE *out, const struct scene_description *description
         export_pov_material_name(description, i, name);
         (void)fprintf(out, "#declare %s = material {\n", name);
         if (material->pattern == NO_PATTERN) {
-            write_texture(out, material, material->colour, scene->blinn);
+            write_texture(out, scene, material, material->colour);
         } else {
-            write_pattern(out, &scene->patterns[material->pattern], material, scene->blinn);
+            write_pattern(out, scene, material);
         }
         if (material->transparent) {
-            write_interior(out, material);
+            write_interior(out, scene, material);
         }
         (void)fputs("}\n\n", out);
     }

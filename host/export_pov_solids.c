@@ -177,26 +177,41 @@ static void write_bounds(FILE *out, const struct compiled_scene *scene,
     (void)fputs(" } }\n", out);
 }
 
+static void write_object(FILE *out, const struct pov_tree *tree, uint8_t root,
+                         const struct compiled_object *object, const char *modifiers) {
+    write_node(out, tree, root, 0);
+    (void)fprintf(out, "\n%s", modifiers);
+    write_bounds(out, tree->scene, object);
+    (void)fputs("}\n\n", out);
+}
+
+/* POV-Ray lets light through what is transparent. What casts a shadow none the less has an opaque
+ * twin that shadow rays alone can meet. */
+static void write_shadow(FILE *out, const struct pov_tree *tree, uint8_t root,
+                         const struct compiled_object *object) {
+    (void)fputs("// its shadow\n", out);
+    write_object(out, tree, root, object,
+                 "    texture { pigment { rgb 0 } }\n    no_image\n    no_reflection\n");
+}
+
 void export_pov_objects(FILE *out, const struct scene_description *description,
                         const struct compiled_scene *scene) {
-    char name[POV_NAME_SIZE];
+    char name[POV_NAME_SIZE], modifiers[POV_NAME_SIZE + 80];
     for (uint8_t i = 1; i < scene->object_count; i++) {
         const struct compiled_object *object = &scene->objects[i];
         const struct compiled_material *material = &scene->materials[object->material];
         struct pov_tree tree;
         tree.scene = scene;
         tree.transparent = material->transparent;
-        export_pov_comment(out, scene->object_names[i]);
-        write_node(out, &tree, read_program(&tree, object), 0);
+        uint8_t root = read_program(&tree, object);
         export_pov_material_name(description, object->material, name);
-        (void)fprintf(out, "\n    material { %s }\n", name);
-        if (!material->casts_shadow) {
-            (void)fputs("    no_shadow\n", out);
+        (void)snprintf(modifiers, sizeof modifiers, "    material { %s }\n%s%s", name,
+                       material->transparent ? "    no_shadow\n" : "",
+                       material->absorbs ? "    hollow\n" : "");
+        export_pov_comment(out, scene->object_names[i]);
+        write_object(out, &tree, root, object, modifiers);
+        if (material->transparent && material->casts_shadow) {
+            write_shadow(out, &tree, root, object);
         }
-        if (material->absorbs) {
-            (void)fputs("    hollow\n", out);
-        }
-        write_bounds(out, scene, object);
-        (void)fputs("}\n\n", out);
     }
 }

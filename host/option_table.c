@@ -5,6 +5,8 @@
 #include <string.h>
 
 #include "arithmetic.h"
+#include "board_setters.h"
+#include "usb_device.h"
 #include "values.h"
 
 #define BIT(command) (1u << COMMAND_##command)
@@ -34,12 +36,6 @@ static int find_word(const char *value, const char *const *words) {
 static bool is_kind(const char *value, const char *word) {
     size_t length = strlen(word);
     return strncmp(value, word, length) == 0 && (value[length] == '\0' || value[length] == ':');
-}
-
-static enum value_verdict not_built(struct options *options, const char *value) {
-    (void)options;
-    (void)value;
-    return VALUE_NOT_BUILT;
 }
 
 static enum value_verdict set_help(struct options *options, const char *value) {
@@ -142,7 +138,9 @@ static enum value_verdict set_keep_exposures(struct options *options, const char
 static enum value_verdict set_bus(struct options *options, const char *value) {
     static const char trace[] = "trace:";
     if (is_kind(value, "usb") || is_kind(value, "hid")) {
-        return VALUE_NOT_BUILT;
+        options->bus = is_kind(value, "usb") ? BUS_CHOICE_USB : BUS_CHOICE_HID;
+        options->adapter.serial = value[3] == ':' ? value + 4 : NULL;
+        return verdict(value[3] == '\0' || value[4] != '\0');
     }
     if (strcmp(value, "ports") == 0) {
         options->bus = BUS_CHOICE_PORTS;
@@ -155,6 +153,39 @@ static enum value_verdict set_bus(struct options *options, const char *value) {
     }
     options->bus = BUS_CHOICE_EMULATOR;
     return verdict(strcmp(value, "emulator") == 0);
+}
+
+static enum value_verdict set_verify(struct options *options, const char *value) {
+    unsigned long percent = 100;
+    if (value != NULL && !value_whole(value, 1, 100, &percent)) {
+        return VALUE_WRONG;
+    }
+    options->adapter.verify_percent = (unsigned)percent;
+    return VALUE_TAKEN;
+}
+
+static enum value_verdict set_wait(struct options *options, const char *value) {
+    (void)value;
+    options->adapter.waits = true;
+    return VALUE_TAKEN;
+}
+
+static enum value_verdict set_serial(struct options *options, const char *value) {
+    size_t length =
+        strspn(value, "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-");
+    options->adapter.serial = value;
+    return verdict(length >= 1 && length <= USB_SERIAL_MOST && value[length] == '\0');
+}
+
+static enum value_verdict set_listen(struct options *options, const char *value) {
+    options->adapter.listen = value;
+    return verdict(value[0] != '\0');
+}
+
+static enum value_verdict set_once(struct options *options, const char *value) {
+    (void)value;
+    options->adapter.once = true;
+    return VALUE_TAKEN;
 }
 
 static enum value_verdict set_trace(struct options *options, const char *value) {
@@ -186,68 +217,6 @@ static enum value_verdict set_base(struct options *options, const char *value) {
     options->has_base = true;
     options->base = (uint16_t)base;
     return VALUE_TAKEN;
-}
-
-static enum value_verdict set_ports_are_mine(struct options *options, const char *value) {
-    (void)value;
-    options->ports_are_mine = true;
-    return VALUE_TAKEN;
-}
-
-static enum value_verdict set_picture(struct options *options, const char *value) {
-    return verdict(read_picture_kind(&options->board, value));
-}
-
-static enum value_verdict set_native(struct options *options, const char *value) {
-    return verdict(read_native(&options->board, value));
-}
-
-static enum value_verdict set_faults(struct options *options, const char *value) {
-    return verdict(read_faults(&options->board, value));
-}
-
-static enum value_verdict set_stop(struct options *options, const char *value) {
-    return verdict(read_stop(&options->board, value));
-}
-
-static enum value_verdict set_bus_wait(struct options *options, const char *value) {
-    return verdict(read_bus_wait(&options->board, value));
-}
-
-static enum value_verdict set_frame_seconds(struct options *options, const char *value) {
-    return verdict(read_frame_seconds(&options->board, value));
-}
-
-static enum value_verdict set_list(struct options *options, const char *value) {
-    (void)value;
-    options->tracing.lists = true;
-    return VALUE_TAKEN;
-}
-
-static enum value_verdict set_statistics(struct options *options, const char *value) {
-    (void)value;
-    options->tracing.counts = true;
-    return VALUE_TAKEN;
-}
-
-static enum value_verdict set_violations(struct options *options, const char *value) {
-    (void)value;
-    options->tracing.judges = true;
-    return VALUE_TAKEN;
-}
-
-static enum value_verdict set_against(struct options *options, const char *value) {
-    options->tracing.against = value;
-    return verdict(value[0] != '\0');
-}
-
-static enum value_verdict set_to(struct options *options, const char *value) {
-    static const char *const words[] = {"binary", "text", NULL};
-    static const enum trace_format formats[] = {TRACE_BINARY, TRACE_TEXT};
-    int word = find_word(value, words);
-    options->tracing.converts = true;
-    options->tracing.to = formats[word >= 0 ? word : 0];
-    return verdict(word >= 0);
 }
 
 static enum value_verdict set_tail(struct options *options, const char *value) {
@@ -319,16 +288,18 @@ static enum value_verdict set_json(struct options *options, const char *value) {
 }
 
 const struct option_entry option_table[] = {
-    {"output", 'o', "FILE", BIT(RENDER) | BIT(COMPILE) | BIT(EXPORT) | TRACE_READERS | BIT(TREE),
+    {"output", 'o', "FILE",
+     BIT(RENDER) | BIT(COMPILE) | BIT(EXPORT) | TRACE_READERS | BIT(TREE) | BIT(PAPER) |
+         BIT(ADAPTER),
      set_output, "a file's name or -", "where the result goes; - is standard output"},
-    {"arith", 0, "NAME", BIT(RENDER) | BIT(TREE), set_arithmetic, arithmetic_names,
+    {"arith", 0, "NAME", BIT(RENDER) | BIT(TREE) | BIT(PAPER), set_arithmetic, arithmetic_names,
      "the firmware's arithmetic (fx)"},
     {"depth", 0, "N", SCENE_READERS, set_depth, "a whole number 0..255",
      "the paper's depth level (the scene's)"},
     {"threshold", 0, "E", SCENE_READERS, set_threshold, "a number or a fraction 0..1",
      "the weight under which a branch ends (the scene's)"},
     {"error", 0, "LSB", SCENE_READERS, set_error, "a number 0..255", NULL},
-    {"size", 0, "WxH", SCENE_READERS, set_size, "1x1..640x400",
+    {"size", 0, "WxH", SCENE_READERS | BIT(PAPER), set_size, "1x1..640x400",
      "the pixels rendered (the scene's)"},
     {"model", 0, "MODEL", SCENE_READERS, set_model, "simple, fresnel, wavelength, absorption",
      "how light is reflected and refracted (the scene's)"},
@@ -340,18 +311,26 @@ const struct option_entry option_table[] = {
      "of the random dither (1)"},
     {"keep-exposures", 0, "FOLDER", BIT(RENDER), set_keep_exposures, "a folder's name",
      "write the eight 8-colour pictures of --colour exposures too"},
-    {"bus", 0, "BUS", BIT(RENDER), set_bus, "emulator, trace:FILE or ports",
+    {"bus", 0, "BUS", BIT(RENDER), set_bus,
+     "emulator, trace:FILE, usb[:SERIAL], hid[:SERIAL] or ports",
      "where the port accesses go (emulator)"},
     {"trace", 0, "FILE", BIT(RENDER), set_trace, "a file's name",
      "record every port access as well"},
     {"rows", 0, "A:B", BIT(RENDER), set_rows, "A:B with 0 <= A < B <= 400",
      "only rows A..B-1; the others are not touched"},
-    {"profile", 0, "BOARD", BOARD_WATCHERS, set_profile, "1987 or later", "which board (1987)"},
-    {"base", 0, "PORT", BOARD_WATCHERS, set_base, "00D0, 02D0, 04D0, 06D0, 08D0, 0AD0 or 0CD0",
-     "the jumper's base address (00D0)"},
+    {"profile", 0, "BOARD", BOARD_WATCHERS | BIT(ADAPTER), set_profile, "1987 or later",
+     "which board (1987)"},
+    {"base", 0, "PORT", BOARD_WATCHERS | BIT(ADAPTER), set_base,
+     "00D0, 02D0, 04D0, 06D0, 08D0, 0AD0 or 0CD0", "the jumper's base address (00D0)"},
     {"tail", 0, "KIND", SCENE_READERS, set_tail, "black", "what a cut branch counts as (black)"},
-    {"verify", 0, NULL, BIT(RENDER), not_built, "", NULL},
-    {"wait", 0, NULL, BIT(RENDER), not_built, "", NULL},
+    {"verify", 0, "[=PERCENT]", BIT(RENDER), set_verify, "a whole number 1..100",
+     "read back what was drawn over USB or HID, or so many of its lines, and repair it"},
+    {"wait", 0, NULL, BIT(RENDER), set_wait, "", "wait for an adapter, and for a lost one"},
+    {"listen", 0, "ADDRESS[:PORT]", BIT(ADAPTER), set_listen, "an address in numbers, a port",
+     "where guests may come from USB/IP (127.0.0.1:3240)"},
+    {"serial", 0, "SERIAL", BIT(ADAPTER), set_serial, "1 to 31 letters, digits and dashes",
+     "the virtual adapter's serial number (VIRTUAL)"},
+    {"once", 0, NULL, BIT(ADAPTER), set_once, "", "end when the first guest leaves"},
     {"yes-these-ports-are-mine", 0, NULL, BIT(RENDER), set_ports_are_mine, "",
      "let --bus ports open them: on a PC they belong to the DMA controller"},
     {"picture", 0, "KIND", BOARD_WATCHERS, set_picture, "screen, memory or whole",
@@ -374,7 +353,8 @@ const struct option_entry option_table[] = {
     {"compare", 0, "TRACE", BIT(TRACE), set_against, "a file's name",
      "print the first difference from another trace; none: exit status 0, else 3"},
     {"to", 0, "FORM", BIT(TRACE), set_to, "binary or text", "convert to -o FILE"},
-    {"jobs", 0, "J", BIT(RENDER), set_jobs, "a whole number 1..256", "worker threads (1)"},
+    {"jobs", 0, "J", BIT(RENDER) | BIT(PAPER), set_jobs, "a whole number 1..256",
+     "worker threads (1)"},
     {"stats", 0, "FILE", BOARD_USERS, set_stats, "a file's name or -",
      "write statistics as JSON; - is standard output"},
     {"strict", 0, "[=GRADE]", BOARD_WATCHERS, set_strict, "P, D, S, I or A",
@@ -388,6 +368,6 @@ const struct option_entry option_table[] = {
     {"pov", 0, NULL, BIT(EXPORT), set_pov, "", "write source for POV-Ray 3.7"},
     {"minimal", 0, NULL, BIT(COMPILE), set_minimal, "",
      "write the feature_set.h of an image for this scene alone"},
-    {"quiet", 0, NULL, BIT(RENDER), set_quiet, "", "no progress bar"},
+    {"quiet", 0, NULL, BIT(RENDER) | BIT(PAPER), set_quiet, "", "no progress bar"},
     {"help", 0, NULL, ~0u, set_help, "", "print this text"},
     {NULL, 0, NULL, 0, NULL, NULL, NULL}};

@@ -105,11 +105,13 @@ static bool differ(const char *a, const char *b) {
 /* What a bus other than the emulator can't do, and what real ports ask for. */
 static bool check_bus(const struct options *options, struct options_error *error) {
     bool is_ports = options->bus == BUS_CHOICE_PORTS;
+    bool is_cable = options->bus == BUS_CHOICE_USB || options->bus == BUS_CHOICE_HID;
+    bool is_far = is_ports || is_cable;
     const char *with = options->board.native != NULL                   ? "--native"
                        : options->board.picture != PICTURE_KIND_SCREEN ? "--picture"
                        : options->board.has_faults                     ? "--faults"
-                       : is_ports && options->output != NULL           ? "--output"
-                       : is_ports && options->strict                   ? "--strict"
+                       : is_far && options->output != NULL             ? "--output"
+                       : is_far && options->strict                     ? "--strict"
                                                                        : NULL;
     if (options->bus != BUS_CHOICE_EMULATOR && with != NULL) {
         return refuse(error, "%s goes with --bus emulator only", with);
@@ -120,6 +122,10 @@ static bool check_bus(const struct options *options, struct options_error *error
     }
     if (!is_ports && options->ports_are_mine) {
         return refuse(error, "--yes-these-ports-are-mine goes with --bus ports only");
+    }
+    if (!is_cable && (options->adapter.waits || options->adapter.verify_percent > 0)) {
+        return refuse(error, "--%s goes with --bus usb and --bus hid only",
+                      options->adapter.waits ? "wait" : "verify");
     }
     return true;
 }
@@ -181,6 +187,10 @@ static bool check_together(enum command_id command, const struct options *option
     }
     if (command == COMMAND_EXPORT && options->output == NULL) {
         return refuse(error, "export: -o FILE is lacking; -o - is standard output");
+    }
+    if (command == COMMAND_PAPER &&
+        (options->output == NULL || strcmp(options->output, "-") == 0)) {
+        return refuse(error, "paper: -o FOLDER is lacking; it can't be standard output");
     }
     if (command == COMMAND_COMPILE && options->output == NULL) {
         return refuse(error, "compile: -o FILE.c is lacking; -o - is standard output");

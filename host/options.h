@@ -7,6 +7,7 @@
 #include <stdint.h>
 #include <stdio.h>
 
+#include "adapter_options.h"
 #include "board.h"
 #include "board_options.h"
 #include "overrides.h"
@@ -30,7 +31,13 @@ enum command_id {
     COMMAND_COUNT
 };
 
-enum bus_choice { BUS_CHOICE_EMULATOR, BUS_CHOICE_TRACE, BUS_CHOICE_PORTS };
+enum bus_choice {
+    BUS_CHOICE_EMULATOR,
+    BUS_CHOICE_TRACE,
+    BUS_CHOICE_PORTS,
+    BUS_CHOICE_USB,
+    BUS_CHOICE_HID
+};
 
 /* What `superframe trace` is asked for. */
 struct trace_options {
@@ -61,6 +68,7 @@ struct options {
     uint16_t base;
     bool ports_are_mine;
     struct board_options board;
+    struct adapter_options adapter;
     struct trace_options tracing;
     unsigned jobs;     /* 1..OPTIONS_JOBS_MOST */
     const char *stats; /* NULL: none; "-": standard output */

@@ -5,9 +5,11 @@
 
 #include <stdbool.h>
 #include <stdint.h>
+#include <stdio.h>
 
 #include "arithmetic.h"
 #include "exposures.h"
+#include "options.h"
 #include "overrides.h"
 #include "paper_claim.h"
 #include "picture.h"

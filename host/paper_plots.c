@@ -68,9 +68,9 @@ static int write_script(const struct paper *paper) {
         return STATUS_FAILED;
     }
     (void)fputs("# Fig. 7 of the paper, from fig7.csv: gnuplot fig7.gp\n"
-                "set terminal pngcairo size 1000,640\n"
+                "set terminal pngcairo size 1000,700\n"
                 "set datafile separator ','\n"
-                "set key outside right top samplen 2\n"
+                "set key below horizontal maxcols 3 Left reverse samplen 2\n"
                 "set xlabel 'depth level N'\n"
                 "set xrange [0:16.5]\n"
                 "set samples 331\n"

@@ -28,7 +28,7 @@ const uint8_t *paper_pixel(const struct paper_photo *photo, unsigned x, unsigned
 /* ---- Changes -------------------------------------------------------------------------------- */
 
 static void swap_pattern(struct scene_material *material) {
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3 && material->pattern.present; i++) {
         double colour = material->colour[i];
         material->colour[i] = material->pattern.colour[i];
         material->pattern.colour[i] = colour;

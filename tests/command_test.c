@@ -1,141 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* The program as its users call it: exit status, messages, results, and nothing half-written.
- *
- * SUPERFRAME names the program (build/sanitized/superframe). Each line runs in a shell, in a new
- * folder, with `superframe` on its path. */
-#include <dirent.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <sys/stat.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <cmocka.h>
-
-enum { TEXT_SIZE = 65536, PATH_SIZE = 4096 };
-
-struct place {
-    char before[PATH_SIZE];
-    char folder[64];
-};
+/* The program as its users call it: exit status, messages, results, and nothing half-written. */
+#include "command_fixture.h"
 
 /* A small scene that renders at once. */
 #define TINY "fig3 --size 16x10 --depth 2 "
-
-static int enter_group(void **state) {
-    (void)state;
-    char program[2 * PATH_SIZE], path[2 * PATH_SIZE], here[PATH_SIZE] = "";
-    static char folder[] = "/tmp/superframe-bin-XXXXXX";
-    const char *name = getenv("SUPERFRAME");
-    name = name != NULL ? name : "build/sanitized/superframe";
-    if (name[0] != '/' && getcwd(here, sizeof here) == NULL) {
-        return -1;
-    }
-    (void)snprintf(program, sizeof program, "%s/%s", here, name);
-    if (access(program, X_OK) != 0 || mkdtemp(folder) == NULL) {
-        (void)fprintf(stderr, "SUPERFRAME does not name the program\n");
-        return -1;
-    }
-    (void)snprintf(path, sizeof path, "%s/superframe", folder);
-    if (symlink(program, path) != 0) {
-        return -1;
-    }
-    (void)snprintf(path, sizeof path, "%s:%s", folder, getenv("PATH"));
-    /* A sanitizer's report must not pass for one of the program's own statuses. */
-    return setenv("PATH", path, 1) | setenv("ASAN_OPTIONS", "exitcode=99", 1) |
-           setenv("UBSAN_OPTIONS", "exitcode=99:print_stacktrace=1", 1) |
-           setenv("LSAN_OPTIONS", "exitcode=99", 1);
-}
-
-static int leave_group(void **state) {
-    (void)state;
-    char folder[64];
-    const char *path = getenv("PATH");
-    size_t length = strcspn(path, ":");
-    if (length >= sizeof folder - sizeof "/superframe") {
-        return -1;
-    }
-    memcpy(folder, path, length);
-    folder[length] = '\0';
-    char link[80];
-    (void)snprintf(link, sizeof link, "%s/superframe", folder);
-    return unlink(link) | rmdir(folder);
-}
-
-static int enter(void **state) {
-    struct place *place = calloc(1, sizeof *place);
-    if (place == NULL || getcwd(place->before, sizeof place->before) == NULL) {
-        return -1;
-    }
-    strcpy(place->folder, "/tmp/superframe-command-XXXXXX");
-    *state = place;
-    return mkdtemp(place->folder) == NULL || chdir(place->folder) != 0 ? -1 : 0;
-}
-
-static int leave(void **state) {
-    struct place *place = *state;
-    char line[128];
-    (void)snprintf(line, sizeof line, "rm -rf %s", place->folder);
-    int failed = chdir(place->before) != 0 || system(line) != 0;
-    free(place);
-    return failed ? -1 : 0;
-}
-
-/* All of a file as text; "" if it is not there. */
-static const char *text_of(const char *path) {
-    static char text[TEXT_SIZE];
-    FILE *file = fopen(path, "rb");
-    size_t length = 0;
-    if (file != NULL) {
-        length = fread(text, 1, sizeof text - 1, file);
-        (void)fclose(file);
-    }
-    text[length] = '\0';
-    return text;
-}
-
-/* Runs a line of shell with a limit of time; its output goes to the files out and err. */
-static int run(const char *line) {
-    char whole[2048];
-    FILE *script = fopen("line", "w");
-    assert_non_null(script);
-    (void)fprintf(script, "%s\n", line);
-    (void)fclose(script);
-    (void)snprintf(whole, sizeof whole, "timeout -k 5 100 sh ./line > out 2> err < /dev/null");
-    int status = system(whole);
-    (void)unlink("line");
-    assert_true(WIFEXITED(status));
-    return WEXITSTATUS(status);
-}
-
-static void assert_status(const char *line, int expected) {
-    int status = run(line);
-    if (status != expected) {
-        fail_msg("\"%s\": status %d instead of %d: %s", line, status, expected, text_of("err"));
-    }
-}
-
-/* How many temporary files lie about. */
-static int leftovers(void) {
-    int count = 0;
-    DIR *folder = opendir(".");
-    struct dirent *entry;
-    while ((entry = readdir(folder)) != NULL) {
-        count += strncmp(entry->d_name, ".superframe", 11) == 0;
-    }
-    (void)closedir(folder);
-    return count;
-}
-
-static bool is_there(const char *path) {
-    return access(path, F_OK) == 0;
-}
 
 /* ---- Wrong input ---------------------------------------------------------------------------- */
 
@@ -150,10 +18,15 @@ static const struct {
     {"superframe tree fig3 1 1", 2, "superframe: tree: not built into this version"},
     {"superframe export fig3 --pov -o x", 2, "superframe: export: not built"},
     {"superframe measure", 2, "superframe: measure: not built"},
-    {"superframe paper -o x", 2, "superframe: paper: not built"},
+    {"superframe paper", 2, "superframe: paper: -o FOLDER is lacking"},
+    {"superframe render fig4a --colour dither -o x.png", 2, "superframe: fig4a: colour \"dither\""},
+    {"superframe render " TINY "--keep-exposures e -o x.png", 2, "superframe: --keep-exposures"},
+    {"superframe render " TINY "--colour exposures --keep-exposures no/e -o x.png", 1,
+     "superframe: no/e: cannot be made: No such"},
+    {"echo > e; superframe render " TINY "--colour exposures --keep-exposures e -o x.png", 1,
+     "superframe: e/exposure-0.png: cannot be written: Not a directory"},
     {"superframe devices", 2, "superframe: devices: not built"},
     {"superframe adapter", 2, "superframe: adapter: not built"},
-    {"superframe trace x", 2, "superframe: trace: not built"},
     {"superframe boot x", 2, "superframe: boot: not built"},
     {"superframe render nothing -o x.png", 2, "superframe: nothing: cannot be read: No such file"},
     {"superframe render . -o x.png", 2, "superframe: .: is a folder"},
@@ -360,8 +233,6 @@ static void an_interrupt_ends_cleanly(void **state) {
     assert_non_null(strstr(text_of("s"), "\"frame_crc\": "));
     assert_int_equal(leftovers(), 0);
 }
-
-#define TEST(function) cmocka_unit_test_setup_teardown(function, enter, leave)
 
 int main(void) {
     const struct CMUnitTest tests[] = {

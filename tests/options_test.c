@@ -83,6 +83,17 @@ static void all_options_of_render(void **state) {
     assert_true(parse(COMMAND_RENDER, "render fig3 --bus trace:a.trace", &options, &error));
     assert_int_equal(options.bus, BUS_CHOICE_TRACE);
     assert_string_equal(options.bus_file, "a.trace");
+    assert_true(
+        parse(COMMAND_RENDER, "render a --colour bits:3 --seed 4294967295", &options, &error));
+    assert_int_equal(options.overrides.colour, COLOUR_BITS);
+    assert_int_equal(options.overrides.colour_bits, 3);
+    assert_true(options.overrides.has_seed && options.overrides.seed == 4294967295ul);
+    assert_true(parse(COMMAND_RENDER, "render a --colour dither", &options, &error));
+    assert_int_equal(options.overrides.colour, COLOUR_DITHER);
+    assert_true(
+        parse(COMMAND_RENDER, "render a --colour exposures --keep-exposures e", &options, &error));
+    assert_int_equal(options.overrides.colour, COLOUR_EXPOSURES);
+    assert_string_equal(options.keep_exposures, "e");
     assert_true(parse(COMMAND_RENDER, "render --strict -- -fig3", &options, &error));
     assert_true(options.strict && !options.has_strict_grade);
     assert_string_equal(options.operands[0], "-fig3");
@@ -128,22 +139,30 @@ static const struct {
     {COMMAND_RENDER, "render a --highlight gouraud", "phong or blinn"},
     {COMMAND_RENDER, "render a --model glass", "fresnel"},
     {COMMAND_RENDER, "render a --colour red", "full"},
+    {COMMAND_RENDER, "render a --colour bits", "bits:1..bits:8"},
+    {COMMAND_RENDER, "render a --colour bits:", "bits:1..bits:8"},
+    {COMMAND_RENDER, "render a --colour bits:0", "bits:1..bits:8"},
+    {COMMAND_RENDER, "render a --colour bits:9", "bits:1..bits:8"},
+    {COMMAND_RENDER, "render a --colour bits:4x", "bits:1..bits:8"},
+    {COMMAND_RENDER, "render a --colour dither:2", "dither"},
+    {COMMAND_RENDER, "render a --seed -1", "0..4294967295"},
+    {COMMAND_RENDER, "render a --seed 4294967296", "0..4294967295"},
+    {COMMAND_RENDER, "render a --bus trace:t --keep-exposures e", "--keep-exposures"},
+    {COMMAND_PAPER, "paper", "-o FOLDER is lacking"},
+    {COMMAND_PAPER, "paper -o -", "-o FOLDER is lacking"},
+    {COMMAND_PAPER, "paper fig3 -o x", "\"fig3\" is one too many"},
+    {COMMAND_PAPER, "paper -o x --depth 3", "no option --depth"},
     {COMMAND_RENDER, "render a --tail white", "black"},
-    {COMMAND_RENDER, "render a --bus isa", "emulator or trace:FILE"},
-    {COMMAND_RENDER, "render a --bus trace:", "emulator or trace:FILE"},
-    {COMMAND_RENDER, "render a --bus trace", "emulator or trace:FILE"},
+    {COMMAND_RENDER, "render a --bus isa", "emulator, trace:FILE"},
+    {COMMAND_RENDER, "render a --bus trace:", "emulator, trace:FILE"},
+    {COMMAND_RENDER, "render a --bus trace", "emulator, trace:FILE"},
     {COMMAND_RENDER, "render a --frobnicate", "no option --frobnicate"},
     {COMMAND_RENDER, "render a -x", "no option -x"},
     {COMMAND_RENDER, "render a --quiet=3", "--quiet: takes no value"},
     {COMMAND_RENDER, "render a --json", "no option --json"},
     /* Known, but not built into this version. */
-    {COMMAND_RENDER, "render a --colour bits:3", "--colour bits:3: not built"},
-    {COMMAND_RENDER, "render a --colour dither", "--colour dither: not built"},
-    {COMMAND_RENDER, "render a --colour exposures", "--colour exposures: not built"},
-    {COMMAND_RENDER, "render a --seed 2", "--seed: not built"},
     {COMMAND_RENDER, "render a --bus usb", "--bus usb: not built"},
     {COMMAND_RENDER, "render a --bus hid:123", "--bus hid:123: not built"},
-    {COMMAND_RENDER, "render a --bus ports", "--bus ports: not built"},
     {COMMAND_RENDER, "render a --tail estimate", "--tail estimate: not built"},
     {COMMAND_RENDER, "render a --error 1", "--error: not built"},
     {COMMAND_RENDER, "render a --verify", "--verify: not built"},

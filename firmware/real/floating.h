@@ -78,9 +78,9 @@ static inline real_slope slope_of(real_unit u) {
     return floating_clamped(1 / u, (floating)0x1p100);
 }
 
-/* Saturates where the fixed-point image does. */
+/* No saturation: the largest slope leaves the product far below the format's end. */
 static inline real_length length_over(real_length a, real_slope slope) {
-    return floating_clamped(a * slope, (floating)2048);
+    return a * slope;
 }
 
 static inline bool length_cell_is_odd(real_length a, real_length size) {

@@ -15,7 +15,7 @@ typedef char compiled_scene_matches_scene
              (int)KIND_QUADRIC == (int)PRIMITIVE_QUADRIC && (int)CODE_UNION == (int)PROGRAM_UNION &&
              (int)CODE_INTERSECTION == (int)PROGRAM_INTERSECTION &&
              (int)CODE_DIFFERENCE == (int)PROGRAM_DIFFERENCE &&
-             (int)NO_TABLE == (int)SPECULAR_CONSTANT &&
+             (int)NO_TABLE == (int)SPECULAR_CONSTANT && (int)NO_ENCLOSURE == (int)ENCLOSURE_NONE &&
              (int)SCENE_SPECULAR_STEPS == (int)SPECULAR_STEPS &&
              (int)COMPILED_BITS == (int)SHOW_BITS && (int)COMPILED_DITHER == (int)SHOW_DITHER &&
              (int)COMPILED_EXPOSURES == (int)SHOW_EXPOSURES &&
@@ -42,6 +42,7 @@ struct loaded {
     struct plane planes[COMPILED_PLANES_MOST];
     struct quadric quadrics[COMPILED_PRIMITIVES_MOST];
     struct primitive_set surfaces[COMPILED_SURFACES_MOST];
+    struct primitive_set enclosed[COMPILED_PRIMITIVES_MOST];
     uint8_t programs[COMPILED_PROGRAM_BYTES_MOST];
     struct object objects[COMPILED_OBJECTS_MOST];
     struct material materials[COMPILED_MATERIALS_MOST];
@@ -90,6 +91,8 @@ static void load_solids(struct loaded *to, const struct compiled_scene *from) {
         to->primitives[i].kind = primitive->kind;
         to->primitives[i].index = primitive->index;
         to->primitives[i].frame = primitive->frame;
+        to->primitives[i].enclosure = primitive->enclosure;
+        to->enclosed[i] = set_of(&from->enclosed[i]);
         to->primitives[i].left_for_good = primitive->left_for_good;
     }
     for (int i = 0; i < from->box_count; i++) {
@@ -133,6 +136,7 @@ static void load_objects(struct loaded *to, const struct compiled_scene *from) {
         to->objects[i].program = from->objects[i].program;
         to->objects[i].length = from->objects[i].length;
         to->objects[i].material = from->objects[i].material;
+        to->objects[i].uses = set_of(&from->objects[i].uses);
         to->objects[i].in_shadow_test = from->objects[i].in_shadow_test;
     }
 }
@@ -187,6 +191,7 @@ static void load_specular_tables(struct loaded *to, const struct compiled_scene 
 static void load_lights(struct loaded *to, const struct compiled_scene *from) {
     for (int i = 0; i < from->light_count; i++) {
         to->lights[i].parallel = from->lights[i].parallel;
+        to->lights[i].casts_shadows = from->lights[i].casts_shadows;
         to->lights[i].towards = direction_of(from->lights[i].towards);
         to->lights[i].position = point_of(from->lights[i].position);
         to->lights[i].colour = colours_of(from->lights[i].colour);
@@ -228,6 +233,7 @@ static void load_scene(struct loaded *to, const struct compiled_scene *from) {
     scene->planes = to->planes;
     scene->quadrics = to->quadrics;
     scene->surfaces = to->surfaces;
+    scene->enclosed = to->enclosed;
     scene->programs = to->programs;
     scene->objects = to->objects;
     scene->materials = to->materials;
@@ -235,7 +241,6 @@ static void load_scene(struct loaded *to, const struct compiled_scene *from) {
     scene->specular_tables = to->specular_tables;
     scene->lights = to->lights;
     scene->shadow_primitives = set_of(&from->shadow_primitives);
-    scene->has_shadows = from->has_shadows;
     scene->show = from->show;
     scene->show_bits = from->show_bits;
     scene->seed = from->seed;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Options about the board behind the ports. */
-#include "board_options.h"
+/* The table's setters for what is asked of the board and of a trace. */
+#include "board_setters.h"
 
 #include <string.h>
 
@@ -8,37 +8,70 @@
 
 enum { ONE_IN_MOST = 1000000000, BUS_WAIT_MOST = 100000, PART_SIZE = 32 };
 
-bool read_picture_kind(struct board_options *options, const char *value) {
+static enum value_verdict verdict(bool is_allowed) {
+    return is_allowed ? VALUE_TAKEN : VALUE_WRONG;
+}
+
+/* For the options without a value. */
+static enum value_verdict set_flag(bool *flag) {
+    *flag = true;
+    return VALUE_TAKEN;
+}
+
+enum value_verdict set_ports_are_mine(struct options *options, const char *value) {
+    (void)value;
+    return set_flag(&options->ports_are_mine);
+}
+
+enum value_verdict set_list(struct options *options, const char *value) {
+    (void)value;
+    return set_flag(&options->tracing.lists);
+}
+
+enum value_verdict set_statistics(struct options *options, const char *value) {
+    (void)value;
+    return set_flag(&options->tracing.counts);
+}
+
+enum value_verdict set_violations(struct options *options, const char *value) {
+    (void)value;
+    return set_flag(&options->tracing.judges);
+}
+
+enum value_verdict set_against(struct options *options, const char *value) {
+    options->tracing.against = value;
+    return verdict(value[0] != '\0');
+}
+
+enum value_verdict set_to(struct options *options, const char *value) {
+    bool is_text = strcmp(value, "text") == 0;
+    options->tracing.converts = true;
+    options->tracing.to = is_text ? TRACE_TEXT : TRACE_BINARY;
+    return verdict(is_text || strcmp(value, "binary") == 0);
+}
+
+enum value_verdict set_picture(struct options *options, const char *value) {
     static const char *const words[] = {"screen", "memory", "whole"};
     for (int i = 0; i < 3; i++) {
         if (strcmp(value, words[i]) == 0) {
-            options->picture = (enum picture_kind)i;
-            return true;
+            options->board.picture = (enum picture_kind)i;
+            return VALUE_TAKEN;
         }
     }
-    return false;
+    return VALUE_WRONG;
 }
 
-bool read_native(struct board_options *options, const char *value) {
-    options->native = value;
-    return value[0] != '\0';
+enum value_verdict set_native(struct options *options, const char *value) {
+    options->board.native = value;
+    return verdict(value[0] != '\0');
 }
 
-bool read_stop(struct board_options *options, const char *value) {
-    unsigned long stop;
-    if (!value_whole(value, 1, 0xFFFFFFFFul, &stop)) {
-        return false;
-    }
-    options->stop = stop;
-    return true;
+enum value_verdict set_bus_wait(struct options *options, const char *value) {
+    return verdict(value_real(value, 0, BUS_WAIT_MOST, &options->board.bus_wait));
 }
 
-bool read_bus_wait(struct board_options *options, const char *value) {
-    return value_real(value, 0, BUS_WAIT_MOST, &options->bus_wait);
-}
-
-bool read_frame_seconds(struct board_options *options, const char *value) {
-    return value_real(value, 1e-6, 1e9, &options->frame_seconds);
+enum value_verdict set_frame_seconds(struct options *options, const char *value) {
+    return verdict(value_real(value, 1e-6, 1e9, &options->board.frame_seconds));
 }
 
 /* ---- Faults --------------------------------------------------------------------------------- */
@@ -100,7 +133,7 @@ static bool read_fault(struct fault_plan *plan, char *part) {
     return strcmp(part, "dead") == 0 && read_dead_port(plan, value);
 }
 
-bool read_faults(struct board_options *options, const char *value) {
+static bool read_faults(struct board_options *options, const char *value) {
     options->has_faults = true;
     for (;;) {
         char part[PART_SIZE];
@@ -119,4 +152,12 @@ bool read_faults(struct board_options *options, const char *value) {
         }
         value += length + 1;
     }
+}
+
+enum value_verdict set_faults(struct options *options, const char *value) {
+    return verdict(read_faults(&options->board, value));
+}
+
+enum value_verdict set_stop(struct options *options, const char *value) {
+    return verdict(read_count(&options->board.stop, 1, value));
 }

@@ -1,0 +1,53 @@
+/* SPDX-License-Identifier: MIT */
+/* One guest of a USB/IP server: the bytes that it sends, taken apart and done on a device.
+ *
+ * No sockets: bytes go in by usbip_guest_take() and come out by a function of the caller's. The
+ * protocol is the Linux kernel's, version 1.1.1 (Documentation/usb/usbip_protocol.rst). */
+#ifndef SUPERFRAME_EMULATOR_USBIP_H
+#define SUPERFRAME_EMULATOR_USBIP_H
+
+#include "usb_device.h"
+
+enum {
+    USBIP_PORT = 3240, /* the registered one */
+    USBIP_TRANSFER_MOST =
+        65536,             /* bytes of a transfer to the device; more ends the guest's visit */
+    USBIP_PARKED_MOST = 32 /* transfers from the device that may wait for data */
+};
+
+#define USBIP_BUS_ID "1-1" /* what `usbip attach -b` names the device by */
+
+/* A transfer that waits for the device to have something to say. */
+struct usbip_parked {
+    uint32_t number;
+    uint32_t room; /* bytes */
+    uint8_t endpoint;
+};
+
+/* A guest. About 66 KB. */
+struct usbip_guest {
+    struct usb_device *device;
+    void (*send)(void *context, const uint8_t *bytes, size_t count);
+    void *context;
+    bool is_busy;     /* the device is another guest's: it may look, but not have it */
+    bool is_attached; /* has the device */
+    bool is_over;     /* close the connection; reason says why */
+    const char *reason;
+    unsigned parked_count;
+    struct usbip_parked parked[USBIP_PARKED_MOST];
+    size_t input_count;
+    uint8_t input[48 + USBIP_TRANSFER_MOST];
+};
+
+/* A guest has come. is_busy: another one has the device. */
+void usbip_guest_init(struct usbip_guest *guest, struct usb_device *device, bool is_busy,
+                      void (*send)(void *context, const uint8_t *bytes, size_t count),
+                      void *context);
+
+/* Takes bytes and does what they ask for. Once is_over, nothing more is taken. */
+void usbip_guest_take(struct usbip_guest *guest, const uint8_t *bytes, size_t count);
+
+/* The guest is gone: to the device, the cable was pulled. */
+void usbip_guest_leave(struct usbip_guest *guest);
+
+#endif

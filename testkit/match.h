@@ -1,0 +1,16 @@
+/* SPDX-License-Identifier: MIT */
+/* Expected writes against those that were made, without any test library. */
+#ifndef SUPERFRAME_TESTKIT_MATCH_H
+#define SUPERFRAME_TESTKIT_MATCH_H
+
+#include "testing.h"
+
+enum { MATCH_REPORT_SIZE = 2048 };
+
+/* True if the writes since the mark are as expected says, by order or in any order: testing.h has
+ * the rules. False: report says where they part, what was expected and what was found; or which
+ * line of `expected` can't be read. */
+bool match_writes(const struct superframe_kit *kit, const char *expected, char *report);
+bool match_writes_any_order(const struct superframe_kit *kit, const char *expected, char *report);
+
+#endif

@@ -1,0 +1,188 @@
+/* SPDX-License-Identifier: MIT */
+/* The virtual adapter as a program of its own: a guest over TCP draws on it by bulk and by HID, and
+ * the picture that it writes is the emulator's. */
+#include <arpa/inet.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <sys/wait.h>
+
+#include "usb_fixture.h"
+#include "usbip_client.h"
+
+#include "picture.h"
+#include "png_file.h"
+
+enum { LINES = 40 };
+
+static struct usbip_client client;
+static pid_t server;
+static int port_number;
+static char picture_path[256];
+
+/* Starts the program and reads from its first line where it listens. */
+static int start_server(void **state) {
+    const char *program = getenv("SUPERFRAME"), *build = getenv("BUILD");
+    int ends[2];
+    char line[256] = "";
+    (void)state;
+    assert_non_null(program);
+    assert_int_equal(pipe(ends), 0);
+    (void)snprintf(picture_path, sizeof picture_path, "%s/adapter-%ld.png",
+                   build != NULL ? build : ".", (long)getpid());
+    server = fork();
+    assert_true(server >= 0);
+    if (server == 0) {
+        (void)dup2(ends[1], 1);
+        (void)close(ends[0]);
+        (void)close(ends[1]);
+        (void)execl(program, program, "adapter", "--listen", "127.0.0.1:0", "--once", "-o",
+                    picture_path, (char *)NULL);
+        _exit(127);
+    }
+    (void)close(ends[1]);
+    FILE *out = fdopen(ends[0], "r");
+    assert_non_null(out);
+    assert_non_null(fgets(line, sizeof line, out));
+    (void)fclose(out);
+    assert_int_equal(sscanf(line, "listening on 127.0.0.1 port %d;", &port_number), 1);
+    return 0;
+}
+
+static int stop_server(void **state) {
+    (void)state;
+    if (server > 0) {
+        (void)kill(server, SIGKILL);
+        (void)waitpid(server, NULL, 0);
+    }
+    server = 0;
+    (void)unlink(picture_path);
+    return 0;
+}
+
+static int connect_to_server(void) {
+    struct sockaddr_in place;
+    memset(&place, 0, sizeof place);
+    place.sin_family = AF_INET;
+    place.sin_port = htons((uint16_t)port_number);
+    place.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    int descriptor = socket(AF_INET, SOCK_STREAM, 0);
+    assert_true(descriptor >= 0);
+    assert_int_equal(connect(descriptor, (struct sockaddr *)&place, sizeof place), 0);
+    return descriptor;
+}
+
+static void draw(struct bus *bus) {
+    static const uint16_t pairs[15][2] = {{0x00, 0x6B}, {0x01, 0x50}, {0x02, 0x5B}, {0x03, 0x0E},
+                                          {0x04, 0x1A}, {0x05, 0x02}, {0x06, 0x19}, {0x07, 0x19},
+                                          {0x08, 0x80}, {0x09, 0x0F}, {0x0C, 0xFF}, {0x0D, 0xFF},
+                                          {0x1B, 0x01}, {0x1E, 0x8C}, {0x1F, 0x00}};
+    for (unsigned i = 0; i < 15; i++) {
+        bus_write(bus, 0x00D0, pairs[i][0], BUS_BYTE);
+        bus_write(bus, 0x00D2, pairs[i][1], BUS_BYTE);
+    }
+    bus_write(bus, 0x00DE, 0x01, BUS_BYTE);
+    for (unsigned y = 0; y < LINES; y++) {
+        bus_write(bus, 0x00D6, (uint16_t)y, BUS_WORD);
+        for (unsigned x = 0; x < BOARD_WIDTH; x++) {
+            bus_write(bus, 0x00D4, (uint16_t)x, BUS_WORD);
+            bus_write(bus, 0x00D8, (x * y) & 0xFF, BUS_BYTE);
+            bus_write(bus, 0x00DA, (x ^ y) & 0xFF, BUS_BYTE);
+            bus_write(bus, 0x00DC, x / 64, BUS_BYTE);
+        }
+    }
+}
+
+static void compare_with_emulator(void) {
+    static uint8_t expected[PICTURE_BYTES];
+    struct png_error error;
+    struct png_image written;
+    power_on(BOARD_1987);
+    draw(&board_bus.bus);
+    assert_int_equal(picture_draw(&board, NULL, expected), PICTURE_OK);
+    FILE *file = fopen(picture_path, "rb");
+    assert_non_null(file);
+    assert_int_equal(read_png(file, &written, &error), PNG_OK);
+    (void)fclose(file);
+    assert_int_equal(written.width, PICTURE_WIDTH);
+    assert_int_equal(written.height, PICTURE_HEIGHT);
+    assert_memory_equal(written.rgb, expected, PICTURE_BYTES);
+    free_png(&written);
+}
+
+static void draw_over(bool is_hid) {
+    struct usb_limits limits = quick_limits(7);
+    int status = -1;
+    limits.reply_ms = 5000;
+    client_init(&client, connect_to_server(), is_hid);
+    client_attach(&client);
+    struct usb_bus *usb_bus = usb_bus_new(&client.link, 0x00D0, &limits);
+    assert_non_null(usb_bus);
+    draw(&usb_bus->bus);
+    assert_int_equal(bus_flush(&usb_bus->bus), BUS_OK);
+    assert_int_equal(bus_read(&usb_bus->bus, 0x00D8, BUS_BYTE), 639 * 39 & 0xFF);
+    usb_bus_free(usb_bus);
+    (void)close(client.socket);
+    assert_int_equal(waitpid(server, &status, 0), server);
+    server = 0;
+    assert_true(WIFEXITED(status));
+    assert_int_equal(WEXITSTATUS(status), 0);
+    compare_with_emulator();
+}
+
+static void a_guest_draws_by_bulk(void **state) {
+    (void)state;
+    draw_over(false);
+}
+
+static void a_guest_draws_by_hid(void **state) {
+    (void)state;
+    draw_over(true);
+}
+
+static void the_list_is_shown_and_a_second_guest_is_refused(void **state) {
+    static const uint8_t list[8] = {0x01, 0x11, 0x80, 0x05};
+    uint8_t bytes[400], import[40] = {0x01, 0x11, 0x80, 0x03};
+    (void)state;
+    memcpy(import + 8, "1-1", 3);
+    client_init(&client, connect_to_server(), false);
+    client_attach(&client);
+    int second = connect_to_server();
+    assert_true(client_write(second, list, sizeof list));
+    assert_true(client_read(second, bytes, 8 + 4 + 312 + 8));
+    assert_int_equal(client_get32(bytes), 0x01110005);
+    assert_int_equal(client_get32(bytes + 8), 1);
+    assert_string_equal(bytes + 12 + 256, "1-1");
+    assert_int_equal(client_get32(bytes + 12 + 300), 0x12099801);
+    (void)close(second);
+    second = connect_to_server();
+    assert_true(client_write(second, import, sizeof import));
+    assert_true(client_read(second, bytes, 8));
+    assert_int_equal(client_get32(bytes + 4), 2); /* busy */
+    (void)close(second);
+    (void)close(client.socket);
+}
+
+static void an_interrupt_ends_it_with_its_picture(void **state) {
+    int status = -1;
+    (void)state;
+    assert_int_equal(kill(server, SIGINT), 0);
+    assert_int_equal(waitpid(server, &status, 0), server);
+    server = 0;
+    assert_true(WIFEXITED(status));
+    assert_int_equal(WEXITSTATUS(status), 0);
+    assert_int_equal(access(picture_path, R_OK), 0);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(a_guest_draws_by_bulk, start_server, stop_server),
+        cmocka_unit_test_setup_teardown(a_guest_draws_by_hid, start_server, stop_server),
+        cmocka_unit_test_setup_teardown(the_list_is_shown_and_a_second_guest_is_refused,
+                                        start_server, stop_server),
+        cmocka_unit_test_setup_teardown(an_interrupt_ends_it_with_its_picture, start_server,
+                                        stop_server),
+    };
+    (void)alarm(120); /* a guest that waits for ever is a failure */
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: MIT
+# What is measured of hal/ and emulator/: speed, coverage, mutants; read by Makefile.
+
+.PHONY: bench-ports
+bench-ports: $(BUILD)/release/ports_bench ## Measure what a port write costs, in nanoseconds
+	$(BUILD)/release/ports_bench
+
+$(BUILD)/release/ports_bench: tests/bench/ports_bench.c $(release_HAL) $(release_EMULATOR) $(BUILD)/flags | setup
+	$(CC) $(WARNINGS) $(POSIX) $(CFLAGS_release) $(INCLUDE_emulator) -o $@ $(filter %.c %.o,$^) -lpng -lxxhash -lz
+
+.PHONY: mutants
+mutants: | setup ## Break the board's register code in small ways and see whether the suites notice
+	sh tests/mutants.sh $(BUILD)
+
+# The suites that speak to hal/ and emulator/ alone, built once more with branches counted. What the
+# processor's own ports need is no test's to run: hal/ports_linux.c.
+COVERED_SUITES := bus cost_bus fault_bus ports_linux board board_control board_report board_table driver_run native_screen picture png_file trace trace_damage trace_text trace_tools trace_hash reporting testkit
+COVERED_OBJECTS := $(HAL_SOURCES:%.c=$(BUILD)/coverage/%.o) $(EMULATOR_SOURCES:%.c=$(BUILD)/coverage/%.o)
+GCOVR := gcovr --root . --object-directory $(BUILD)/coverage --exclude-unreachable-branches --branches
+
+$(BUILD)/coverage/%.o: %.c $(BUILD)/flags | setup
+	@mkdir -p $(@D)
+	$(CC) $(WARNINGS) $(POSIX) -O0 -g --coverage $(INCLUDE_testkit) -MMD -MP -c -o $@ $<
+
+$(BUILD)/coverage/%_test: tests/%_test.c $(COVERED_OBJECTS) $(TESTKIT_SOURCES)
+	$(CC) $(WARNINGS) $(POSIX) -O0 -g $(INCLUDE_testkit) -Itests -o $@ $< $(TESTKIT_SOURCES) $(COVERED_OBJECTS) --coverage -lcmocka -lpng -lxxhash -lz
+
+.PHONY: coverage
+coverage: $(COVERED_SUITES:%=$(BUILD)/coverage/%_test) ## Measure the branches of hal/ and emulator/ that the suites take (100 % and 95 %)
+	@find $(BUILD)/coverage -name '*.gcda' -delete
+	@for suite in $(COVERED_SUITES); do BUILD=$(BUILD) timeout 120 $(BUILD)/coverage/$${suite}_test > $(BUILD)/coverage/$$suite.log 2>&1 || { tail -n 40 $(BUILD)/coverage/$$suite.log; exit 1; }; done
+	$(GCOVR) --filter 'hal/' --exclude 'hal/ports_linux.c' --fail-under-branch 100
+	$(GCOVR) --filter 'emulator/' --fail-under-branch 95
+
+-include $(COVERED_OBJECTS:.o=.d)

@@ -1,0 +1,281 @@
+/* SPDX-License-Identifier: MIT */
+/* superframe paper, as its users call it: all that it writes, and nothing where it fails.
+ *
+ * SUPERFRAME names the program (build/sanitized/superframe). The pictures are a hundredth of the
+ * paper's, so that all of it takes seconds. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#include "paper.h"
+
+enum { TEXT_SIZE = 65536, PATH_SIZE = 4096 };
+
+#define PAPER_RUN "$SUPERFRAME paper --size 32x20 --jobs 2 "
+
+struct place {
+    char before[PATH_SIZE], folder[64];
+};
+
+/* Runs a line of shell with a limit of time; its output goes to the files out and err. */
+static int run(const char *line) {
+    char whole[2048];
+    (void)snprintf(whole, sizeof whole,
+                   "(%s) > out 2> err < /dev/null & pid=$!; (sleep 250; kill $pid) 2> /dev/null & "
+                   "watch=$!; wait $pid; status=$?; kill $watch 2> /dev/null; exit $status",
+                   line);
+    int status = system(whole);
+    assert_true(WIFEXITED(status));
+    return WEXITSTATUS(status);
+}
+
+/* All of a file as text; "" if it is not there. */
+static const char *text_of(const char *path) {
+    static char text[TEXT_SIZE];
+    FILE *file = fopen(path, "rb");
+    size_t length = 0;
+    if (file != NULL) {
+        length = fread(text, 1, sizeof text - 1, file);
+        (void)fclose(file);
+    }
+    text[length] = '\0';
+    return text;
+}
+
+static void assert_status(const char *line, int expected) {
+    int status = run(line);
+    if (status != expected) {
+        fail_msg("\"%s\": status %d instead of %d: %s", line, status, expected, text_of("err"));
+    }
+}
+
+/* One folder for all tests: the first makes the paper in it, the others look at it. */
+static int enter_group(void **state) {
+    static struct place place = {"", "/tmp/superframe-paper-XXXXXX"};
+    char program[2 * PATH_SIZE];
+    const char *name = getenv("SUPERFRAME");
+    name = name != NULL ? name : "build/sanitized/superframe";
+    *state = &place;
+    if (getcwd(place.before, sizeof place.before) == NULL || mkdtemp(place.folder) == NULL) {
+        return -1;
+    }
+    (void)snprintf(program, sizeof program, "%s/%s", name[0] == '/' ? "" : place.before, name);
+    /* A sanitizer's report must not pass for one of the program's own statuses. */
+    return access(program, X_OK) | setenv("SUPERFRAME", program, 1) |
+           setenv("ASAN_OPTIONS", "exitcode=99", 1) |
+           setenv("UBSAN_OPTIONS", "exitcode=99:print_stacktrace=1", 1) | chdir(place.folder);
+}
+
+static int leave_group(void **state) {
+    const struct place *place = *state;
+    char line[128];
+    (void)snprintf(line, sizeof line, "rm -rf %s", place->folder);
+    return chdir(place->before) | system(line);
+}
+
+static bool is_there(const char *path) {
+    return access(path, F_OK) == 0;
+}
+
+static bool has_gnuplot(void) {
+    return run("command -v gnuplot") == 0;
+}
+
+/* ---- What it writes ------------------------------------------------------------------------- */
+
+static void every_figure_is_there(void **state) {
+    (void)state;
+    assert_status(PAPER_RUN "-o made/", 0);
+    int figures = 0;
+    for (; paper_figures[figures].file != NULL; figures++) {
+        char path[128];
+        (void)snprintf(path, sizeof path, "made/%s.png", paper_figures[figures].file);
+        assert_true(is_there(path));
+    }
+    assert_int_equal(figures, 12);
+    assert_status("ls -A made | wc -l", 0);
+    /* The figures, the sheet, the data, the script, two reports, and two plots. */
+    assert_int_equal(atoi(text_of("out")), 12 + 5 + (has_gnuplot() ? 2 : 0));
+    assert_int_equal(is_there("made/fig7-rays.png"), has_gnuplot());
+    assert_int_equal(is_there("made/fig7-tests.png"), has_gnuplot());
+}
+
+/* Each is what render makes of the same scene. */
+static void figures_are_renders(void **state) {
+    (void)state;
+    static const char *const lines[][2] = {
+        {"fig3a", "fig3 --depth 5 --size 32x20"},
+        {"fig3b", "fig3 --depth 10 --size 32x20"},
+        {"fig4a", "fig4a --depth 15 --size 64x40"},
+        {"fig4b", "fig4b --depth 10 --size 64x40"},
+        {"fig5", "fig5 --size 32x20"},
+        {"fig6a", "fig6a --colour dither --size 32x20"},
+        {"fig6b", "fig6b --colour dither --size 32x20"},
+        {"figA-4bits", "figA --colour bits:4 --size 32x20"},
+        {"figA-5bits", "figA --colour bits:5 --size 32x20"},
+        {"figA-8bits", "figA --colour full --size 32x20"},
+    };
+    for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++) {
+        char line[256];
+        (void)snprintf(line, sizeof line, "$SUPERFRAME render %s -o - | cmp - made/%s.png",
+                       lines[i][1], lines[i][0]);
+        assert_status(line, 0);
+    }
+}
+
+/* The cells of a row of the Markdown table; returns how many. The row is cut up. */
+static int split(char *row, char **cells, int most) {
+    int count = 0;
+    for (char *cell = strtok(row, "|"); cell != NULL && count < most; cell = strtok(NULL, "|")) {
+        cells[count++] = cell;
+    }
+    return count;
+}
+
+static void nine_claims_each_with_a_verdict(void **state) {
+    (void)state;
+    enum { CELLS = 6 };
+    FILE *file = fopen("made/claims.md", "r");
+    char line[8192];
+    int claims = 0;
+    assert_non_null(file);
+    while (fgets(line, sizeof line, file) != NULL) {
+        char *cells[CELLS + 2];
+        if (strncmp(line, "| ", 2) != 0 || line[2] == '|') {
+            continue;
+        }
+        assert_int_equal(split(line, cells, CELLS + 2), CELLS + 1); /* and the line's end */
+        assert_int_equal(atoi(cells[0]), ++claims);
+        for (int i = 1; i < CELLS; i++) {
+            assert_true(strlen(cells[i]) > 8);
+            assert_null(strstr(cells[i], "nan"));
+            assert_null(strstr(cells[i], "inf"));
+        }
+        assert_true(strcmp(cells[4], " **holds** ") == 0 ||
+                    strcmp(cells[4], " **holds in part** ") == 0 ||
+                    strcmp(cells[4], " **does not hold** ") == 0);
+        /* The one claim that does not depend on the size. */
+        assert_true(claims != 9 || strcmp(cells[4], " **holds** ") == 0);
+    }
+    (void)fclose(file);
+    assert_int_equal(claims, PAPER_CLAIMS);
+}
+
+static void the_page_shows_all_of_it(void **state) {
+    (void)state;
+    const char *page = text_of("made/index.html");
+    for (int i = 0; paper_figures[i].file != NULL; i++) {
+        char image[128];
+        (void)snprintf(image, sizeof image, "<img src=\"%s.png\"", paper_figures[i].file);
+        assert_non_null(strstr(page, image));
+    }
+    int rows = 0;
+    for (const char *at = page; (at = strstr(at, "<tr>")) != NULL; at++) {
+        rows++;
+    }
+    assert_int_equal(rows, PAPER_CLAIMS + 1);
+    assert_non_null(strstr(page, "</html>\n"));
+    assert_status("grep -o 'src=\"[^\"]*\"' made/index.html | cut -d '\"' -f 2 | while read f; do "
+                  "test -s made/$f || exit 9; done",
+                  0);
+}
+
+/* The same counts as render's own statistics. */
+static void curves_are_counts(void **state) {
+    (void)state;
+    assert_status("wc -l < made/fig7.csv", 0);
+    assert_int_equal(atoi(text_of("out")), 1 + PAPER_DEPTHS);
+    assert_status("awk -F, 'NF != 9 || (NR > 1 && $1 != NR - 2) { exit 9 }' made/fig7.csv", 0);
+    assert_status("for n in 0 7 16; do "
+                  "$SUPERFRAME render fig5 --depth $n --size 32x20 --stats - -o /dev/null | "
+                  "awk -F '[ ,]+' '/\"rays\"|\"shadow_rays\"/ { rays += $3 } "
+                  "/\"solid_tests\"/ { tests = $3 } END { print rays \",\" tests }' > expected; "
+                  "awk -F, -v n=$n '$1 == n && NR > 1 { print $8 \",\" $9 }' made/fig7.csv | "
+                  "cmp - expected || exit 9; done",
+                  0);
+}
+
+static void a_folder_that_is_there_keeps_its_other_files(void **state) {
+    (void)state;
+    assert_status(
+        "mkdir there && echo mine > there/mine && echo old > there/fig3b.png && " PAPER_RUN
+        "-o there && cmp there/fig3b.png made/fig3b.png && "
+        "cmp there/fig7.csv made/fig7.csv",
+        0);
+    assert_string_equal(text_of("there/mine"), "mine\n");
+    assert_status("ls -A there | grep -c tmp", 1);
+}
+
+static void without_gnuplot_it_says_what_to_install(void **state) {
+    (void)state;
+    assert_status("PATH=/nowhere " PAPER_RUN "-o plain", 0);
+    assert_non_null(strstr(text_of("err"), "superframe: gnuplot is not there"));
+    assert_non_null(strstr(text_of("err"), "gnuplot-nox"));
+    assert_true(is_there("plain/fig7.gp"));
+    assert_false(is_there("plain/fig7-rays.png"));
+    assert_status("grep -q 'img src=\"fig7-rays' plain/index.html", 1);
+}
+
+/* ---- Where it fails ------------------------------------------------------------------------- */
+
+static const struct {
+    const char *line;
+    int status;
+    const char *fragment;
+} wrong[] = {
+    {"echo > file; " PAPER_RUN "-o file", 1, "superframe: file: cannot be written: Not a dir"},
+    {"echo > file; " PAPER_RUN "-o file/x", 1, "superframe: file/x: cannot be written: Not a dir"},
+    {PAPER_RUN "-o no/x", 1, "superframe: no/x: cannot be written: No such file"},
+    {PAPER_RUN "-o /proc/x", 1, "superframe: /proc/x: cannot be written: "},
+    {"ulimit -f 1; " PAPER_RUN "-o x", 1, "cannot be written: File too large"},
+    {"$SUPERFRAME paper", 2, "superframe: paper: -o FOLDER is lacking"},
+    {"$SUPERFRAME paper -o x --size 321x200", 2, "superframe: --size 321x200"},
+    {"$SUPERFRAME paper -o x --size 32x201", 2, "superframe: --size 32x201"},
+};
+
+static void failures_leave_nothing(void **state) {
+    (void)state;
+    for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
+        assert_status("rm -rf file x; mkdir empty; cd empty; ls -A", 0);
+        char line[512];
+        (void)snprintf(line, sizeof line, "cd empty; %s", wrong[i].line);
+        assert_status(line, wrong[i].status);
+        if (strstr(text_of("err"), wrong[i].fragment) == NULL) {
+            fail_msg("\"%s\": \"%s\" lacks \"%s\"", wrong[i].line, text_of("err"),
+                     wrong[i].fragment);
+        }
+        assert_status("cd empty; rm -f file; cd ..; rmdir empty", 0);
+    }
+}
+
+static void an_interrupted_run_leaves_nothing(void **state) {
+    (void)state;
+    /* An interrupt is ignored by what a shell starts in the background: a new shell lets it in. */
+    assert_status("mkdir empty; cd empty; timeout -s INT -k 60 2 $SUPERFRAME paper -o x", 124);
+    assert_non_null(strstr(text_of("err"), "superframe: interrupted"));
+    assert_status("rmdir empty", 0);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_figure_is_there),
+        cmocka_unit_test(figures_are_renders),
+        cmocka_unit_test(nine_claims_each_with_a_verdict),
+        cmocka_unit_test(the_page_shows_all_of_it),
+        cmocka_unit_test(curves_are_counts),
+        cmocka_unit_test(a_folder_that_is_there_keeps_its_other_files),
+        cmocka_unit_test(without_gnuplot_it_says_what_to_install),
+        cmocka_unit_test(failures_leave_nothing),
+        cmocka_unit_test(an_interrupted_run_leaves_nothing),
+    };
+    return cmocka_run_group_tests(tests, enter_group, leave_group);
+}

@@ -1,0 +1,212 @@
+/* SPDX-License-Identifier: MIT */
+/* Holds a picture and the statistics that POV-Ray made of an exported scene against our own. */
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "arithmetic.h"
+#include "load_scene.h"
+#include "png_file.h"
+#include "values.h"
+
+/* usage: pov_check SCENE WxH N THRESHOLD MODEL THEIRS.png THEIR-LOG (MODEL: simple or fresnel)
+ * Exit status: 0 they agree, 1 they don't, 2 something could not be read. */
+
+enum {
+    WITHIN = 2, /* levels that a pixel may differ */
+    /* A pixel has an edge within a pixel of it if a neighbour differs by more, in our picture. */
+    EDGE = 24
+};
+
+static const double share_least = 98; /* per cent of the pixels without an edge */
+static const double count_most = 1;   /* per cent that a count may differ */
+
+/* Rays by kind, as POV-Ray counts them: those that depth or threshold end at once as well. */
+struct counts {
+    uint64_t rays[3]; /* by enum observed_kind */
+};
+
+struct comparison {
+    uint64_t pixels, smooth, smooth_within, within;
+};
+
+static void count_node(void *context, const struct observed_node *node) {
+    struct counts *counts = context;
+    counts->rays[node->kind]++;
+}
+
+static void count_end(void *context, const struct observed_end *end) {
+    struct counts *counts = context;
+    if (end->why != OBSERVED_NOTHING) {
+        counts->rays[end->kind]++;
+    }
+}
+
+static void *fail(const char *what, const char *reason) {
+    (void)fprintf(stderr, "pov_check: %s: %s\n", what, reason);
+    return NULL;
+}
+
+static struct compiled_scene *load(char **arguments) {
+    struct scene_error error;
+    struct scene_overrides overrides;
+    unsigned long width, height, depth;
+    memset(&overrides, 0, sizeof overrides);
+    if (!value_pair(arguments[2], 'x', 1, 640, 400, &width, &height) ||
+        !value_whole(arguments[3], 0, SCENE_DEPTH_MOST, &depth) ||
+        !value_real(arguments[4], 0, 1, &overrides.threshold)) {
+        return fail(arguments[1], "not WxH, N and THRESHOLD behind it");
+    }
+    overrides.has_model = true;
+    overrides.model = strcmp(arguments[5], "simple") == 0 ? MODEL_SIMPLE : MODEL_FRESNEL;
+    overrides.has_size = overrides.has_depth = overrides.has_threshold = true;
+    overrides.width = (int)width;
+    overrides.height = (int)height;
+    overrides.depth = (int)depth;
+    struct compiled_scene *compiled = load_compiled_scene(arguments[1], &overrides, &error);
+    return compiled != NULL ? compiled : fail("scene", error.text);
+}
+
+/* Our picture in f64, and the rays that it took; NULL on failure. */
+static uint8_t *render(const struct compiled_scene *compiled, struct counts *counts) {
+    struct scene_error error;
+    struct render_counts ignored;
+    const struct pixel_observer observer = {counts, count_node, count_end};
+    struct scene *scene = arithmetic_f64.load(compiled, &error);
+    uint8_t *rgb = malloc((size_t)compiled->width * compiled->height * 3);
+    if (scene == NULL || rgb == NULL) {
+        free(scene);
+        free(rgb);
+        return fail("scene", "can't be loaded");
+    }
+    memset(&ignored, 0, sizeof ignored);
+    memset(counts, 0, sizeof *counts);
+    for (uint16_t y = 0; y < compiled->height; y++) {
+        for (uint16_t x = 0; x < compiled->width; x++) {
+            double level[3];
+            uint8_t *pixel = rgb + ((size_t)y * compiled->width + x) * 3;
+            arithmetic_f64.pixel(scene, x, y, level, &ignored, &observer);
+            for (int i = 0; i < 3; i++) {
+                pixel[i] = (uint8_t)floor(fmin(fmax(level[i], 0), 255) + 0.5);
+            }
+        }
+    }
+    free(scene);
+    return rgb;
+}
+
+static int difference(const uint8_t *a, const uint8_t *b) {
+    int most = 0;
+    for (int i = 0; i < 3; i++) {
+        int apart = abs(a[i] - b[i]);
+        most = apart > most ? apart : most;
+    }
+    return most;
+}
+
+static bool is_smooth(const uint8_t *rgb, int width, int height, int x, int y) {
+    const uint8_t *pixel = rgb + ((size_t)y * (size_t)width + (size_t)x) * 3;
+    for (int j = y > 0 ? y - 1 : 0; j <= y + 1 && j < height; j++) {
+        for (int i = x > 0 ? x - 1 : 0; i <= x + 1 && i < width; i++) {
+            if (difference(rgb + ((size_t)j * (size_t)width + (size_t)i) * 3, pixel) > EDGE) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+static struct comparison compare_pictures(const uint8_t *ours, const uint8_t *theirs, int width,
+                                          int height) {
+    struct comparison result = {0, 0, 0, 0};
+    for (int y = 0; y < height; y++) {
+        for (int x = 0; x < width; x++) {
+            size_t at = ((size_t)y * (size_t)width + (size_t)x) * 3;
+            bool within = difference(ours + at, theirs + at) <= WITHIN;
+            bool smooth = is_smooth(ours, width, height, x, y);
+            result.pixels++;
+            result.within += within;
+            result.smooth += smooth;
+            result.smooth_within += smooth && within;
+        }
+    }
+    return result;
+}
+
+static bool picture_agrees(const struct compiled_scene *compiled, const uint8_t *ours,
+                           const struct png_image *theirs) {
+    struct comparison result =
+        compare_pictures(ours, theirs->rgb, compiled->width, compiled->height);
+    double share =
+        result.smooth == 0 ? 0 : 100.0 * (double)result.smooth_within / (double)result.smooth;
+    (void)printf("  pictures: %.3f %% of the pixels within %d LSB; of the %.1f %% without an edge "
+                 "%.3f %%\n",
+                 100.0 * (double)result.within / (double)result.pixels, WITHIN,
+                 100.0 * (double)result.smooth / (double)result.pixels, share);
+    return share >= share_least;
+}
+
+/* The number behind a label at the start of one of POV-Ray's lines; 0 where it does not say it. */
+static bool read_statistics(const char *path, uint64_t *reflected, uint64_t *refracted) {
+    char line[256];
+    bool has_rays = false;
+    FILE *file = fopen(path, "r");
+    if (file == NULL) {
+        return fail(path, "can't be read") != NULL;
+    }
+    *reflected = *refracted = 0;
+    while (fgets(line, sizeof line, file) != NULL) {
+        has_rays = has_rays || strncmp(line, "Rays:", 5) == 0;
+        if (strncmp(line, "Reflected Rays:", 15) == 0) {
+            *reflected = strtoull(line + 15, NULL, 10);
+        } else if (strncmp(line, "Refracted Rays:", 15) == 0) {
+            *refracted = strtoull(line + 15, NULL, 10);
+        }
+    }
+    (void)fclose(file);
+    return has_rays || fail(path, "has no statistics of POV-Ray's") != NULL;
+}
+
+static bool count_agrees(const char *kind, uint64_t ours, uint64_t theirs) {
+    double apart = 100 * fabs((double)ours - (double)theirs) / fmax((double)theirs, 1);
+    (void)printf("  %s rays: ours %" PRIu64 ", POV-Ray's %" PRIu64 ", %.4f %% apart\n", kind, ours,
+                 theirs, apart);
+    return apart <= count_most;
+}
+
+static int check(const struct compiled_scene *compiled, const char *picture, const char *log) {
+    struct png_image theirs;
+    struct png_error error;
+    struct counts counts;
+    uint64_t reflected, refracted;
+    FILE *file = fopen(picture, "rb");
+    if (file == NULL || read_png(file, &theirs, &error) != PNG_OK) {
+        fail(picture, file == NULL ? "can't be opened" : error.message);
+        return 2;
+    }
+    (void)fclose(file);
+    uint8_t *ours = render(compiled, &counts);
+    if (ours == NULL || !read_statistics(log, &reflected, &refracted) ||
+        theirs.width != compiled->width || theirs.height != compiled->height) {
+        return 2;
+    }
+    bool good = picture_agrees(compiled, ours, &theirs);
+    good = count_agrees("reflected", counts.rays[OBSERVED_REFLECTED], reflected) && good;
+    good = count_agrees("refracted", counts.rays[OBSERVED_REFRACTED], refracted) && good;
+    free(ours);
+    free_png(&theirs);
+    return good ? 0 : 1;
+}
+
+int main(int argc, char **argv) {
+    if (argc != 8) {
+        fail("usage", "pov_check SCENE WxH N THRESHOLD MODEL THEIRS.png THEIR-LOG");
+        return 2;
+    }
+    struct compiled_scene *compiled = load(argv);
+    int status = compiled == NULL ? 2 : check(compiled, argv[6], argv[7]);
+    free(compiled);
+    return status;
+}
