@@ -19,6 +19,8 @@ DEBUG    ?= -g
 FLOATING := -ffp-contract=off
 
 ARITHMETICS := fx f32 f64 f128
+# For `superframe measure` alone: what fx is measured against.
+EXAMPLES    := q16 q16_epsilon
 
 # A configuration is one build of everything: release for use, checked for the tests.
 CONFIGURATIONS := release sanitized
@@ -38,12 +40,26 @@ HOST_SOURCES     := $(wildcard host/*.c)
 # USB_LIBUSB=no and USB_HIDAPI=no leave it out; USB_HIDAPI=hidapi-libusb takes the other flavour.
 USB_LIBUSB ?= libusb-1.0
 USB_HIDAPI ?= hidapi-hidraw
+ifneq ($(filter test ci,$(MAKECMDGOALS)),)
+# The tests speak to the real libraries: they must be there before it is asked which are.
+setup_of_usb := $(shell CC='$(CC)' SETUP='$(SETUP)' sh setup.sh usb >&2)
+endif
 has_package = $(shell pkg-config --exists '$(1)' 2>/dev/null && echo yes)
 USB_PACKAGES := $(foreach package,$(USB_LIBUSB) $(USB_HIDAPI),$(if $(call has_package,$(package)),$(package)))
 HOST_SOURCES += $(if $(filter libusb%,$(USB_PACKAGES)),$(wildcard host/usb/libusb*.c),host/usb/no_libusb.c) \
                 $(if $(filter hidapi%,$(USB_PACKAGES)),host/usb/hidapi.c,host/usb/no_hidapi.c)
 USB_CFLAGS := $(if $(USB_PACKAGES),$(subst -I,-isystem ,$(shell pkg-config --cflags-only-I $(USB_PACKAGES))))
 USB_LIBS   := $(if $(USB_PACKAGES),$(shell pkg-config --libs $(USB_PACKAGES)))
+
+# The CPU of `superframe boot`; BOOT_UNICORN=no leaves it out. Goals that need it install it before
+# make asks whether it is there.
+BOOT_UNICORN ?= unicorn
+ifneq ($(filter test targets size size-keep,$(MAKECMDGOALS)),)
+BOOT_SETUP   := $(shell CC='$(CC)' SETUP='$(SETUP)' sh setup.sh quick >&2)
+endif
+BOOT_PACKAGE := $(if $(call has_package,$(BOOT_UNICORN)),$(BOOT_UNICORN))
+HOST_SOURCES += $(if $(BOOT_PACKAGE),host/processor/unicorn.c,host/processor/no_unicorn.c)
+BOOT_LIBS    := $(if $(BOOT_PACKAGE),$(shell pkg-config --libs $(BOOT_PACKAGE)))
 TEST_SOURCES     := $(wildcard tests/*_test.c)
 REAL_TEST_SOURCES := $(wildcard tests/real/*_test.c)
 SCENE_FILES      := $(wildcard firmware/scenes/*.scene)
@@ -58,7 +74,7 @@ INCLUDE_tests    := -Ihal -Ihal/usb -Iemulator -Ifirmware -Ihost -Itests
 COMPILER_HEADERS = $(dir $(shell $(CC) -print-file-name=include/quadmath.h))
 
 POSIX   := -D_POSIX_C_SOURCE=200809L
-LIBS    := -lpng -lconfig -lxxhash -lz -lquadmath -lm -lpthread $(USB_LIBS)
+LIBS    := -lpng -lconfig -lxxhash -lz -lquadmath -lm -lpthread $(USB_LIBS) $(BOOT_LIBS)
 
 .PHONY: all
 all: $(BUILD)/superframe ## Build the program (the default)
@@ -91,7 +107,7 @@ $(1)_HAL      := $$(HAL_SOURCES:%.c=$$(BUILD)/$(1)/%.o)
 $(1)_EMULATOR := $$(EMULATOR_SOURCES:%.c=$$(BUILD)/$(1)/%.o)
 $(1)_HOST     := $$(filter-out %/host/main.o,$$(HOST_SOURCES:%.c=$$(BUILD)/$(1)/%.o))
 $(1)_SCENES   := $$(BUILD)/$(1)/builtin_scenes.o
-$(1)_IMAGES   := $$(ARITHMETICS:%=$$(BUILD)/$(1)/image_%.o)
+$(1)_IMAGES   := $$(patsubst %,$$(BUILD)/$(1)/image_%.o,$$(ARITHMETICS) $$(EXAMPLES))
 $(1)_LIBRARY  := $$($(1)_HAL) $$($(1)_EMULATOR) $$($(1)_HOST) $$($(1)_IMAGES) $$($(1)_SCENES)
 
 $$(BUILD)/$(1)/hal/%.o: hal/%.c $$(BUILD)/flags | setup
@@ -113,7 +129,7 @@ $$(BUILD)/$(1)/builtin_scenes.o: $$(BUILD)/builtin_scenes.c host/builtin_scenes.
 $$(BUILD)/$(1)/superframe: $$(BUILD)/$(1)/host/main.o $$($(1)_LIBRARY) $$(BUILD)/sources
 	$$(CC) $$(LDFLAGS_$(1)) -o $$@ $$(filter %.o,$$^) $$(LIBS)
 
-$$(foreach arithmetic,$$(ARITHMETICS),$$(eval $$(call image_rules,$(1),$$(arithmetic))))
+$$(foreach arithmetic,$$(ARITHMETICS) $$(EXAMPLES),$$(eval $$(call image_rules,$(1),$$(arithmetic))))
 endef
 
 # One image of the firmware: one arithmetic, chosen by the include path; one symbol leaves it.
@@ -148,6 +164,8 @@ $(BUILD)/builtin_scenes.c: host/embed_scenes.sh $(SCENE_FILES)
 # ---- The library, and what is measured of it ------------------------------------------------
 
 include install.mk
+include firmware/targets/targets.mk
+include usb.mk
 include tests/measures.mk
 include tests/pov/pov.mk
 
@@ -158,6 +176,11 @@ run: $(BUILD)/superframe ## Render fig3 (or SCENE=...) to build/out/fig3.png
 	@mkdir -p $(BUILD)/out
 	$(BUILD)/superframe render $(SCENE) -o $(BUILD)/out/$(notdir $(basename $(SCENE))).png
 	@echo "The picture is $(BUILD)/out/$(notdir $(basename $(SCENE))).png"
+
+.PHONY: paper
+paper: $(BUILD)/superframe ## Make every figure of the paper, and measure its claims, in build/paper
+	$(BUILD)/superframe paper -o $(BUILD)/paper --jobs 2
+	@echo "The page is $(BUILD)/paper/index.html"
 
 # ---- Testing --------------------------------------------------------------------------------
 
@@ -189,11 +212,28 @@ endef
 $(foreach arithmetic,$(ARITHMETICS),$(eval $(call real_test_rules,$(arithmetic))))
 
 FIRMWARE_IMAGES := $(BUILD)/release/firmware_fx.o $(BUILD)/release/firmware_f32.o $(BUILD)/release/firmware_f64.o
-TEST_SCRIPTS := tests/check_includes.sh tests/check_symbols.sh tests/check_recursion.sh tests/check_install.sh
+TEST_SCRIPTS := tests/float_matrix.sh tests/trace_hash_matrix.sh tests/check_includes.sh tests/check_symbols.sh tests/check_recursion.sh tests/check_adapter.sh tests/check_usb_fuzz.sh tests/check_install.sh tests/targets/quick_test.sh tests/check_porting.sh
 
 .PHONY: test
-test: $(TEST_PROGRAMS) $(REAL_TEST_PROGRAMS) $(BUILD)/superframe $(BUILD)/sanitized/superframe $(FIRMWARE_IMAGES) strict fresh-prefix ## Run every test (under the address and undefined-behaviour sanitizers)
-	@sh tests/run.sh $(BUILD) $(TEST_SCRIPTS) $(TEST_PROGRAMS) $(REAL_TEST_PROGRAMS)
+test: $(TEST_PROGRAMS) $(REAL_TEST_PROGRAMS) $(BUILD)/superframe $(BUILD)/sanitized/superframe $(FIRMWARE_IMAGES) strict fresh-prefix $(USB_TEST_PROGRAMS) ## Run every test (under the address and undefined-behaviour sanitizers)
+	@sh tests/run.sh $(BUILD) $(TEST_SCRIPTS) $(TEST_PROGRAMS) $(REAL_TEST_PROGRAMS) $(USB_TEST_PROGRAMS)
+
+# ---- Measuring ------------------------------------------------------------------------------
+
+$(BUILD)/release/tests/accuracy/accuracy.o: tests/accuracy/accuracy.c $(BUILD)/flags | setup
+	@mkdir -p $(@D)
+	$(CC) $(WARNINGS) $(POSIX) $(CFLAGS_release) $(INCLUDE_tests) -MMD -MP -c -o $@ $<
+
+$(BUILD)/release/accuracy: $(BUILD)/release/tests/accuracy/accuracy.o $(release_LIBRARY) $(BUILD)/sources
+	$(CC) $(LDFLAGS_release) -o $@ $(filter %.o,$^) $(LIBS)
+
+# Pictures in f128 take minutes: they are kept for as long as the image that made them.
+$(BUILD)/accuracy/made_by: $(BUILD)/release/image_f128.o
+	@rm -rf $(@D) && mkdir -p $(@D) && touch $@
+
+.PHONY: accuracy
+accuracy: $(BUILD)/release/accuracy $(BUILD)/accuracy/made_by ## Whole frames of every built-in scene against f128 (SCENES=... for some)
+	$< $(BUILD)/accuracy $(SCENES)
 
 # ---- Checks that run nothing ----------------------------------------------------------------
 
@@ -211,18 +251,19 @@ lint-style: | setup
 	@sh tests/check_style.sh
 
 lint-cppcheck: | setup
-	cppcheck --quiet --std=c99 --enable=warning,performance,portability --suppressions-list=tests/cppcheck_suppressions.txt --error-exitcode=1 $(INCLUDE_host) -Ifirmware/real/fx -Ifirmware/features/full hal emulator host firmware
+	cppcheck --quiet --std=c99 --enable=warning,performance,portability --suppressions-list=tests/cppcheck_suppressions.txt --error-exitcode=1 $(INCLUDE_host) -Ifirmware/real/fx -Ifirmware/features/full -Itestkit hal emulator host firmware testkit
 
 lint-tidy: | setup
-	@printf '%s\n' $(HAL_SOURCES) $(EMULATOR_SOURCES) $(HOST_SOURCES) | xargs -P 2 -n 8 sh -c '$(TIDY) "$$@" -- -std=c99 $(POSIX) $(INCLUDE_host)' tidy
+	@printf '%s\n' $(HAL_SOURCES) $(EMULATOR_SOURCES) $(HOST_SOURCES) $(TESTKIT_SOURCES) | xargs -P 2 -n 8 sh -c '$(TIDY) "$$@" -- -std=c99 $(POSIX) $(INCLUDE_host) -Itestkit' tidy
 	@printf '%s\n' fx f64 | xargs -P 2 -I % $(TIDY) --checks=-clang-analyzer-core.DivideZero $(FIRMWARE_SOURCES) $(PER_ARITHMETIC_SOURCES) -- -std=c99 -Ifirmware/real/% -Ifirmware/features/full $(INCLUDE_host)
 
 # ---- The machine ----------------------------------------------------------------------------
 
 # The groups of setup.sh that a goal needs, besides `build`. All are installed in one go, before
 # anything is compiled.
-SETUP_FOR_test := test
+SETUP_FOR_test := test quick
 SETUP_FOR_lint := lint
+SETUP_FOR_paper := paper
 SETUP_FOR_library := test
 SETUP_FOR_install := test
 SETUP_FOR_coverage := test coverage

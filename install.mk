@@ -37,13 +37,14 @@ library: $(LIBRARIES) ## Build libsuperframe, static and shared, and its test ki
 
 .PHONY: install
 install: $(BUILD)/superframe $(LIBRARIES) ## Install command, library, test kit and man pages (PREFIX=/usr/local DESTDIR=)
-	$(INSTALL) -d '$(DESTDIR)$(PREFIX)/bin' '$(DESTDIR)$(PREFIX)/lib/pkgconfig' '$(DESTDIR)$(PREFIX)/include/superframe' '$(DESTDIR)$(PREFIX)/share/man/man1' '$(DESTDIR)$(PREFIX)/share/man/man3'
+	$(INSTALL) -d '$(DESTDIR)$(PREFIX)/bin' '$(DESTDIR)$(PREFIX)/lib/pkgconfig' '$(DESTDIR)$(PREFIX)/include/superframe' '$(DESTDIR)$(PREFIX)/share/man/man1' '$(DESTDIR)$(PREFIX)/share/man/man3' '$(DESTDIR)$(PREFIX)/lib/udev/rules.d'
 	$(INSTALL) -m 755 $(BUILD)/superframe '$(DESTDIR)$(PREFIX)/bin'
 	$(INSTALL) -m 644 $(filter %.a,$(LIBRARIES)) '$(DESTDIR)$(PREFIX)/lib'
 	$(INSTALL) -m 755 $(BUILD)/library/$(SONAME) '$(DESTDIR)$(PREFIX)/lib'
 	ln -sf $(SONAME) '$(DESTDIR)$(PREFIX)/lib/libsuperframe.so'
 	$(INSTALL) -m 644 $(PUBLIC_HEADERS) '$(DESTDIR)$(PREFIX)/include/superframe'
 	for name in superframe superframe-testing; do sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@VERSION@|$(VERSION)|' testkit/$$name.pc.in > '$(DESTDIR)$(PREFIX)/lib/pkgconfig/'$$name.pc && chmod 644 '$(DESTDIR)$(PREFIX)/lib/pkgconfig/'$$name.pc || exit 1; done
+	$(INSTALL) -m 644 host/usb/70-superframe.rules '$(DESTDIR)$(PREFIX)/lib/udev/rules.d'
 	$(INSTALL) -m 644 docs/*.1 '$(DESTDIR)$(PREFIX)/share/man/man1'
 	$(INSTALL) -m 644 docs/*.3 '$(DESTDIR)$(PREFIX)/share/man/man3'
 

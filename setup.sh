@@ -13,7 +13,7 @@ set -u
 CC=${CC:-cc}
 SETUP=${SETUP:-yes}
 
-# group | how to look for it: header, tool or m32 | what to look for | Debian package
+# group | how to look for it: header, tool, file, pc (pkg-config) or m32 | what to look for | Debian package
 table='
 build|tool|make|make
 build|header|stdio.h|libc6-dev
@@ -27,10 +27,31 @@ test|tool|clang|clang
 pov|tool|povray|povray
 test|tool|pkg-config|pkg-config
 paper|tool|gnuplot|gnuplot-nox
+usb|tool|pkg-config|pkg-config
+usb|pc|libusb-1.0|libusb-1.0-0-dev
+usb|pc|hidapi-hidraw|libhidapi-dev
+usb|pc|umockdev-1.0|libumockdev-dev
+usb|tool|umockdev-run|umockdev
 lint|tool|clang-format|clang-format
 lint|tool|clang-tidy|clang-tidy
 lint|tool|cppcheck|cppcheck
 coverage|tool|gcovr|gcovr
+quick|tool|pkg-config|pkg-config
+quick|header|unicorn/unicorn.h|libunicorn-dev
+quick|m32|stdio.h|gcc-multilib
+quick|tool|clang|clang
+quick|tool|wasm-ld|lld
+quick|tool|node|nodejs
+quick|tool|arm-none-eabi-gcc|gcc-arm-none-eabi
+quick|tool|qemu-system-arm|qemu-system-arm
+pc98|m32|stdio.h|gcc-multilib
+targets|tool|riscv64-unknown-elf-gcc|gcc-riscv64-unknown-elf
+targets|tool|qemu-system-riscv32|qemu-system-misc
+targets|tool|qemu-system-i386|qemu-system-x86
+targets|tool|powerpc-linux-gnu-gcc|gcc-powerpc-linux-gnu
+targets|file|/usr/powerpc-linux-gnu/include/stdio.h|libc6-dev-powerpc-cross
+targets|tool|qemu-ppc|qemu-user
+targets|tool|avr-gcc|gcc-avr
 '
 
 say() {
@@ -80,7 +101,9 @@ lacking() {
     wanted_rows | while IFS='|' read -r kind thing package; do
         case $kind in
         header) [ -z "$headers" ] || has_headers "$thing" ;;
+        pc) pkg-config --exists "$thing" > /dev/null 2>&1 ;;
         tool) command -v "$thing" > /dev/null 2>&1 ;;
+        file) [ -e "$thing" ] ;;
         m32) has_m32 "$thing" ;;
         esac || echo "$package"
     done | sort -u | tr '\n' ' ' | sed 's/ $//'

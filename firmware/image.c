@@ -4,6 +4,7 @@
 
 #include "board.h"
 #include "camera.h"
+#include "learn.h"
 #include "show.h"
 #include "tree.h"
 
@@ -23,7 +24,7 @@ static void image_row(const struct scene *scene, uint16_t y, uint8_t *rgb,
     }
 }
 
-static void image_draw(const struct scene *scene, const struct drawing *drawing) {
+static void draw_rows(const struct scene *scene, const struct drawing *drawing) {
     uint8_t rgb[3 * FEATURE_WIDTH];
     /* A picture of up to 320 x 200 is shown with 2 x 2 dots a pixel. */
     uint8_t dots = scene->width <= BOARD_WIDTH / 2 && scene->height <= BOARD_HEIGHT / 2 ? 2 : 1;
@@ -35,7 +36,7 @@ static void image_draw(const struct scene *scene, const struct drawing *drawing)
                 return;
             }
         } else {
-            struct render_counts ignored = {0, 0, 0, 0, 0};
+            struct render_counts ignored = {0};
             image_row(scene, y, rgb, &ignored);
         }
         if (FEATURE_SHOW) {
@@ -52,6 +53,20 @@ static void image_draw(const struct scene *scene, const struct drawing *drawing)
     }
 }
 
+static void image_draw(const struct scene *scene, const struct drawing *drawing) {
+    if (!FEATURE_ESTIMATE || !scene->estimates || scene->estimate || drawing->source) {
+        draw_rows(scene, drawing);
+        return;
+    }
+    struct scene learned = *scene;
+    struct estimate estimate;
+    struct render_counts ignored = {0};
+    learn_estimate(scene, &estimate, &ignored);
+    learned.estimate = &estimate;
+    draw_rows(&learned, drawing);
+}
+
 extern const struct image IMAGE_SYMBOL(REAL_NAME);
 
-const struct image IMAGE_SYMBOL(REAL_NAME) = {IMAGE_TEXT(REAL_NAME), image_row, image_draw};
+const struct image IMAGE_SYMBOL(REAL_NAME) = {IMAGE_TEXT(REAL_NAME), learn_estimate, image_row,
+                                              image_draw};

@@ -18,6 +18,18 @@ struct render_counts {
     uint32_t nodes;       /* boundaries shaded */
     uint32_t solid_tests; /* a ray against a primitive */
     uint32_t leaked_rays; /* rays that left the scene inside a medium: 0 is the only right value */
+
+    uint32_t exhausted_pixels; /* that their budget of rays ended */
+
+    /* Of scenes with an accuracy asked for: the worst pixel's, not sums. */
+    uint32_t estimated_error; /* in steps of 2^-16 level: what was cut times its spread */
+    uint32_t proved_error;    /* in levels: what was cut, at its brightest, to the depth level */
+};
+
+/* What a branch that is cut is worth, learned from the scene; in steps of 2^-16 level. */
+struct estimate {
+    int32_t mean[3]; /* red, green, blue */
+    int32_t spread;  /* how far pixels stray from the mean, on average */
 };
 
 /* Gives row y as width x 3 bytes R G B, in full colour; false stops the drawing. */
@@ -33,6 +45,11 @@ struct drawing {
 
 struct image {
     const char *name; /* of the arithmetic */
+
+    /* Learns from a few hundred pixels what branches are worth that the scene's threshold and depth
+     * level cut. The result goes where the scene's estimate points to before rows are rendered. */
+    void (*learn)(const struct scene *scene, struct estimate *estimate,
+                  struct render_counts *counts);
 
     /* Renders row y into width x 3 bytes, in full colour. Pure: any number of threads may call it.
      */

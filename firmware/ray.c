@@ -26,8 +26,8 @@ static void start_search(struct search *search, const struct scene *scene, const
                          const struct primitive_set *only) {
     search->scene = scene;
     search->only = only;
-    search->surface = ray->surface;
-    search->touch = ray->surface == SURFACE_NONE ? 0 : &scene->surfaces[ray->surface];
+    search->surface = length_is_zero(LENGTH_EPSILON) ? ray->surface : SURFACE_NONE;
+    search->touch = search->surface == SURFACE_NONE ? 0 : &scene->surfaces[search->surface];
     local_ray_world(&search->world, ray->origin, ray->direction);
 }
 
@@ -222,7 +222,7 @@ static void describe_hit(const struct scene *scene, const struct ray *ray,
 bool ray_hit(const struct scene *scene, const struct ray *ray, struct hit *hit,
              struct render_counts *counts) {
     struct search search;
-    real_length from = REAL_LENGTH(0.0);
+    real_length from = LENGTH_EPSILON;
     struct crossing crossing;
     struct primitive_set toggled;
     start_search(&search, scene, ray, 0);
@@ -251,7 +251,7 @@ bool ray_is_shadowed(const struct scene *scene, const struct ray *ray, real_leng
                      struct render_counts *counts) {
     struct search search;
     struct primitive_set inside = ray->inside, toggled;
-    real_length from = REAL_LENGTH(0.0);
+    real_length from = LENGTH_EPSILON;
     struct crossing crossing;
     start_search(&search, scene, ray, &scene->shadow_primitives);
     counts->shadow_rays++;

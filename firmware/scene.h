@@ -12,7 +12,7 @@
 /* Written by the scene compiler, for one arithmetic. Lengths are in scaled units: the file's, less
  * a centre, times a power of two, so that whatever is bounded lies within +-512. */
 
-enum { SURFACE_NONE = 0xFFFF };
+#define SURFACE_NONE UINT16_C(0xFFFF) /* more than an int of 16 bits holds: no enumerator */
 
 /* What is around everything: object 0, which no program describes, of material 0. */
 enum { OBJECT_AIR = 0, MATERIAL_AIR = 0 };
@@ -157,8 +157,13 @@ enum show { SHOW_FULL, SHOW_BITS, SHOW_DITHER, SHOW_EXPOSURES };
 
 struct scene {
     uint16_t width, height;
-    uint8_t depth;         /* the paper's N */
-    real_energy threshold; /* a branch that weighs less is not followed */
+    uint8_t depth;                   /* the paper's N */
+    real_energy threshold;           /* a branch that weighs less is not followed */
+    const struct estimate *estimate; /* what a cut branch counts as; NULL: black */
+    bool estimates;                  /* it is to be learned first */
+    uint32_t error;                  /* the accuracy asked for, in steps of 2^-16 level; 0: none */
+    uint32_t ray_budget;             /* of a pixel: what is left then is cut */
+    uint16_t brightest;              /* no surface's own intensity is above this level */
     struct colours background;
     bool simple;            /* Table 1 (a): transmittance alone, straight on */
     bool filters;           /* transparent colours multiply instead of adding */

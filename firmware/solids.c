@@ -29,6 +29,18 @@ void local_ray_in(struct local_ray *ray, const struct frame *frame, struct point
     local_ray_world(ray, local, turned);
 }
 
+/* Whether a ray that runs along a plane is on the inner side of it. Of two solids that share the
+ * plane one has what lies exactly in it, the upper one, as with boxes: no ray slips between. */
+static bool plane_is_ahead(const struct plane *plane, real_length ahead) {
+    const struct direction *normal = &plane->normal;
+    if (!length_is_zero(ahead)) {
+        return length_less(REAL_LENGTH(0.0), ahead);
+    }
+    return unit_is_negative(!unit_is_zero(normal->x)   ? normal->x
+                            : !unit_is_zero(normal->y) ? normal->y
+                                                       : normal->z);
+}
+
 static struct segment polyhedron_segment(const struct scene *scene,
                                          const struct polyhedron *polyhedron,
                                          const struct local_ray *ray, struct start start) {
@@ -38,7 +50,7 @@ static struct segment polyhedron_segment(const struct scene *scene,
         real_length ahead = length_subtract(plane->offset, point_dot(ray->origin, plane->normal));
         real_unit along = direction_dot(ray->direction, plane->normal);
         if (unit_is_zero(along)) {
-            segment.hit = segment.hit && length_less(REAL_LENGTH(0.0), ahead);
+            segment.hit = segment.hit && plane_is_ahead(plane, ahead);
             continue;
         }
         bool on_it = plane->surface == start.surface;

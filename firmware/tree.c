@@ -1,248 +1,135 @@
 /* SPDX-License-Identifier: MIT */
-/* The tree of rays without recursion: Eq. (3) as a sum over nodes, each times its weight. */
+/* The tree of rays of one pixel, without recursion, to a threshold or to an accuracy. */
 #include "tree.h"
 
-#include "optics.h"
-#include "shade.h"
+#include "growth.h"
 
-/* Each event leaves at most one branch waiting, the other is followed at once; dispersion, which
- * happens once on a way, leaves three. */
-enum { BRANCHES_MOST = FEATURE_DEPTH + 2 + (FEATURE_DISPERSION ? 3 : 0) };
-
-struct tree {
-    const struct scene *scene;
-    struct render_counts *counts;
-    const struct tree_observer *observer;
-    struct colours sum;
-    uint32_t node; /* the number of the node at work */
-    uint16_t waiting;
-    struct branch branches[BRANCHES_MOST];
-};
-
-/* What grows from a node: all that its branches have in common. */
-struct node {
-    const struct branch *branch;
-    const struct hit *hit;
-    const struct material *material; /* whose surface it is */
-    struct direction mirrored;
-    real_unit cosine; /* of the angle of incidence */
-};
-
-static const struct energies no_energy = {REAL_ENERGY(0.0), REAL_ENERGY(0.0), REAL_ENERGY(0.0)};
-
-static void report_end(const struct tree *tree, enum branch_kind kind, uint8_t channel,
-                       struct energies weight, enum branch_end why) {
-    if (FEATURE_OBSERVER && tree->observer) {
-        tree->observer->end(tree->observer->context, tree->node, kind, channel, weight, why);
-    }
+/* The weight of a branch in steps of 2^-30. */
+static int64_t weight_of(const struct branch *branch) {
+    return energy_steps(energies_largest(branch->weight));
 }
 
-/* Puts a branch aside, if it is to be followed at all. */
-static void grow(struct tree *tree, const struct node *node, enum branch_kind kind, uint8_t channel,
-                 struct direction direction, struct energies coefficient) {
-    const struct hit *hit = node->hit;
-    struct energies weight = energies_product(node->branch->weight, coefficient);
-    real_energy largest = energies_largest(weight);
-    if (energy_is_zero(largest)) {
-        report_end(tree, kind, channel, weight, END_NOTHING);
-        return;
+static int64_t kept_weight(const struct kept_branches *kept) {
+    int64_t sum = 0;
+    for (uint16_t i = 0; i < kept->count; i++) {
+        sum += weight_of(&kept->branches[i]);
     }
-    if (node->branch->events >= tree->scene->depth) {
-        report_end(tree, kind, channel, weight, END_DEPTH);
-        return;
-    }
-    if (energy_less(largest, tree->scene->threshold)) {
-        report_end(tree, kind, channel, weight, END_THRESHOLD);
-        return;
-    }
-    bool through = kind == BRANCH_REFRACTED;
-    struct branch *branch = &tree->branches[tree->waiting++];
-    branch->ray.origin = hit->where;
-    branch->ray.direction = direction;
-    branch->ray.inside = through ? hit->inside_after : hit->inside_before;
-    branch->ray.surface = hit->surface;
-    branch->ray.object = through ? hit->after : hit->before;
-    branch->weight = weight;
-    branch->events = (uint8_t)(node->branch->events + 1);
-    branch->channel = channel;
-    branch->kind = (uint8_t)kind;
-    branch->parent = tree->node;
+    return sum;
 }
 
-/* Lambert-Bouguer: what is left of each primary after the way through the medium. */
-static struct energies attenuated(const struct material *medium, struct energies weight,
-                                  real_length way) {
-    struct energies rest = {energy_transmitted(medium->absorption[0], way),
-                            energy_transmitted(medium->absorption[1], way),
-                            energy_transmitted(medium->absorption[2], way)};
-    return energies_product(weight, rest);
+/* What a weight that is cut may be worth: weight times spread, in steps of 2^-16 level. The weight
+ * is brought to steps of 2^-15 first, upwards: below 2^16 of them, times less than 2^31. */
+static uint32_t doubt_of(const struct scene *scene, int64_t weight) {
+    int64_t spread = scene->estimate ? scene->estimate->spread : (int64_t)255 << 16;
+    int64_t doubt = (((weight >> 15) + 1) * spread) >> 15;
+    return doubt < (int64_t)UINT32_MAX ? (uint32_t)doubt : UINT32_MAX;
 }
 
-static const struct material *material_of(const struct scene *scene, uint8_t object) {
-    return &scene->materials[scene->objects[object].material];
-}
-
-/* The material whose surface a boundary is: the opaque one, else that of the object which fills
- * the place where both are. */
-static const struct material *surface_material(const struct scene *scene, const struct hit *hit) {
-    const struct material *before = material_of(scene, hit->before);
-    const struct material *after = material_of(scene, hit->after);
-    if (before->transparent != after->transparent) {
-        return before->transparent ? after : before;
-    }
-    return hit->before > hit->after ? before : after;
-}
-
-static struct energies energies_equal(real_energy share) {
-    struct energies all = {share, share, share};
-    return all;
-}
-
-/* One primary of three shares, the others 0. */
-static struct energies energies_only(real_energy share, uint8_t channel) {
-    struct energies one = no_energy;
-    if (channel == 0) {
-        one.red = share;
-    } else if (channel == 1) {
-        one.green = share;
-    } else {
-        one.blue = share;
-    }
-    return one;
-}
-
-/* What a coefficient of transmission becomes by the medium's own factors, and by the filter that
- * the ray goes into. */
-static struct energies transmitted(const struct scene *scene, const struct node *node,
-                                   struct energies coefficient) {
-    if (FEATURE_TINT && node->material->tints) {
-        coefficient = energies_product(coefficient, node->material->transmits);
-    }
-    if (FEATURE_FILTER && scene->filters && node->hit->after > node->hit->before) {
-        coefficient = energies_product(coefficient, node->material->filter);
-    }
-    return coefficient;
-}
-
-static struct energies reflected(const struct node *node, struct energies coefficient) {
-    if (FEATURE_TINT && node->material->tints) {
-        coefficient = energies_product(coefficient, node->material->reflects);
-    }
-    return coefficient;
-}
-
-/* Table 1 (c): one mirror direction, three refracted ones. */
-static void grow_dispersed(struct tree *tree, const struct node *node,
-                           const struct material *before, const struct material *after) {
-    struct passage passage[3];
-    for (uint8_t i = 0; i < 3; i++) {
-        passage[i] = optics_passage(before, after, i, node->branch->ray.direction, node->cosine,
-                                    node->hit->normal);
-    }
-    const struct energies reflectance = {passage[0].reflectance, passage[1].reflectance,
-                                         passage[2].reflectance};
-    grow(tree, node, BRANCH_REFLECTED, CHANNEL_ALL, node->mirrored, reflected(node, reflectance));
-    for (uint8_t i = 0; i < 3; i++) {
-        struct energies coefficient = energies_only(passage[i].transmittance, i);
-        grow(tree, node, BRANCH_REFRACTED, i, passage[i].refracted,
-             transmitted(tree->scene, node, coefficient));
-    }
-}
-
-static void grow_transparent(struct tree *tree, const struct node *node) {
-    const struct scene *scene = tree->scene;
-    const struct branch *branch = node->branch;
-    const struct material *before = material_of(scene, node->hit->before);
-    const struct material *after = material_of(scene, node->hit->after);
-    if (FEATURE_SIMPLE && scene->simple) {
-        struct energies coefficient = energies_equal(node->material->transmittance);
-        grow(tree, node, BRANCH_REFRACTED, CHANNEL_ALL, branch->ray.direction,
-             transmitted(scene, node, coefficient));
-        return;
-    }
-    uint8_t channel = branch->channel;
-    if (FEATURE_DISPERSION && channel == CHANNEL_ALL) {
-        if (before->disperses || after->disperses) {
-            grow_dispersed(tree, node, before, after);
-            return;
+/* Follows the kept branches that a lower threshold lets through. */
+static void follow_kept(struct tree *tree) {
+    struct kept_branches *kept = tree->kept;
+    uint16_t i = 0;
+    while (i < kept->count && !growth_is_exhausted(tree)) {
+        if (energy_less(energies_largest(kept->branches[i].weight), tree->threshold)) {
+            i++;
+            continue;
         }
-        channel = 0;
-    }
-    struct passage passage = optics_passage(before, after, FEATURE_DISPERSION ? channel : 0,
-                                            branch->ray.direction, node->cosine, node->hit->normal);
-    grow(tree, node, BRANCH_REFLECTED, branch->channel, node->mirrored,
-         reflected(node, energies_equal(passage.reflectance)));
-    grow(tree, node, BRANCH_REFRACTED, branch->channel, passage.refracted,
-         transmitted(scene, node, energies_equal(passage.transmittance)));
-}
-
-static void visit(struct tree *tree, const struct branch *branch, const struct hit *hit) {
-    const struct scene *scene = tree->scene;
-    struct node node;
-    node.branch = branch;
-    node.hit = hit;
-    node.material = surface_material(scene, hit);
-    node.cosine = incidence_cosine(branch->ray.direction, hit->normal);
-    node.mirrored = mirror_direction(branch->ray.direction, node.cosine, hit->normal);
-    tree->counts->nodes++;
-    tree->node++;
-    struct colours local = {REAL_COLOUR(0.0), REAL_COLOUR(0.0), REAL_COLOUR(0.0)};
-    if (!FEATURE_FILTER || !scene->filters || !node.material->transparent) {
-        local = shade(scene, node.material, &branch->ray, hit, node.mirrored, tree->counts);
-        tree->sum = colours_add(tree->sum, colours_weighed(local, branch->weight));
-    }
-    if (FEATURE_OBSERVER && tree->observer) {
-        tree->observer->node(tree->observer->context, tree->node, branch, hit, &local);
-    }
-    if (FEATURE_TRANSPARENCY && node.material->transparent) {
-        grow_transparent(tree, &node);
-    } else {
-        grow(tree, &node, BRANCH_REFLECTED, branch->channel, node.mirrored,
-             energies_equal(specular_at(scene, node.material, node.cosine)));
+        tree->branches[0] = kept->branches[i];
+        tree->waiting = 1;
+        kept->branches[i] = kept->branches[--kept->count];
+        growth_finish(tree);
     }
 }
 
-/* Follows a branch to the next boundary, or out of the scene. */
-static void follow(struct tree *tree, struct branch *branch) {
+/* The pixel's intensity if every kept branch is worth the mean. */
+static struct colours expected(const struct tree *tree) {
+    const struct estimate *estimate = tree->scene->estimate;
+    struct colours sum = tree->sum;
+    for (uint16_t i = 0; estimate && i < tree->kept->count; i++) {
+        const struct colours mean = {colour_of_steps(estimate->mean[0]),
+                                     colour_of_steps(estimate->mean[1]),
+                                     colour_of_steps(estimate->mean[2])};
+        sum = colours_add(sum, colours_weighed(mean, tree->kept->branches[i].weight));
+    }
+    return sum;
+}
+
+static uint32_t difference(int32_t a, int32_t b) {
+    return a < b ? (uint32_t)b - (uint32_t)a : (uint32_t)a - (uint32_t)b;
+}
+
+/* The largest difference of a channel, in steps of 2^-16 level. */
+static uint32_t change_of(struct colours a, struct colours b) {
+    uint32_t red = difference(colour_steps(a.red), colour_steps(b.red));
+    uint32_t green = difference(colour_steps(a.green), colour_steps(b.green));
+    uint32_t blue = difference(colour_steps(a.blue), colour_steps(b.blue));
+    uint32_t most = red > green ? red : green;
+    return most > blue ? most : blue;
+}
+
+/* What is cut may stray this many times as far as branches do on average, and a step of the
+ * threshold may bring this part of the error that is asked for. Chosen on the built-in scenes: less
+ * than the first follows pixels whose doubt is idle, more than the second misses slow ones. */
+enum { STRAYS_MOST = 4, STEP_SHARE = 3 };
+
+/* Lowers the threshold, past the scene's, until neither what is cut nor what the last step brought
+ * is worth the error that is asked for. Where light is trapped the steps go on bringing more than
+ * was expected: those pixels are followed farther than the others, as far as the budget reaches. */
+static void refine(struct tree *tree) {
     const struct scene *scene = tree->scene;
-    struct hit hit;
-    tree->counts->rays++;
-    if (ray_hit(scene, &branch->ray, &hit, tree->counts)) {
-        const struct material *medium = material_of(scene, branch->ray.object);
-        if (FEATURE_ABSORPTION && medium->absorbs) {
-            branch->weight = attenuated(medium, branch->weight, hit.t);
+    struct kept_branches *kept = tree->kept;
+    uint32_t change;
+    growth_finish(tree);
+    do {
+        struct colours before = expected(tree);
+        if (growth_is_exhausted(tree)) {
+            tree->exhausted = true;
+            break;
         }
-        visit(tree, branch, &hit);
-        return;
+        tree->threshold = energy_product(tree->threshold, REAL_ENERGY(0.5));
+        follow_kept(tree);
+        change = change_of(before, expected(tree));
+    } while (kept->count > 0 &&
+             (doubt_of(scene, tree->lost + kept_weight(kept)) / STRAYS_MOST > scene->error ||
+              change > scene->error / STEP_SHARE ||
+              energy_less(scene->threshold, tree->threshold)));
+    uint32_t doubt = doubt_of(scene, tree->lost + kept_weight(kept));
+    for (uint16_t i = 0; i < kept->count; i++) {
+        growth_cut(tree, kept->branches[i].weight, kept->branches[i].events);
     }
-    if (hit.before != OBJECT_AIR) {
-        tree->counts->leaked_rays++;
+    uint32_t proved = (uint32_t)(((tree->lost_depth >> 20) * scene->brightest) >> 10);
+    if (doubt > tree->counts->estimated_error) {
+        tree->counts->estimated_error = doubt;
     }
-    tree->sum = colours_add(tree->sum, colours_weighed(scene->background, branch->weight));
-    if (FEATURE_OBSERVER && tree->observer) {
-        tree->observer->end(tree->observer->context, branch->parent, (enum branch_kind)branch->kind,
-                            branch->channel, branch->weight, END_LEFT_SCENE);
+    if (proved > tree->counts->proved_error) {
+        tree->counts->proved_error = proved;
     }
+}
+
+static struct colours refined_colour(const struct scene *scene, const struct ray *eye_ray,
+                                     struct render_counts *counts,
+                                     const struct tree_observer *observer) {
+    struct tree tree;
+    struct kept_branches kept;
+    growth_start(&tree, scene, eye_ray, counts);
+    kept.count = 0;
+    tree.kept = &kept;
+    tree.observer = observer;
+    tree.threshold = energy_add(scene->threshold, scene->threshold);
+    refine(&tree);
+    counts->exhausted_pixels += tree.exhausted;
+    return tree.sum;
 }
 
 struct colours tree_colour(const struct scene *scene, const struct ray *eye_ray,
                            struct render_counts *counts, const struct tree_observer *observer) {
-    struct tree tree;
-    tree.scene = scene;
-    tree.counts = counts;
-    tree.observer = observer;
-    tree.sum.red = tree.sum.green = tree.sum.blue = REAL_COLOUR(0.0);
-    tree.node = 0;
-    tree.waiting = 1;
-    tree.branches[0].ray = *eye_ray;
-    tree.branches[0].weight = energies_equal(REAL_ENERGY(1.0));
-    tree.branches[0].events = 0;
-    tree.branches[0].channel = CHANNEL_ALL;
-    tree.branches[0].kind = BRANCH_EYE;
-    tree.branches[0].parent = 0;
-    while (tree.waiting > 0) {
-        struct branch branch = tree.branches[--tree.waiting];
-        follow(&tree, &branch);
+    if (FEATURE_KEPT > 0 && scene->error > 0) {
+        return refined_colour(scene, eye_ray, counts, observer);
     }
+    struct tree tree;
+    growth_start(&tree, scene, eye_ray, counts);
+    tree.observer = observer;
+    growth_finish(&tree);
+    counts->exhausted_pixels += tree.exhausted;
     return tree.sum;
 }

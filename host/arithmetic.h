@@ -16,6 +16,10 @@ struct arithmetic {
      * filled where the arithmetic cannot hold the scene, or memory is out. */
     struct scene *(*load)(const struct compiled_scene *compiled, struct scene_error *error);
 
+    /* Learns what the scene's cut branches are worth, if that is asked for; to be called once,
+     * before rows and pixels. The estimate is all 0 where they count as black. */
+    void (*learn)(struct scene *scene, struct estimate *estimate, struct render_counts *counts);
+
     /* Renders one pixel: its intensities in levels, neither rounded nor clamped, what it took added
      * to *counts, and its tree told to the observer, if there is one. */
     void (*pixel)(const struct scene *scene, uint16_t x, uint16_t y, double intensity[3],
@@ -27,8 +31,15 @@ extern const struct arithmetic arithmetic_f32;
 extern const struct arithmetic arithmetic_f64;
 extern const struct arithmetic arithmetic_f128;
 
+/* Plain Q16.16, to be measured against the others; arithmetic_find() does not know them. */
+extern const struct arithmetic arithmetic_q16;
+extern const struct arithmetic arithmetic_q16_epsilon;
+
 /* The arithmetic of that name; NULL if there is none. */
 const struct arithmetic *arithmetic_find(const char *name);
+
+/* The same, with those that are there to be measured only. */
+const struct arithmetic *arithmetic_find_any(const char *name);
 
 /* The names, as "fx, f32, f64 or f128", for messages. */
 extern const char arithmetic_names[];

@@ -107,11 +107,9 @@ static struct bounds round_bounds(const struct affine *map, const struct solid_n
 
 /* Of a general quadric only an ellipsoid has an end. */
 static struct bounds quadric_bounds(const struct affine *map, const struct solid_node *node) {
-    struct quadric_form form = quadric_form_of_leaf(node);
     struct quadric_axes axes;
     struct bounds bounds;
-    form = quadric_form_placed(&form, map);
-    if (!quadric_form_axes(&form, &axes) || axes.square[0] <= 0 || axes.square[1] <= 0 ||
+    if (!quadric_axes_of_leaf(node, map, &axes) || axes.square[0] <= 0 || axes.square[1] <= 0 ||
         axes.square[2] <= 0 || axes.constant >= 0) {
         return bounds_everything;
     }

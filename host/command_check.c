@@ -8,6 +8,7 @@
 #include "arithmetic.h"
 #include "command.h"
 #include "load_scene.h"
+#include "requirements.h"
 
 static void print_description(const struct scene_description *scene) {
     size_t opaque = 0;
@@ -43,16 +44,11 @@ static void print_indices(const struct compiled_scene *compiled) {
     }
 }
 
-static void print_requirements(const struct compiled_scene *compiled) {
+static void print_tables(const struct compiled_scene *compiled) {
     (void)printf("tables      %u primitives (%u boxes, %u balls), %u surfaces, %u bytes of "
                  "programs\n",
                  compiled->primitive_count, compiled->box_count, compiled->ball_count,
                  compiled->surface_count, compiled->program_length);
-    (void)printf(
-        "requires    rotation: %s; patterns: %u; shadows: %s; fading: %s; highlights: %s\n",
-        compiled->frame_count > 0 ? "yes" : "no", compiled->pattern_count,
-        compiled->has_shadows ? "yes" : "no", compiled->fades ? "yes" : "no",
-        compiled->blinn ? "blinn" : "phong");
 }
 
 /* Whether each arithmetic can hold the scene: fx is the one whose ranges are narrow. */
@@ -86,7 +82,8 @@ int run_check(const struct options *options) {
         print_description(scene);
         print_scaling(compiled);
         print_indices(compiled);
-        print_requirements(compiled);
+        print_tables(compiled);
+        requirements_print(stdout, compiled);
         status = print_arithmetics(compiled);
     }
     free(compiled);

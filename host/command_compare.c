@@ -1,14 +1,33 @@
 /* SPDX-License-Identifier: MIT */
-/* superframe compare: how far two pictures are apart. */
+/* superframe compare: how far two pictures are apart, and why. */
 #include <errno.h>
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "colour_difference.h"
 #include "command.h"
 #include "compare.h"
+#include "difference_picture.h"
+#include "output.h"
 #include "png_file.h"
+#include "signatures.h"
+#include "similarity.h"
+
+/* Two of everything that is compared; all zero where it is not given. */
+struct compared {
+    const struct options *options;
+    const char *pictures[2], *signature_files[2]; /* NULL: not given */
+    struct png_image image[2];
+    struct signatures signatures[2];
+    struct comparison comparison;
+    struct colour_differences colours;
+    double similarity; /* NaN: the pictures are too small */
+    struct signature_comparison paths;
+    bool holds;
+};
 
 static bool read_picture(const char *path, struct png_image *image) {
     struct png_error error;
@@ -25,74 +44,264 @@ static bool read_picture(const char *path, struct png_image *image) {
     return status == PNG_OK;
 }
 
-static void print_words(const struct comparison *comparison, const struct options *options) {
-    unsigned within = (unsigned)options->within;
-    uint64_t far = comparison->pixels - comparison_within(comparison, COMPARE_FAR);
-    (void)printf("pixels              %" PRIu64 "\n", comparison->pixels);
-    (void)printf("largest error       %u LSB\n", comparison_largest(comparison));
-    (void)printf("RMSE                %.6f LSB\n", comparison_rmse(comparison));
-    (void)printf("PSNR                %.4f dB\n", comparison_psnr(comparison));
-    (void)printf("within 1 LSB        %.6f %%\n", comparison_share(comparison, 1));
-    if (within != 1) {
-        (void)printf("within %-3u LSB      %.6f %%\n", within,
-                     comparison_share(comparison, within));
+static bool read_signatures(const char *path, struct signatures *signatures) {
+    FILE *file = fopen(path, "rb");
+    if (file == NULL) {
+        complain("%s: cannot be read: %s", path, strerror(errno));
+        return false;
     }
-    (void)printf("over %d LSB          %" PRIu64 " pixels\n", COMPARE_FAR, far);
+    const char *wrong = signatures_read(file, signatures);
+    (void)fclose(file);
+    if (wrong != NULL) {
+        complain("%s: %s", path, wrong);
+    }
+    return wrong == NULL;
 }
 
-static void print_json(const struct comparison *comparison, const struct options *options,
-                       const struct png_image *image, bool holds) {
-    unsigned within = (unsigned)options->within;
-    double psnr = comparison_psnr(comparison);
-    uint64_t far = comparison->pixels - comparison_within(comparison, COMPARE_FAR);
-    (void)printf("{\n  \"width\": %u,\n  \"height\": %u,\n  \"pixels\": %" PRIu64 ",\n",
-                 image->width, image->height, comparison->pixels);
-    (void)printf("  \"max_error\": %u,\n  \"rmse\": %.17g,\n", comparison_largest(comparison),
-                 comparison_rmse(comparison));
-    if (isfinite(psnr)) {
-        (void)printf("  \"psnr\": %.17g,\n", psnr);
-    } else {
-        (void)printf("  \"psnr\": null,\n"); /* the pictures are equal */
+/* Which operand is what: with --signatures A.sig the other file of signatures stands among the
+ * operands, wherever it is. */
+static int sort_operands(struct compared *all) {
+    const struct options *options = all->options;
+    int pictures = 0;
+    all->signature_files[0] = options->signatures;
+    for (int i = 0; i < options->operand_count; i++) {
+        const char *operand = options->operands[i];
+        if (options->signatures != NULL && all->signature_files[1] == NULL &&
+            (signatures_is_file(operand) || pictures == 2)) {
+            all->signature_files[1] = operand;
+        } else if (pictures < 2) {
+            all->pictures[pictures++] = operand;
+        } else {
+            return bad_input("compare: \"%s\" is one too many; allowed are: A.png B.png, with "
+                             "--signatures A.sig B.sig or without",
+                             operand);
+        }
     }
-    (void)printf("  \"share_within_1\": %.17g,\n  \"pixels_over_8\": %" PRIu64 ",\n",
-                 comparison_share(comparison, 1), far);
-    (void)printf("  \"within\": %u,\n  \"share_within\": %.17g,\n  \"share\": %.17g,\n", within,
-                 comparison_share(comparison, within), options->share);
-    (void)printf("  \"holds\": %s\n}\n", holds ? "true" : "false");
+    if (options->signatures != NULL && all->signature_files[1] == NULL) {
+        return bad_input("compare: B.sig is lacking; usage: --signatures A.sig B.sig");
+    }
+    if (pictures == 1 || (pictures == 0 && options->signatures == NULL)) {
+        return bad_input("compare: B.png is lacking; usage: superframe compare A.png B.png");
+    }
+    if (pictures == 0 && options->difference != NULL) {
+        return bad_input("compare: --difference goes with two pictures only");
+    }
+    return STATUS_DONE;
 }
 
-static int compare(const struct options *options, const struct png_image *a,
-                   const struct png_image *b) {
-    struct comparison comparison;
+static int read_all(struct compared *all) {
+    for (int i = 0; i < 2; i++) {
+        if ((all->pictures[i] != NULL && !read_picture(all->pictures[i], &all->image[i])) ||
+            (all->signature_files[i] != NULL &&
+             !read_signatures(all->signature_files[i], &all->signatures[i]))) {
+            return STATUS_BAD_INPUT;
+        }
+    }
+    const struct png_image *a = &all->image[0], *b = &all->image[1];
     if (a->width != b->width || a->height != b->height) {
         return bad_input("%s is %u x %u pixels, %s is %u x %u; allowed are: pictures of one size",
-                         options->operands[0], a->width, a->height, options->operands[1], b->width,
+                         all->pictures[0], a->width, a->height, all->pictures[1], b->width,
                          b->height);
     }
-    compare_pictures(a->rgb, b->rgb, (size_t)a->width * a->height, &comparison);
-    bool holds = comparison_holds(&comparison, (unsigned)options->within, options->share);
-    if (options->json) {
-        print_json(&comparison, options, a, holds);
+    const struct signatures *one = &all->signatures[0], *other = &all->signatures[1];
+    if (one->width != other->width || one->height != other->height) {
+        return bad_input("%s is of %u x %u pixels, %s of %u x %u; allowed are: signatures of one "
+                         "size",
+                         all->signature_files[0], one->width, one->height, all->signature_files[1],
+                         other->width, other->height);
+    }
+    return STATUS_DONE;
+}
+
+/* Signed pixels are 2 x 2 dots of the screen where they are few enough; a picture from elsewhere
+ * may have them one to one. */
+static unsigned dots_a_pixel(const struct compared *all) {
+    const struct signatures *signatures = &all->signatures[0];
+    const struct png_image *image = &all->image[0];
+    bool is_screen = image->width == BOARD_WIDTH && image->height == BOARD_HEIGHT;
+    bool is_coarse = signatures->width <= BOARD_WIDTH / 2 && signatures->height <= BOARD_HEIGHT / 2;
+    return is_screen && is_coarse ? 2 : 1;
+}
+
+static int measure_signatures(struct compared *all) {
+    const struct png_image *image = &all->image[0];
+    const struct signatures *signatures = &all->signatures[0];
+    unsigned dots = dots_a_pixel(all);
+    if (image->rgb != NULL &&
+        (signatures->width * dots > image->width || signatures->height * dots > image->height)) {
+        return bad_input("%s is of %u x %u pixels, %s has %u x %u; allowed are: signatures of the "
+                         "pictures' own pixels",
+                         all->signature_files[0], signatures->width, signatures->height,
+                         all->pictures[0], image->width, image->height);
+    }
+    signatures_compare(&all->signatures[0], &all->signatures[1], all->image[0].rgb,
+                       all->image[1].rgb, image->width, dots, &all->paths);
+    return STATUS_DONE;
+}
+
+static int measure(struct compared *all) {
+    const struct png_image *a = &all->image[0], *b = &all->image[1];
+    size_t pixels = (size_t)a->width * a->height;
+    int status = STATUS_DONE;
+    compare_pictures(a->rgb, b->rgb, pixels, &all->comparison);
+    if (a->rgb != NULL &&
+        (!colour_differences(a->rgb, b->rgb, pixels, &all->colours) ||
+         !picture_similarity(a->rgb, b->rgb, a->width, a->height, &all->similarity))) {
+        complain("out of memory");
+        return STATUS_FAILED;
+    }
+    if (all->signature_files[0] != NULL) {
+        status = measure_signatures(all);
+    }
+    if (a->rgb != NULL) {
+        all->holds =
+            comparison_holds(&all->comparison, (unsigned)all->options->within, all->options->share);
     } else {
-        print_words(&comparison, options);
+        all->holds = (double)all->paths.flips <=
+                     (1 - all->options->share / 100) * (double)all->paths.pixels + 1e-3;
     }
-    if (!holds) {
+    return status;
+}
+
+static double flip_share(const struct compared *all) {
+    return 100.0 * (double)all->paths.flips / (double)all->paths.pixels;
+}
+
+static void print_words(const struct compared *all) {
+    const struct comparison *comparison = &all->comparison;
+    unsigned within = (unsigned)all->options->within;
+    uint64_t far = comparison->pixels - comparison_within(comparison, COMPARE_FAR);
+    if (all->pictures[0] != NULL) {
+        (void)printf("pixels              %" PRIu64 "\n", comparison->pixels);
+        (void)printf("largest error       %u LSB\n", comparison_largest(comparison));
+        (void)printf("RMSE                %.6f LSB\n", comparison_rmse(comparison));
+        (void)printf("PSNR                %.4f dB\n", comparison_psnr(comparison));
+        (void)printf("within 1 LSB        %.6f %%\n", comparison_share(comparison, 1));
+        if (within != 1) {
+            (void)printf("within %-3u LSB      %.6f %%\n", within,
+                         comparison_share(comparison, within));
+        }
+        (void)printf("over %d LSB          %" PRIu64 " pixels\n", COMPARE_FAR, far);
+        (void)printf("CIEDE2000           %.6f mean, %.4f at 99.9 %%, %.4f largest\n",
+                     all->colours.mean, all->colours.high, all->colours.largest);
+        if (!isnan(all->similarity)) {
+            (void)printf("SSIM                %.6f\n", all->similarity);
+        }
+    }
+    if (all->signature_files[0] != NULL) {
+        (void)printf("flips               %" PRIu64 " of %" PRIu64 " signatures, %.6f %%\n",
+                     all->paths.flips, all->paths.pixels, flip_share(all));
+    }
+    if (all->signature_files[0] != NULL && all->pictures[0] != NULL) {
+        (void)printf("error of flips      %u LSB\n", all->paths.flip_error);
+        (void)printf("drift               %u LSB, over 1 LSB in %" PRIu64 " pixels\n",
+                     all->paths.drift, all->paths.drifted);
+    }
+}
+
+/* What JSON has no word for is null. */
+static void print_number(const char *key, double number) {
+    if (isfinite(number)) {
+        (void)printf("  \"%s\": %.17g,\n", key, number);
+    } else {
+        (void)printf("  \"%s\": null,\n", key);
+    }
+}
+
+static void print_json(const struct compared *all) {
+    const struct comparison *comparison = &all->comparison;
+    unsigned within = (unsigned)all->options->within;
+    uint64_t far = comparison->pixels - comparison_within(comparison, COMPARE_FAR);
+    (void)printf("{\n");
+    if (all->pictures[0] != NULL) {
+        (void)printf("  \"width\": %u,\n  \"height\": %u,\n  \"pixels\": %" PRIu64 ",\n",
+                     all->image[0].width, all->image[0].height, comparison->pixels);
+        (void)printf("  \"max_error\": %u,\n", comparison_largest(comparison));
+        print_number("rmse", comparison_rmse(comparison));
+        print_number("psnr", comparison_psnr(comparison)); /* null: the pictures are equal */
+        print_number("share_within_1", comparison_share(comparison, 1));
+        (void)printf("  \"pixels_over_8\": %" PRIu64 ",\n  \"within\": %u,\n", far, within);
+        print_number("share_within", comparison_share(comparison, within));
+        print_number("delta_e_mean", all->colours.mean);
+        print_number("delta_e_999", all->colours.high);
+        print_number("delta_e_max", all->colours.largest);
+        print_number("ssim", all->similarity);
+    }
+    if (all->signature_files[0] != NULL) {
+        (void)printf("  \"signatures\": %" PRIu64 ",\n  \"flips\": %" PRIu64 ",\n",
+                     all->paths.pixels, all->paths.flips);
+        print_number("flip_share", flip_share(all));
+    }
+    if (all->signature_files[0] != NULL && all->pictures[0] != NULL) {
+        (void)printf("  \"flip_error\": %u,\n  \"drift\": %u,\n  \"drifted_over_1\": %" PRIu64
+                     ",\n",
+                     all->paths.flip_error, all->paths.drift, all->paths.drifted);
+    }
+    print_number("share", all->options->share);
+    (void)printf("  \"holds\": %s\n}\n", all->holds ? "true" : "false");
+}
+
+/* May overwrite the first picture: it is the last that is done. */
+static int write_difference(struct compared *all) {
+    const struct png_image *a = &all->image[0];
+    struct output output;
+    struct png_error error;
+    memset(&output, 0, sizeof output);
+    if (!output_open(&output, all->options->difference)) {
+        return STATUS_FAILED;
+    }
+    difference_picture(a->rgb, all->image[1].rgb, (size_t)a->width * a->height, a->rgb);
+    if (write_png(output.file, a->rgb, a->width, a->height, &error) != PNG_OK) {
+        output_complain(&output, error.message);
+        output_discard(&output);
+        return STATUS_FAILED;
+    }
+    return output_commit(&output) ? STATUS_DONE : STATUS_FAILED;
+}
+
+static int judge(const struct compared *all) {
+    if (all->holds) {
+        return STATUS_DONE;
+    }
+    if (all->pictures[0] != NULL) {
         complain("%.6f %% of the pixels are within %d LSB; asked for are %g %%",
-                 comparison_share(&comparison, (unsigned)options->within), options->within,
-                 options->share);
+                 comparison_share(&all->comparison, (unsigned)all->options->within),
+                 all->options->within, all->options->share);
+    } else {
+        complain("%.6f %% of the signatures are equal; asked for are %g %%", 100 - flip_share(all),
+                 all->options->share);
     }
-    return holds ? STATUS_DONE : STATUS_NOT_HELD;
+    return STATUS_NOT_HELD;
 }
 
 int run_compare(const struct options *options) {
-    struct png_image a, b;
-    memset(&a, 0, sizeof a);
-    memset(&b, 0, sizeof b);
-    int status = STATUS_BAD_INPUT;
-    if (read_picture(options->operands[0], &a) && read_picture(options->operands[1], &b)) {
-        status = compare(options, &a, &b);
+    struct compared all;
+    memset(&all, 0, sizeof all);
+    all.options = options;
+    all.similarity = NAN;
+    int status = sort_operands(&all);
+    if (status == STATUS_DONE) {
+        status = read_all(&all);
     }
-    free_png(&a);
-    free_png(&b);
+    if (status == STATUS_DONE) {
+        status = measure(&all);
+    }
+    if (status == STATUS_DONE) {
+        if (options->json) {
+            print_json(&all);
+        } else {
+            print_words(&all);
+        }
+        if (options->difference != NULL) {
+            status = write_difference(&all);
+        }
+    }
+    if (status == STATUS_DONE) {
+        status = judge(&all);
+    }
+    for (int i = 0; i < 2; i++) {
+        free_png(&all.image[i]);
+        signatures_free(&all.signatures[i]);
+    }
     return status;
 }

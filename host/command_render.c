@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* superframe render: a scene through firmware, ports and board to a picture. */
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -16,6 +17,7 @@
 #include "progress.h"
 #include "render.h"
 #include "screen_output.h"
+#include "signatures.h"
 #include "stats.h"
 #include "stopwatch.h"
 #include "trace_file.h"
@@ -32,7 +34,7 @@ struct render_run {
     struct adapter_bus adapter; /* of --bus usb and hid */
     struct port_chain *chain;
     struct exposures *exposures; /* NULL: the scene is not shown by exposures, or to no board */
-    struct output picture, trace, stats;
+    struct output picture, trace, stats, signatures;
     char default_name[NAME_SIZE];
     struct render_totals totals;
 };
@@ -57,6 +59,7 @@ static bool open_outputs(struct render_run *run) {
     const char *trace = options->bus == BUS_CHOICE_TRACE ? options->bus_file : options->trace;
     if ((picture != NULL && !output_open(&run->picture, picture)) ||
         (options->stats != NULL && !output_open(&run->stats, options->stats)) ||
+        (options->signatures != NULL && !output_open(&run->signatures, options->signatures)) ||
         (trace != NULL && !output_open(&run->trace, trace))) {
         return false;
     }
@@ -213,6 +216,30 @@ static int write_results(struct render_run *run) {
     return STATUS_DONE;
 }
 
+/* Follows the trees of the rows that were drawn once more, for --signatures. */
+static int write_signatures(struct render_run *run) {
+    struct signatures signatures;
+    struct scene_error error;
+    const unsigned first = run->options->has_rows ? run->options->first_row : 0;
+    const struct signature_job job = {.arithmetic = arithmetic_find(run->options->arithmetic),
+                                      .scene = run->compiled,
+                                      .first_row = first,
+                                      .last_row = first + run->totals.rows,
+                                      .jobs = run->options->jobs,
+                                      .stop = interrupt_noted()};
+    memset(&signatures, 0, sizeof signatures);
+    if (!signatures_make(&job, &signatures, &error)) {
+        return bad_input("%s", error.text);
+    }
+    errno = 0;
+    bool is_written = signatures_write(&signatures, run->signatures.file);
+    if (!is_written) {
+        output_complain(&run->signatures, strerror(errno));
+    }
+    signatures_free(&signatures);
+    return is_written && output_commit(&run->signatures) ? STATUS_DONE : STATUS_FAILED;
+}
+
 /* What the finished run says of itself. */
 static int judge(const struct render_run *run) {
     const struct options *options = run->options;
@@ -240,12 +267,16 @@ int run_render(const struct options *options) {
     if (status == STATUS_DONE) {
         status = write_results(&run);
     }
+    if (status == STATUS_DONE && run.signatures.file != NULL) {
+        status = write_signatures(&run);
+    }
     if (status == STATUS_DONE) {
         status = judge(&run);
     }
     output_discard(&run.picture);
     output_discard(&run.trace);
     output_discard(&run.stats);
+    output_discard(&run.signatures);
     exposures_free(run.exposures);
     port_chain_free(run.chain);
     adapter_bus_close(&run.adapter);

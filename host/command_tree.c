@@ -35,6 +35,9 @@ static int grow_and_print(const struct options *options, const struct compiled_s
     if (scene == NULL) {
         return bad_input("%s", error.text);
     }
+    struct estimate estimate;
+    struct render_counts counts = {0};
+    arithmetic->learn(scene, &estimate, &counts);
     int status = STATUS_FAILED;
     if (ray_tree_grow(&tree, arithmetic, scene, x, y)) {
         status = print_tree(options, compiled, &tree);

@@ -83,6 +83,7 @@ struct compiled_scene *scene_compile(const struct scene_description *description
     }
     if (good) {
         compile_lights(compiler);
+        compile_brightest(compiler);
         compile_shadows(compiler);
         compile_enclosures(compiler);
     }

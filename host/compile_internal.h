@@ -65,7 +65,8 @@ int compile_half_space(struct compiler *compiler, const struct scene_plane *plan
                        const struct affine *placement);
 int compile_polyhedron(struct compiler *compiler, const struct scene_plane *planes, size_t count,
                        const struct affine *placement);
-int compile_quadric(struct compiler *compiler, const struct quadric_form *form);
+int compile_quadric(struct compiler *compiler, const struct solid_node *leaf,
+                    const struct affine *placement);
 
 /* A new entry of the table of primitives, with what is common to all kinds. */
 int compile_new_primitive(struct compiler *compiler, uint8_t kind, uint8_t index, uint8_t frame,
@@ -96,6 +97,7 @@ int compile_new_surface(struct compiler *compiler);
 bool compile_view(struct compiler *compiler);
 bool compile_materials(struct compiler *compiler);
 void compile_lights(struct compiler *compiler);
+void compile_brightest(struct compiler *compiler);
 void compile_shadows(struct compiler *compiler);
 
 /* Which primitives lie within which: what a ray need not be tried against. */

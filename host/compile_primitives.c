@@ -214,10 +214,10 @@ int compile_box(struct compiler *compiler, const struct solid_node *leaf,
 
 /* A placed leaf that is round about an axis: the quadric, then the slab that ends it. */
 static bool append_round(struct compiler *compiler, const struct solid_node *leaf,
-                         const struct affine *placement, const struct quadric_form *form) {
+                         const struct affine *placement) {
     struct scene_plane ends[2];
     double u[3], v[3];
-    int round = compile_quadric(compiler, form);
+    int round = compile_quadric(compiler, leaf, placement);
     double length = leaf_axes(leaf, u, v, ends[0].normal);
     for (int i = 0; i < 3; i++) {
         ends[1].normal[i] = -ends[0].normal[i];
@@ -249,7 +249,6 @@ static bool check_polyhedron(struct compiler *compiler, const struct solid_node 
 
 bool compile_leaf(struct compiler *compiler, const struct solid_node *leaf,
                   const struct affine *placement) {
-    struct quadric_form form;
     int primitive = -1;
     compiler->line = leaf->line;
     switch (leaf->kind) {
@@ -266,13 +265,11 @@ bool compile_leaf(struct compiler *compiler, const struct solid_node *leaf,
         primitive = compile_polyhedron(compiler, leaf->planes, leaf->plane_count, placement);
         break;
     default:
-        form = quadric_form_of_leaf(leaf);
-        form = quadric_form_placed(&form, placement);
         if (leaf->kind != SOLID_BALL && leaf->kind != SOLID_ELLIPSOID &&
             leaf->kind != SOLID_QUADRIC) {
-            return append_round(compiler, leaf, placement, &form);
+            return append_round(compiler, leaf, placement);
         }
-        primitive = compile_quadric(compiler, &form);
+        primitive = compile_quadric(compiler, leaf, placement);
     }
     return primitive >= 0 && compile_append(compiler, (uint8_t)primitive);
 }

@@ -57,10 +57,11 @@ static int add_quadric(struct compiler *compiler, const struct compiled_quadric 
     return primitive;
 }
 
-int compile_quadric(struct compiler *compiler, const struct quadric_form *form) {
+int compile_quadric(struct compiler *compiler, const struct solid_node *leaf,
+                    const struct affine *placement) {
     struct quadric_axes axes;
     struct compiled_quadric quadric;
-    if (!quadric_form_axes(form, &axes)) {
+    if (!quadric_axes_of_leaf(leaf, placement, &axes)) {
         compile_fail(compiler, compiler->line,
                      "a quadric without a quadratic term: use a half_space");
         return -1;

@@ -5,6 +5,9 @@
 #include <math.h>
 #include <string.h>
 
+/* A pixel that traps light ends here: where an accuracy is asked for, and where it is not. */
+enum { RAYS_FOR_ACCURACY_MOST = 20000, RAYS_OF_A_PIXEL_MOST = 1000000 };
+
 static void scaled_point(const struct compiler *compiler, const double point[3], double out[3]) {
     affine_point(&compiler->scaling, point, out);
 }
@@ -137,6 +140,12 @@ bool compile_view(struct compiler *compiler) {
     scene->height = (uint16_t)description->height;
     scene->depth = (uint8_t)description->depth;
     scene->threshold = description->threshold;
+    scene->estimates = description->estimates || description->error > 0;
+    scene->error = description->error;
+    if (scene->error > 0) {
+        scene->threshold = fmin(scene->error, scene->error * scene->error) / 2048;
+    }
+    scene->ray_budget = scene->error > 0 ? RAYS_FOR_ACCURACY_MOST : RAYS_OF_A_PIXEL_MOST;
     scene->simple = description->model == MODEL_SIMPLE;
     scene->filters = description->mixing == MIXING_FILTER;
     scene->blinn = description->highlight == HIGHLIGHT_BLINN;
@@ -172,4 +181,32 @@ void compile_lights(struct compiler *compiler) {
             scaled_point(compiler, light->position, compiled->position);
         }
     }
+}
+
+/* No surface's own intensity is above this: Eq. (1) with every cosine and A at 1. The distance may
+ * make C + D as small as C. */
+void compile_brightest(struct compiler *compiler) {
+    const struct scene_description *description = compiler->description;
+    struct compiled_scene *scene = compiler->scene;
+    double most = 0;
+    for (int j = 0; j < 3; j++) {
+        most = fmax(most, description->background[j]);
+        for (size_t i = 0; i < description->material_count; i++) {
+            const struct scene_material *material = &description->materials[i];
+            double colour = fmax(material->colour[j],
+                                 material->pattern.present ? material->pattern.colour[j] : 0);
+            double specular = material->has_specular_table ? 1 : material->specular;
+            double direct = 0;
+            for (size_t k = 0; k < description->light_count; k++) {
+                double light = description->lights[k].colour[j];
+                direct += material->diffuse * colour * light / 255 + specular * light;
+            }
+            if (description->has_attenuation) {
+                direct /= fmax(description->attenuation_constant, 1e-3);
+            }
+            double ambient = material->ambient_is_own ? colour : description->ambient[j];
+            most = fmax(most, material->ambient * ambient + direct);
+        }
+    }
+    scene->brightest = (uint16_t)fmin(ceil(most), 32767);
 }

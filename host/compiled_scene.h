@@ -114,6 +114,10 @@ struct compiled_scene {
     uint16_t width, height;
     uint8_t depth;
     double threshold;
+    bool estimates;
+    double error; /* levels; 0: none is asked for */
+    uint32_t ray_budget;
+    uint16_t brightest;
     double background[3];
     bool simple, filters, blinn, fades;
     double fade_start;

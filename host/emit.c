@@ -104,6 +104,12 @@ static void emit_primitives(FILE *out, const struct compiled_scene *scene) {
         emit_set(out, &scene->surfaces[i], features_primitive_words(scene));
         fprintf(out, ",\n");
     }
+    fprintf(out, "};\n\nstatic const struct primitive_set enclosed[] = {\n");
+    for (int i = 0; i < scene->primitive_count; i++) {
+        fprintf(out, "    ");
+        emit_set(out, &scene->enclosed[i], features_primitive_words(scene));
+        fprintf(out, ",\n");
+    }
     fprintf(out, "};\n");
 }
 
@@ -223,6 +229,9 @@ static void emit_scene(FILE *out, const struct compiled_scene *scene, const char
             name);
     fprintf(out, "    %u, %u, %u, REAL_ENERGY(%a),\n    ", scene->width, scene->height,
             scene->depth, scene->threshold);
+    fprintf(out, "0, %s, %luu, %luu, %u,\n    ", truth(scene->estimates),
+            (unsigned long)(scene->error * 65536 + 0.5), (unsigned long)scene->ray_budget,
+            scene->brightest);
     emit_vector(out, "REAL_COLOUR", scene->background);
     fprintf(out, ",\n    %s, %s, %s, %s, REAL_LENGTH(%a), %d,\n", truth(scene->simple),
             truth(scene->filters), truth(scene->blinn), truth(scene->fades), scene->fade_start,

@@ -11,7 +11,10 @@ struct feature {
     int value;
 };
 
-enum { FEATURES = 17 };
+enum { FEATURES = 26 };
+
+/* That firmware/features/full/ has room for: fewer would give another picture. */
+enum { KEPT_BRANCHES = 512 };
 
 static bool has_rotation(const struct compiled_scene *scene) {
     for (int i = 0; i < scene->primitive_count; i++) {
@@ -64,6 +67,24 @@ static bool has_absorption(const struct compiled_scene *scene) {
     return false;
 }
 
+static bool has_dispersion(const struct compiled_scene *scene) {
+    for (int i = 0; i < scene->material_count; i++) {
+        if (scene->materials[i].disperses) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool has_tint(const struct compiled_scene *scene) {
+    for (int i = 0; i < scene->material_count; i++) {
+        if (scene->materials[i].tints) {
+            return true;
+        }
+    }
+    return false;
+}
+
 int features_primitive_words(const struct compiled_scene *scene) {
     return scene->primitive_count > 32 ? (scene->primitive_count + 31) / 32 : 1;
 }
@@ -87,9 +108,27 @@ static void find_features(const struct compiled_scene *scene, struct feature fea
         {"PATTERN", scene->pattern_count > 0},
         {"TRANSPARENCY", has_transparency(scene)},
         {"ABSORPTION", has_absorption(scene)},
+        {"SIMPLE", scene->simple},
+        {"DISPERSION", has_dispersion(scene)},
+        {"TINT", has_tint(scene)},
+        {"FILTER", scene->filters},
+        {"SPECULAR_TABLE", scene->specular_table_count > 0},
+        {"ESTIMATE", scene->estimates},
+        {"KEPT", scene->error > 0 ? KEPT_BRANCHES : 0},
+        {"OBSERVER", 0},
+        {"SHOW", scene->show != COMPILED_FULL},
     };
     for (int i = 0; i < FEATURES; i++) {
         features[i] = found[i];
+    }
+}
+
+void features_tell(const struct compiled_scene *scene,
+                   void (*take)(void *context, const char *name, int value), void *context) {
+    struct feature features[FEATURES];
+    find_features(scene, features);
+    for (int i = 0; i < FEATURES; i++) {
+        take(context, features[i].name, features[i].value);
     }
 }
 

@@ -18,4 +18,9 @@ int features_emit(FILE *out, const struct compiled_scene *scene, const char *nam
  * for an image that lacks one stops there, at an array called image_lacks_ and the feature. */
 void features_emit_assertions(FILE *out, const struct compiled_scene *scene);
 
+/* Calls take() with each feature, in the order of feature_set.h, and what the scene requires of it:
+ * 0 is nothing. */
+void features_tell(const struct compiled_scene *scene,
+                   void (*take)(void *context, const char *name, int value), void *context);
+
 #endif

@@ -47,6 +47,11 @@ static bool check_scene(const struct scene_description *description, struct scen
                       "attenuation: POV-Ray's light fades with the way from the light, not from "
                       "the eye; allowed is: to leave it out");
     }
+    if (description->estimates || description->error > 0) {
+        return refuse(error, description, 0,
+                      "an estimate of what cut branches are worth: POV-Ray counts them as black; "
+                      "allowed is: a threshold, and tail black");
+    }
     return true;
 }
 

@@ -88,12 +88,14 @@ static bool lie_on_each_other(const struct compiled_scene *scene, uint8_t a, uin
     }
     int u = (steep + 1) % 3, v = (steep + 2) % 3;
     for (int sample = 0; sample < SAMPLES * SAMPLES; sample++) {
+        int across = sample % SAMPLES, along = sample / SAMPLES;
         double point[3];
-        point[u] = low[u] + (high[u] - low[u]) * (sample % SAMPLES + 0.5) / SAMPLES;
-        point[v] = low[v] + (high[v] - low[v]) * (sample / SAMPLES + 0.5) / SAMPLES;
+        point[u] = low[u] + (high[u] - low[u]) * (across + 0.5) / SAMPLES;
+        point[v] = low[v] + (high[v] - low[v]) * (along + 0.5) / SAMPLES;
         point[steep] = (face->offset - face->normal[u] * point[u] - face->normal[v] * point[v]) /
                        face->normal[steep];
-        if (is_crossed(scene, a, face, point) && is_crossed(scene, b, face, point)) {
+        bool is_near = point[steep] >= low[steep] - BESIDE && point[steep] <= high[steep] + BESIDE;
+        if (is_near && is_crossed(scene, a, face, point) && is_crossed(scene, b, face, point)) {
             return true;
         }
     }
@@ -107,7 +109,7 @@ static struct compiled_set primitives_of(const struct compiled_scene *scene, uin
     memset(&set, 0, sizeof set);
     for (uint8_t i = 0; i < object->length; i++) {
         uint8_t code = scene->programs[object->program + i];
-        if (code < CODE_UNION) {
+        if (code < COMPILED_PRIMITIVES_MOST) {
             set.word[code / 32] |= (uint32_t)1 << code % 32;
         }
     }

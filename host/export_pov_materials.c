@@ -18,9 +18,6 @@
  * single precision makes it count, and bends nothing by a pixel. */
 #define INDEX_STEP 0x1p-23
 
-/* POV-Ray takes a point for the next cell where less than this share of the cell is left. */
-#define CHECKER_TOLERANCE 0.001
-
 /* A cell that holds all of the world along an axis without a pattern, from -1/2 to 1/2 of it. */
 #define WHOLE_CELL 8192.0
 
@@ -116,7 +113,7 @@ static void write_pattern(FILE *out, const struct compiled_scene *scene,
     for (int i = 0; i < 3; i++) {
         bool changes = (pattern->axes >> i & 1) != 0;
         size[i] = changes ? pattern->size[i] : WHOLE_CELL;
-        origin[i] = changes ? pattern->origin[i] + CHECKER_TOLERANCE * size[i] : -WHOLE_CELL / 2;
+        origin[i] = changes ? pattern->origin[i] : -WHOLE_CELL / 2;
     }
     (void)fputs("    texture {\n    checker\n", out);
     write_texture(out, scene, material, material->colour);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The POV-Ray export: primitives, and postfix programs as CSG. */
 #include <math.h>
+#include <string.h>
 
 #include "export_pov_internal.h"
 
@@ -106,7 +107,7 @@ static void write_node(FILE *out, const struct pov_tree *tree, uint8_t index, in
 
 /* The operands of a chain (a op b) op c, which is one operation of POV-Ray's, in order. */
 static void write_operands(FILE *out, const struct pov_tree *tree, uint8_t index, int level) {
-    uint8_t chain[256];
+    uint8_t chain[256] = {0};
     int count = 0;
     uint8_t code = tree->nodes[index].code;
     while (tree->nodes[index].code == code) {
@@ -135,7 +136,7 @@ static void write_node(FILE *out, const struct pov_tree *tree, uint8_t index, in
 
 /* The tree of a postfix program; returns its root. */
 static uint8_t read_program(struct pov_tree *tree, const struct compiled_object *object) {
-    uint8_t stack[256];
+    uint8_t stack[256] = {0};
     int depth = 0;
     for (uint8_t i = 0; i < object->length; i++) {
         struct pov_node *node = &tree->nodes[i];
@@ -201,6 +202,7 @@ void export_pov_objects(FILE *out, const struct scene_description *description,
         const struct compiled_object *object = &scene->objects[i];
         const struct compiled_material *material = &scene->materials[object->material];
         struct pov_tree tree;
+        memset(&tree, 0, sizeof tree);
         tree.scene = scene;
         tree.transparent = material->transparent;
         uint8_t root = read_program(&tree, object);

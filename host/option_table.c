@@ -13,10 +13,12 @@
 
 enum {
     SCENE_READERS = BIT(RENDER) | BIT(CHECK) | BIT(COMPILE) | BIT(EXPORT) | BIT(TREE),
-    BOARD_USERS = BIT(RENDER) | BIT(REPLAY),
+    BOARD_USERS = BIT(RENDER) | BIT(REPLAY) | BIT(BOOT),
     BOARD_WATCHERS = BOARD_USERS | BIT(TRACE),
     TRACE_READERS = BIT(REPLAY) | BIT(TRACE)
 };
+
+#define COUNT_MOST 1000000000000000UL
 
 static enum value_verdict verdict(bool is_allowed) {
     return is_allowed ? VALUE_TAKEN : VALUE_WRONG;
@@ -51,6 +53,7 @@ static enum value_verdict set_output(struct options *options, const char *value)
 
 static enum value_verdict set_arithmetic(struct options *options, const char *value) {
     options->arithmetic = value;
+    options->has_arithmetic = true;
     return verdict(arithmetic_find(value) != NULL);
 }
 
@@ -69,11 +72,9 @@ static enum value_verdict set_threshold(struct options *options, const char *val
     return verdict(value_real(value, 0, 1, &options->overrides.threshold));
 }
 
-/* Only noted: whether it goes with the others is for options_parse() to say. */
 static enum value_verdict set_error(struct options *options, const char *value) {
-    double error;
-    options->has_error = true;
-    return verdict(value_real(value, 0, 255, &error));
+    options->overrides.has_error = true;
+    return verdict(value_real(value, SCENE_ERROR_LEAST, 255, &options->overrides.error));
 }
 
 static enum value_verdict set_size(struct options *options, const char *value) {
@@ -220,8 +221,11 @@ static enum value_verdict set_base(struct options *options, const char *value) {
 }
 
 static enum value_verdict set_tail(struct options *options, const char *value) {
-    (void)options;
-    return strcmp(value, "estimate") == 0 ? VALUE_NOT_BUILT : verdict(strcmp(value, "black") == 0);
+    static const char *const words[] = {"black", "estimate", NULL};
+    int word = find_word(value, words);
+    options->overrides.has_estimates = true;
+    options->overrides.estimates = word == 1;
+    return verdict(word >= 0);
 }
 
 static enum value_verdict set_jobs(struct options *options, const char *value) {
@@ -250,6 +254,29 @@ static enum value_verdict set_dot(struct options *options, const char *value) {
     return VALUE_TAKEN;
 }
 
+static enum value_verdict set_cpu(struct options *options, const char *value) {
+    (void)options;
+    return verdict(strcmp(value, "386") == 0);
+}
+
+static enum value_verdict set_instructions(struct options *options, const char *value) {
+    unsigned long most;
+    if (!value_whole(value, 1, COUNT_MOST, &most)) {
+        return VALUE_WRONG;
+    }
+    options->instructions_most = most;
+    return VALUE_TAKEN;
+}
+
+static enum value_verdict set_escape(struct options *options, const char *value) {
+    unsigned long after;
+    if (!value_whole(value, 1, COUNT_MOST, &after)) {
+        return VALUE_WRONG;
+    }
+    options->escape_after = after;
+    return VALUE_TAKEN;
+}
+
 static enum value_verdict set_minimal(struct options *options, const char *value) {
     (void)value;
     options->minimal = true;
@@ -275,6 +302,16 @@ static enum value_verdict set_share(struct options *options, const char *value) 
     return verdict(value_real(value, 0, 100, &options->share));
 }
 
+static enum value_verdict set_difference(struct options *options, const char *value) {
+    options->difference = value;
+    return verdict(value[0] != '\0');
+}
+
+static enum value_verdict set_signatures(struct options *options, const char *value) {
+    options->signatures = value;
+    return verdict(value[0] != '\0');
+}
+
 static enum value_verdict set_pov(struct options *options, const char *value) {
     (void)value;
     options->pov = true;
@@ -289,32 +326,34 @@ static enum value_verdict set_json(struct options *options, const char *value) {
 
 const struct option_entry option_table[] = {
     {"output", 'o', "FILE",
-     BIT(RENDER) | BIT(COMPILE) | BIT(EXPORT) | TRACE_READERS | BIT(TREE) | BIT(PAPER) |
-         BIT(ADAPTER),
+     BIT(RENDER) | BIT(MEASURE) | BIT(COMPILE) | BIT(EXPORT) | TRACE_READERS | BIT(TREE) |
+         BIT(PAPER) | BIT(ADAPTER) | BIT(BOOT),
      set_output, "a file's name or -", "where the result goes; - is standard output"},
-    {"arith", 0, "NAME", BIT(RENDER) | BIT(TREE) | BIT(PAPER), set_arithmetic, arithmetic_names,
-     "the firmware's arithmetic (fx)"},
-    {"depth", 0, "N", SCENE_READERS, set_depth, "a whole number 0..255",
+    {"arith", 0, "NAME", BIT(RENDER) | BIT(MEASURE) | BIT(TREE) | BIT(PAPER), set_arithmetic,
+     arithmetic_names, "the firmware's arithmetic (fx)"},
+    {"depth", 0, "N", SCENE_READERS | BIT(MEASURE), set_depth, "a whole number 0..255",
      "the paper's depth level (the scene's)"},
-    {"threshold", 0, "E", SCENE_READERS, set_threshold, "a number or a fraction 0..1",
-     "the weight under which a branch ends (the scene's)"},
-    {"error", 0, "LSB", SCENE_READERS, set_error, "a number 0..255", NULL},
-    {"size", 0, "WxH", SCENE_READERS | BIT(PAPER), set_size, "1x1..640x400",
+    {"threshold", 0, "E", SCENE_READERS | BIT(MEASURE), set_threshold,
+     "a number or a fraction 0..1", "the weight under which a branch ends (the scene's)"},
+    {"error", 0, "LSB", SCENE_READERS, set_error, "a number 0.01..255",
+     "the accuracy asked for, in levels, instead of a threshold (off)"},
+    {"size", 0, "WxH", SCENE_READERS | BIT(MEASURE) | BIT(PAPER), set_size, "1x1..640x400",
      "the pixels rendered (the scene's)"},
-    {"model", 0, "MODEL", SCENE_READERS, set_model, "simple, fresnel, wavelength, absorption",
+    {"model", 0, "MODEL", SCENE_READERS | BIT(MEASURE), set_model,
+     "simple, fresnel, wavelength, absorption",
      "how light is reflected and refracted (the scene's)"},
-    {"highlight", 0, "KIND", SCENE_READERS, set_highlight, "phong or blinn",
+    {"highlight", 0, "KIND", SCENE_READERS | BIT(MEASURE), set_highlight, "phong or blinn",
      "how highlights are computed (the scene's)"},
-    {"colour", 0, "MODE", SCENE_READERS, set_colour, "full, bits:1..bits:8, dither or exposures",
-     "how colours are shown (the scene's)"},
-    {"seed", 0, "S", SCENE_READERS, set_seed, "a whole number 0..4294967295",
+    {"colour", 0, "MODE", SCENE_READERS | BIT(MEASURE), set_colour,
+     "full, bits:1..bits:8, dither or exposures", "how colours are shown (the scene's)"},
+    {"seed", 0, "S", SCENE_READERS | BIT(MEASURE), set_seed, "a whole number 0..4294967295",
      "of the random dither (1)"},
     {"keep-exposures", 0, "FOLDER", BIT(RENDER), set_keep_exposures, "a folder's name",
      "write the eight 8-colour pictures of --colour exposures too"},
     {"bus", 0, "BUS", BIT(RENDER), set_bus,
      "emulator, trace:FILE, usb[:SERIAL], hid[:SERIAL] or ports",
      "where the port accesses go (emulator)"},
-    {"trace", 0, "FILE", BIT(RENDER), set_trace, "a file's name",
+    {"trace", 0, "FILE", BIT(RENDER) | BIT(BOOT), set_trace, "a file's name",
      "record every port access as well"},
     {"rows", 0, "A:B", BIT(RENDER), set_rows, "A:B with 0 <= A < B <= 400",
      "only rows A..B-1; the others are not touched"},
@@ -322,7 +361,8 @@ const struct option_entry option_table[] = {
      "which board (1987)"},
     {"base", 0, "PORT", BOARD_WATCHERS | BIT(ADAPTER), set_base,
      "00D0, 02D0, 04D0, 06D0, 08D0, 0AD0 or 0CD0", "the jumper's base address (00D0)"},
-    {"tail", 0, "KIND", SCENE_READERS, set_tail, "black", "what a cut branch counts as (black)"},
+    {"tail", 0, "KIND", SCENE_READERS, set_tail, "black or estimate",
+     "what a cut branch counts as (black; estimate with --error)"},
     {"verify", 0, "[=PERCENT]", BIT(RENDER), set_verify, "a whole number 1..100",
      "read back what was drawn over USB or HID, or so many of its lines, and repair it"},
     {"wait", 0, NULL, BIT(RENDER), set_wait, "", "wait for an adapter, and for a lost one"},
@@ -353,7 +393,7 @@ const struct option_entry option_table[] = {
     {"compare", 0, "TRACE", BIT(TRACE), set_against, "a file's name",
      "print the first difference from another trace; none: exit status 0, else 3"},
     {"to", 0, "FORM", BIT(TRACE), set_to, "binary or text", "convert to -o FILE"},
-    {"jobs", 0, "J", BIT(RENDER) | BIT(PAPER), set_jobs, "a whole number 1..256",
+    {"jobs", 0, "J", BIT(RENDER) | BIT(MEASURE) | BIT(PAPER), set_jobs, "a whole number 1..256",
      "worker threads (1)"},
     {"stats", 0, "FILE", BOARD_USERS, set_stats, "a file's name or -",
      "write statistics as JSON; - is standard output"},
@@ -364,10 +404,20 @@ const struct option_entry option_table[] = {
     {"share", 0, "PERCENT", BIT(COMPARE), set_share, "a number 0..100",
      "the pixels that must be within it (99.9)"},
     {"json", 0, NULL, BIT(COMPARE), set_json, "", "print JSON"},
+    {"difference", 0, "FILE.png", BIT(COMPARE), set_difference, "a file's name or -",
+     "write a picture of where they differ: blue 1 LSB, green 2, yellow 4, red 9, white 33"},
+    {"signatures", 0, "FILE", BIT(RENDER) | BIT(COMPARE), set_signatures, "a file's name",
+     "a hash of each pixel's path: render writes FILE; compare reads it and one more"},
     {"dot", 0, NULL, BIT(TREE), set_dot, "", "a graph for Graphviz"},
     {"pov", 0, NULL, BIT(EXPORT), set_pov, "", "write source for POV-Ray 3.7"},
     {"minimal", 0, NULL, BIT(COMPILE), set_minimal, "",
      "write the feature_set.h of an image for this scene alone"},
-    {"quiet", 0, NULL, BIT(RENDER) | BIT(PAPER), set_quiet, "", "no progress bar"},
+    {"cpu", 0, "CPU", BIT(BOOT), set_cpu, "386", "the CPU that runs the image (386)"},
+    {"instructions", 0, "N", BIT(BOOT), set_instructions, "a whole number 1..1000000000000000",
+     "end as failed after so many (200000000000)"},
+    {"escape", 0, "N", BIT(BOOT), set_escape, "a whole number 1..1000000000000000",
+     "press Esc when the keyboard has been asked N times"},
+    {"quiet", 0, NULL, BIT(RENDER) | BIT(MEASURE) | BIT(PAPER) | BIT(BOOT), set_quiet, "",
+     "no progress bar"},
     {"help", 0, NULL, ~0u, set_help, "", "print this text"},
     {NULL, 0, NULL, 0, NULL, NULL, NULL}};

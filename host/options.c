@@ -93,6 +93,7 @@ static void set_defaults(struct options *options) {
     options->arithmetic = "fx";
     options->base = BOARD_FACTORY_BASE;
     options->jobs = 1;
+    options->instructions_most = OPTIONS_INSTRUCTIONS;
     options->within = 1;
     options->share = 99.9;
 }
@@ -158,11 +159,14 @@ static bool check_trace(enum command_id command, const struct options *options,
 /* Options that exclude each other. */
 static bool check_together(enum command_id command, const struct options *options,
                            struct options_error *error) {
-    if (options->has_error && options->overrides.has_threshold) {
+    if (options->overrides.has_error && options->overrides.has_threshold) {
         return refuse(error, "--error and --threshold exclude each other; give one of them");
     }
-    if (options->has_error) {
-        return refuse(error, "--error: not built into this version; allowed is: --threshold");
+    if (options->overrides.has_error && options->overrides.has_estimates &&
+        !options->overrides.estimates) {
+        return refuse(error,
+                      "--error and --tail black exclude each other; allowed with --error is: "
+                      "--tail estimate");
     }
     if (options->bus == BUS_CHOICE_TRACE) {
         const char *with = options->output != NULL           ? "--output"
@@ -179,8 +183,20 @@ static bool check_together(enum command_id command, const struct options *option
         return false;
     }
     if (!differ(options->output, options->stats) || !differ(options->output, options->trace) ||
-        !differ(options->stats, options->trace) || !differ(options->stats, options->bus_file)) {
+        !differ(options->stats, options->trace) || !differ(options->stats, options->bus_file) ||
+        !differ(options->signatures, options->output) ||
+        !differ(options->signatures, options->stats) ||
+        !differ(options->signatures, options->trace)) {
         return refuse(error, "two results can't go to the same place; give each its own file");
+    }
+    if (command == COMMAND_MEASURE &&
+        (options->output == NULL || strcmp(options->output, "-") == 0)) {
+        return refuse(error, "measure: -o DIR is lacking; allowed is: a folder's name");
+    }
+    if (command == COMMAND_MEASURE && options->overrides.has_colour &&
+        options->overrides.colour == COLOUR_EXPOSURES) {
+        return refuse(error, "measure: --colour exposures is not measured; allowed is: full, "
+                             "bits:1..bits:8 or dither");
     }
     if (command == COMMAND_EXPORT && !options->pov) {
         return refuse(error, "export: --pov is lacking; it is the only kind of source");

@@ -55,8 +55,8 @@ struct options {
 
     const char *output;     /* -o; NULL: not given; "-": standard output */
     const char *arithmetic; /* a name that arithmetic_find() knows */
+    bool has_arithmetic;    /* it was given */
     struct scene_overrides overrides;
-    bool has_error; /* --error was given */
     enum bus_choice bus;
     const char *bus_file;       /* of --bus trace:FILE */
     const char *trace;          /* NULL: none */
@@ -75,15 +75,22 @@ struct options {
     bool strict, has_strict_grade;
     enum board_grade strict_grade;
     bool quiet;
-    bool pov;     /* export writes source for POV-Ray */
-    bool dot;     /* tree writes a graph for Graphviz */
-    bool minimal; /* compile writes a feature_set.h instead of the tables */
-    int within;   /* LSB, 0..255 */
-    double share; /* per cent, 0..100 */
+    bool pov;                   /* export writes source for POV-Ray */
+    bool dot;                   /* tree writes a graph for Graphviz */
+    bool minimal;               /* compile writes a feature_set.h instead of the tables */
+    uint64_t instructions_most; /* that an emulated CPU may run */
+    uint64_t escape_after;      /* Esc when the keyboard has been asked so often; 0: never */
+    int within;                 /* LSB, 0..255 */
+    double share;               /* per cent, 0..100 */
     bool json;
+    const char *difference; /* NULL: no picture of it */
+    const char *signatures; /* render: where they go; compare: the first file; NULL: none */
 };
 
 enum { OPTIONS_JOBS_MOST = 256 };
+
+/* A frame of 640 x 400 takes some 60 thousand million. */
+#define OPTIONS_INSTRUCTIONS UINT64_C(200000000000)
 
 /* Why a command line is refused. */
 struct options_error {

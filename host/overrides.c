@@ -27,4 +27,13 @@ void scene_override(struct scene_description *description,
     if (overrides->has_seed) {
         description->seed = overrides->seed;
     }
+    if (overrides->has_estimates) {
+        description->estimates = overrides->estimates;
+    }
+    if (overrides->has_error) {
+        description->error = overrides->error;
+        if (!overrides->has_depth) {
+            description->depth = SCENE_ERROR_DEPTH;
+        }
+    }
 }

@@ -10,6 +10,9 @@
 /* All zero: the scene as it is. */
 struct scene_overrides {
     bool has_depth, has_threshold, has_size, has_model, has_highlight, has_colour, has_seed;
+    bool has_estimates, has_error;
+    bool estimates;    /* a cut branch counts as what it is worth on average */
+    double error;      /* SCENE_ERROR_LEAST..255 levels */
     int depth;         /* 0..255 */
     double threshold;  /* 0..1 */
     int width, height; /* 1..640, 1..400 pixels */

@@ -108,7 +108,7 @@ static void find_terraces(const uint8_t *line, unsigned length, struct paper_pro
 
 struct paper_profile paper_profile(const struct paper_photo *mask,
                                    const struct paper_photo *photo) {
-    struct paper_profile profile = {0, 0, 0, 0, 0};
+    struct paper_profile profile = {0};
     uint8_t line[PICTURE_WIDTH];
     bool seen[256];
     unsigned first, end, row = widest_row(mask, &first, &end);

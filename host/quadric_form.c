@@ -10,6 +10,11 @@
 /* What is this much smaller than the largest coefficient is rounding, not shape. */
 #define NEGLIGIBLE 1e-13
 
+/* (x y z 1) m (x y z 1)^T <= 0; m is symmetric. */
+struct quadric_form {
+    double m[4][4];
+};
+
 double leaf_axes(const struct solid_node *leaf, double u[3], double v[3], double w[3]) {
     for (int i = 0; i < 3; i++) {
         w[i] = leaf->b[i] - leaf->a[i];
@@ -26,82 +31,8 @@ double leaf_axes(const struct solid_node *leaf, double u[3], double v[3], double
     return length;
 }
 
-/* A form around the axis of a leaf: x^2 + y^2 + square z^2 + 2 linear z + constant, z from `from`.
- */
-static struct quadric_form around_axis(const struct solid_node *leaf, double square, double linear,
-                                       double constant) {
-    struct quadric_form local = {
-        {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, square, linear}, {0, 0, linear, constant}}};
-    struct affine placement;
-    double axis[3][3];
-    leaf_axes(leaf, axis[0], axis[1], axis[2]);
-    for (int i = 0; i < 3; i++) {
-        for (int j = 0; j < 3; j++) {
-            placement.m[i][j] = axis[j][i];
-        }
-        placement.m[i][3] = leaf->a[i];
-    }
-    return quadric_form_placed(&local, &placement);
-}
-
-static struct quadric_form ellipsoid(const double centre[3], const double radii[3]) {
-    struct quadric_form local = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, -1}}};
-    struct affine placement = affine_identity;
-    for (int i = 0; i < 3; i++) {
-        placement.m[i][i] = radii[i];
-        placement.m[i][3] = centre[i];
-    }
-    return quadric_form_placed(&local, &placement);
-}
-
-static struct quadric_form hyperboloid(const struct solid_node *leaf) {
-    double u[3], v[3], w[3];
-    double half = leaf_axes(leaf, u, v, w) / 2;
-    double end = leaf->radius_b * leaf->radius_b;
-    if (leaf->sheets == 1) {
-        /* x^2 + y^2 = waist^2 + k (z - half)^2 */
-        double waist = leaf->radius * leaf->radius;
-        double k = (end - waist) / (half * half);
-        return around_axis(leaf, -k, k * half, -waist - k * half * half);
-    }
-    /* x^2 + y^2 = k ((z - half)^2 - (gap / 2)^2) */
-    double gap = leaf->radius / 2;
-    double k = end / ((half - gap) * (half + gap));
-    return around_axis(leaf, -k, k * half, -k * (half - gap) * (half + gap));
-}
-
-struct quadric_form quadric_form_of_leaf(const struct solid_node *leaf) {
-    double u[3], v[3], w[3];
-    const double *f = leaf->form;
-    switch (leaf->kind) {
-    case SOLID_BALL:
-        return ellipsoid(leaf->a, (double[3]){leaf->radius, leaf->radius, leaf->radius});
-    case SOLID_ELLIPSOID:
-        return ellipsoid(leaf->a, leaf->b);
-    case SOLID_CYLINDER:
-        return around_axis(leaf, 0, 0, -leaf->radius * leaf->radius);
-    case SOLID_CONE: {
-        double k = (leaf->radius_b - leaf->radius) / leaf_axes(leaf, u, v, w);
-        return around_axis(leaf, -k * k, -k * leaf->radius, -leaf->radius * leaf->radius);
-    }
-    case SOLID_PARABOLOID: {
-        double k = leaf->radius_b * leaf->radius_b / leaf_axes(leaf, u, v, w);
-        return around_axis(leaf, 0, -k / 2, 0);
-    }
-    case SOLID_HYPERBOLOID:
-        return hyperboloid(leaf);
-    default: {
-        const struct quadric_form general = {{{f[0], f[3] / 2, f[5] / 2, f[6] / 2},
-                                              {f[3] / 2, f[1], f[4] / 2, f[7] / 2},
-                                              {f[5] / 2, f[4] / 2, f[2], f[8] / 2},
-                                              {f[6] / 2, f[7] / 2, f[8] / 2, f[9]}}};
-        return general;
-    }
-    }
-}
-
-/* The inverse of a placement, by cofactors. */
-static struct affine inverse_of(const struct affine *placement) {
+/* The inverse of a placement's linear part, by cofactors. */
+static struct affine linear_inverse(const struct affine *placement) {
     struct affine inverse;
     double column[3][3], cofactor[3];
     for (int i = 0; i < 3; i++) {
@@ -109,20 +40,20 @@ static struct affine inverse_of(const struct affine *placement) {
     }
     vector_cross(column[1], column[2], cofactor);
     double determinant = vector_dot(cofactor, column[0]);
-    const double translation[3] = {placement->m[0][3], placement->m[1][3], placement->m[2][3]};
     for (int i = 0; i < 3; i++) {
         vector_cross(column[(i + 1) % 3], column[(i + 2) % 3], cofactor);
         for (int j = 0; j < 3; j++) {
             inverse.m[i][j] = cofactor[j] / determinant;
         }
-        inverse.m[i][3] = -vector_dot(inverse.m[i], translation);
+        inverse.m[i][3] = 0;
     }
     return inverse;
 }
 
-struct quadric_form quadric_form_placed(const struct quadric_form *form,
-                                        const struct affine *placement) {
-    struct affine inverse = inverse_of(placement);
+/* The form after the linear part of a placement. */
+static struct quadric_form form_placed(const struct quadric_form *form,
+                                       const struct affine *placement) {
+    struct affine inverse = linear_inverse(placement);
     double map[4][4] = {{0}}, half[4][4];
     struct quadric_form placed;
     memcpy(map, inverse.m, sizeof inverse.m);
@@ -144,6 +75,80 @@ struct quadric_form quadric_form_placed(const struct quadric_form *form,
         }
     }
     return placed;
+}
+
+/* A form around the axis of a leaf: x^2 + y^2 + square z^2 + 2 linear z + constant, z from `from`.
+ */
+static struct quadric_form around_axis(const struct solid_node *leaf, double square, double linear,
+                                       double constant) {
+    struct quadric_form local = {
+        {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, square, linear}, {0, 0, linear, constant}}};
+    struct affine placement;
+    double axis[3][3];
+    leaf_axes(leaf, axis[0], axis[1], axis[2]);
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            placement.m[i][j] = axis[j][i];
+        }
+        placement.m[i][3] = 0;
+    }
+    return form_placed(&local, &placement);
+}
+
+static struct quadric_form ellipsoid(const double radii[3]) {
+    struct quadric_form local = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, -1}}};
+    struct affine placement = affine_identity;
+    for (int i = 0; i < 3; i++) {
+        placement.m[i][i] = radii[i];
+    }
+    return form_placed(&local, &placement);
+}
+
+static struct quadric_form hyperboloid(const struct solid_node *leaf) {
+    double u[3], v[3], w[3];
+    double half = leaf_axes(leaf, u, v, w) / 2;
+    double end = leaf->radius_b * leaf->radius_b;
+    if (leaf->sheets == 1) {
+        /* x^2 + y^2 = waist^2 + k (z - half)^2 */
+        double waist = leaf->radius * leaf->radius;
+        double k = (end - waist) / (half * half);
+        return around_axis(leaf, -k, k * half, -waist - k * half * half);
+    }
+    /* x^2 + y^2 = k ((z - half)^2 - (gap / 2)^2) */
+    double gap = leaf->radius / 2;
+    double k = end / ((half - gap) * (half + gap));
+    return around_axis(leaf, -k, k * half, -k * (half - gap) * (half + gap));
+}
+
+/* Around leaf->a, which a general quadric has at the origin. */
+static struct quadric_form form_of_leaf(const struct solid_node *leaf) {
+    double u[3], v[3], w[3];
+    const double *f = leaf->form;
+    switch (leaf->kind) {
+    case SOLID_BALL:
+        return ellipsoid((double[3]){leaf->radius, leaf->radius, leaf->radius});
+    case SOLID_ELLIPSOID:
+        return ellipsoid(leaf->b);
+    case SOLID_CYLINDER:
+        return around_axis(leaf, 0, 0, -leaf->radius * leaf->radius);
+    case SOLID_CONE: {
+        double k = (leaf->radius_b - leaf->radius) / leaf_axes(leaf, u, v, w);
+        return around_axis(leaf, -k * k, -k * leaf->radius, -leaf->radius * leaf->radius);
+    }
+    case SOLID_PARABOLOID: {
+        double k = leaf->radius_b * leaf->radius_b / leaf_axes(leaf, u, v, w);
+        return around_axis(leaf, 0, -k / 2, 0);
+    }
+    case SOLID_HYPERBOLOID:
+        return hyperboloid(leaf);
+    default: {
+        const struct quadric_form general = {{{f[0], f[3] / 2, f[5] / 2, f[6] / 2},
+                                              {f[3] / 2, f[1], f[4] / 2, f[7] / 2},
+                                              {f[5] / 2, f[4] / 2, f[2], f[8] / 2},
+                                              {f[6] / 2, f[7] / 2, f[8] / 2, f[9]}}};
+        return general;
+    }
+    }
 }
 
 /* One Jacobi rotation that makes a[p][q] zero; the rows of axis turn with it. */
@@ -219,7 +224,8 @@ static void gather_linear(struct quadric_axes *axes, double linear[3]) {
     }
 }
 
-bool quadric_form_axes(const struct quadric_form *form, struct quadric_axes *axes) {
+/* The form in its own axes; false if it has no quadratic part. */
+static bool form_axes(const struct quadric_form *form, struct quadric_axes *axes) {
     double linear[3], largest = 0;
     diagonalise(form, axes->square, axes->axis);
     for (int i = 0; i < 3; i++) {
@@ -268,5 +274,20 @@ bool quadric_form_axes(const struct quadric_form *form, struct quadric_axes *axe
     }
     axes->linear /= largest;
     axes->constant /= largest;
+    return true;
+}
+
+bool quadric_axes_of_leaf(const struct solid_node *leaf, const struct affine *placement,
+                          struct quadric_axes *axes) {
+    double place[3];
+    struct quadric_form form = form_of_leaf(leaf);
+    form = form_placed(&form, placement);
+    if (!form_axes(&form, axes)) {
+        return false;
+    }
+    affine_point(placement, leaf->a, place);
+    for (int i = 0; i < 3; i++) {
+        axes->origin[i] += place[i];
+    }
     return true;
 }

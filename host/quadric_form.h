@@ -7,11 +7,6 @@
 
 #include "scene_description.h"
 
-/* (x y z 1) m (x y z 1)^T <= 0; m is symmetric. */
-struct quadric_form {
-    double m[4][4];
-};
-
 /* A form in its own axes: sum of square[i] x_i^2, plus 2 linear x_2, plus constant, where x = axis
  * . (p - origin); the largest |square| is 1, and linear is 0 unless square[2] is. */
 struct quadric_axes {
@@ -21,15 +16,12 @@ struct quadric_axes {
     double linear, constant;
 };
 
-/* The form of a leaf that is a quadric, or a quadric cut by a slab, in its own coordinates. */
-struct quadric_form quadric_form_of_leaf(const struct solid_node *leaf);
-
-/* The form of the solid after the placement, whose linear part has an inverse. */
-struct quadric_form quadric_form_placed(const struct quadric_form *form,
-                                        const struct affine *placement);
-
-/* The form in its own axes; false if it has no quadratic part. */
-bool quadric_form_axes(const struct quadric_form *form, struct quadric_axes *axes);
+/* A leaf that is a quadric, or a quadric cut by a slab, in its own axes after a placement whose
+ * linear part has an inverse; false if it has no quadratic part. The form is worked out around the
+ * leaf's own place (its centre, or the end of its axis) and moved as a whole: what is small and far
+ * away keeps its digits. */
+bool quadric_axes_of_leaf(const struct solid_node *leaf, const struct affine *placement,
+                          struct quadric_axes *axes);
 
 /* The unit vector from `from` to `to` of a leaf that has an axis, and two at right angles to it: w,
  * u, v. Returns the distance. */

@@ -46,6 +46,13 @@ static void add_row(struct renderer *renderer, const struct render_counts *count
     totals->nodes += counts->nodes;
     totals->solid_tests += counts->solid_tests;
     totals->leaked_rays += counts->leaked_rays;
+    totals->exhausted_pixels += counts->exhausted_pixels;
+    if (counts->estimated_error > totals->estimated_error) {
+        totals->estimated_error = counts->estimated_error;
+    }
+    if (counts->proved_error > totals->proved_error) {
+        totals->proved_error = counts->proved_error;
+    }
     totals->rows++;
     totals->seconds = stopwatch_seconds(&renderer->began);
     if (renderer->job->progress != NULL) {
@@ -83,7 +90,7 @@ static bool repeat_row(void *context, uint16_t y, uint8_t *rgb) {
 /* The row_source of one job: the drawing thread computes. */
 static bool compute_row(void *context, uint16_t y, uint8_t *rgb) {
     struct renderer *renderer = context;
-    struct render_counts counts = {0, 0, 0, 0, 0};
+    struct render_counts counts = {0};
     if (must_stop(renderer)) {
         return false;
     }
@@ -237,6 +244,18 @@ static bool make_kept_rows(struct renderer *renderer) {
     return renderer->kept != NULL;
 }
 
+static void learn(struct renderer *renderer, struct scene *scene) {
+    struct render_totals *totals = &renderer->totals;
+    struct render_counts counts = {0};
+    renderer->job->arithmetic->learn(scene, &totals->estimate, &counts);
+    totals->learning_rays = counts.rays;
+    totals->rays += counts.rays;
+    totals->shadow_rays += counts.shadow_rays;
+    totals->nodes += counts.nodes;
+    totals->solid_tests += counts.solid_tests;
+    totals->leaked_rays += counts.leaked_rays;
+}
+
 bool render(const struct render_job *job, struct render_totals *totals, struct scene_error *error) {
     struct renderer renderer;
     struct scene *scene = job->arithmetic->load(job->scene, error);
@@ -247,6 +266,7 @@ bool render(const struct render_job *job, struct render_totals *totals, struct s
     renderer.job = job;
     renderer.scene = scene;
     renderer.began = stopwatch_start();
+    learn(&renderer, scene);
     bool is_done = make_kept_rows(&renderer);
     if (is_done && job->jobs <= 1) {
         draw(&renderer, compute_row);

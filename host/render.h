@@ -12,6 +12,10 @@
 /* What a render took so far. */
 struct render_totals {
     uint64_t rays, shadow_rays, nodes, solid_tests, leaked_rays; /* as in struct render_counts */
+    uint64_t learning_rays;                                      /* of rays: for the estimate */
+    uint64_t exhausted_pixels;                                   /* as in struct render_counts */
+    uint32_t estimated_error, proved_error;                      /* the worst pixel's */
+    struct estimate estimate;                                    /* of cut branches */
     unsigned rows;                                               /* drawn */
     double seconds;
 };

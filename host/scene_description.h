@@ -11,6 +11,7 @@
 
 enum {
     SCENE_DEPTH_MOST = 255,
+    SCENE_ERROR_DEPTH = 64,      /* the depth level where an accuracy is asked for and no depth */
     SCENE_NESTING_MOST = 24,     /* levels of CSG nodes of an object, those of parts included */
     SCENE_NODES_MOST = 1024,     /* CSG nodes in the file */
     SCENE_INSTANCES_MOST = 4096, /* the same, a part's nodes counted each time it is used */
@@ -20,6 +21,9 @@ enum {
     SCENE_OBJECTS_MOST = 128,
     SCENE_SPECULAR_STEPS = 17 /* w(theta) from theta = 0 to 90 degrees */
 };
+
+/* The finest accuracy that can be asked for, in levels. */
+#define SCENE_ERROR_LEAST 0.01
 
 enum scene_model { MODEL_SIMPLE, MODEL_FRESNEL, MODEL_WAVELENGTH };
 enum scene_highlight { HIGHLIGHT_PHONG, HIGHLIGHT_BLINN };
@@ -139,6 +143,8 @@ struct scene_description {
     int width, height;  /* pixels rendered: 1..640, 1..400 */
     int depth;          /* the paper's N, 0..255 */
     double threshold;   /* 0..1 */
+    bool estimates;     /* a cut branch counts as what it is worth on average, not as black */
+    double error;       /* the accuracy asked for, in levels; 0: none */
     double background[3];
     double ambient[3]; /* Ia */
     bool has_attenuation;

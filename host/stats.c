@@ -23,6 +23,21 @@ static void write_count(FILE *out, const char *key, uint64_t count) {
     (void)fprintf(out, "  \"%s\": %" PRIu64 ",\n", key, count);
 }
 
+/* What was reached, where cut branches are estimated. */
+static void write_estimate(FILE *out, const struct run_stats *stats) {
+    const struct render_totals *totals = stats->totals;
+    const struct estimate *estimate = &totals->estimate;
+    write_count(out, "learning_rays", totals->learning_rays);
+    (void)fprintf(out, "  \"tail\": [%.6f, %.6f, %.6f],\n", estimate->mean[0] / 65536.0,
+                  estimate->mean[1] / 65536.0, estimate->mean[2] / 65536.0);
+    if (stats->compiled->error > 0) {
+        (void)fprintf(out, "  \"error\": %.17g,\n  \"spread\": %.6f,\n", stats->compiled->error,
+                      estimate->spread / 65536.0);
+        (void)fprintf(out, "  \"estimated_error\": %.6f,\n", totals->estimated_error / 65536.0);
+        write_count(out, "proved_error", totals->proved_error);
+    }
+}
+
 static void write_render(FILE *out, const struct run_stats *stats) {
     const struct compiled_scene *compiled = stats->compiled;
     const struct render_totals *totals = stats->totals;
@@ -40,6 +55,20 @@ static void write_render(FILE *out, const struct run_stats *stats) {
     write_count(out, "shadow_rays", totals->shadow_rays);
     write_count(out, "solid_tests", totals->solid_tests);
     write_count(out, "leaked_rays", totals->leaked_rays);
+    write_count(out, "exhausted_pixels", totals->exhausted_pixels);
+    if (compiled->estimates) {
+        write_estimate(out, stats);
+    }
+}
+
+/* 4.4 clocks an instruction are an average for the 80386, assumed: the mix here has more products
+ * than most. The ports' own clocks come in port_cost. */
+static void write_processor(FILE *out, const struct run_stats *stats) {
+    const double clocks = 4.4;
+    const struct cost_machine *machine = cost_machine_by_name("RA2");
+    write_count(out, "instructions", stats->processor->instructions);
+    (void)fprintf(out, "  \"predicted_seconds_RA2\": %.1f,\n",
+                  (double)stats->processor->instructions * clocks / (machine->megahertz * 1e6));
 }
 
 void stats_write(FILE *out, const struct run_stats *stats) {
@@ -69,6 +98,9 @@ void stats_write(FILE *out, const struct run_stats *stats) {
     }
     if (stats->board != NULL && chain->is_counting) {
         stats_write_cost(out, &chain->cost, stats->board);
+    }
+    if (stats->processor != NULL) {
+        write_processor(out, stats);
     }
     if (stats->totals != NULL) {
         (void)fprintf(out, "  \"render_seconds\": %.6f,\n", stats->totals->seconds);

@@ -9,6 +9,7 @@
 
 #include "board_options.h"
 #include "port_chain.h"
+#include "processor.h"
 #include "render.h"
 
 /* What there is to tell; NULL where there is none of it. */
@@ -19,6 +20,8 @@ struct run_stats {
     struct port_chain *chain;           /* its picture is drawn if it has a board */
     double total_seconds;
     const struct board_options *board; /* for the cost of the ports; NULL: not told */
+    const struct processor_report
+        *processor;            /* of a run on an emulated CPU; NULL: there was none */
     const uint8_t *photograph; /* of a multiple exposure, PICTURE_BYTES; NULL: none was taken */
 };
 

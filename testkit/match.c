@@ -150,7 +150,7 @@ static bool gather(struct sides *sides, const struct superframe_kit *kit, const 
     sides->report = report;
     report[0] = '\0';
     sides->lines = calloc(count_lines(expected), sizeof *sides->lines);
-    sides->writes = calloc(kit->count - kit->mark + 1, sizeof *sides->writes);
+    sides->writes = calloc(kit->count - kit->mark + 1, sizeof(const struct trace_access *));
     if (sides->lines == NULL || sides->writes == NULL || kit->bus.status != BUS_OK) {
         add(sides, "out of memory\n");
         return false;

@@ -40,7 +40,7 @@ static int wrong_pixels(const struct scene_description *description, const char 
                         int pixels) {
     struct loaded_scene exact = load_description(description, "f128");
     struct loaded_scene tested = load_description(description, arithmetic);
-    struct render_counts counts = {0, 0, 0, 0, 0};
+    struct render_counts counts = {0};
     uint64_t state = 1988;
     int wrong = 0;
     for (int i = 0; i < pixels; i++) {

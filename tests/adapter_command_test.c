@@ -88,7 +88,7 @@ static void draw(struct bus *bus) {
             bus_write(bus, 0x00D4, (uint16_t)x, BUS_WORD);
             bus_write(bus, 0x00D8, (x * y) & 0xFF, BUS_BYTE);
             bus_write(bus, 0x00DA, (x ^ y) & 0xFF, BUS_BYTE);
-            bus_write(bus, 0x00DC, x / 64, BUS_BYTE);
+            bus_write(bus, 0x00DC, (uint16_t)(x / 64), BUS_BYTE);
         }
     }
 }

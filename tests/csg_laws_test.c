@@ -37,7 +37,7 @@ static int same_picture(const char *text_a, const char *text_b, const char *arit
     make_scene(bare, "", "");
     struct loaded_scene a = load_text(text_a, arithmetic), b = load_text(text_b, arithmetic);
     struct loaded_scene board = load_text(bare, arithmetic);
-    struct render_counts counts = {0, 0, 0, 0, 0};
+    struct render_counts counts = {0};
     int seen = 0;
     for (int y = 0; y < 25; y++) {
         for (int x = 0; x < 40; x++) {

@@ -28,7 +28,7 @@ static void ignore_end(void *context, const struct observed_end *end) {
 static bool is_inside_outline(const struct loaded_scene *loaded, unsigned x, unsigned y) {
     struct outline outline = {false, 0, (uint8_t)(loaded->compiled->object_count - 1)};
     const struct pixel_observer observer = {&outline, follow_straight, ignore_end};
-    struct render_counts counts = {0, 0, 0, 0, 0};
+    struct render_counts counts = {0};
     double intensity[3];
     loaded->arithmetic->pixel(loaded->scene, (uint16_t)x, (uint16_t)y, intensity, &counts,
                               &observer);
@@ -57,7 +57,7 @@ static double changed_share(int depth) {
     struct loaded_scene plain = load_description(description, "fx");
     swap_board_colours(description);
     struct loaded_scene swapped = load_description(description, "fx");
-    struct render_counts counts = {0, 0, 0, 0, 0};
+    struct render_counts counts = {0};
     int inside = 0, changed = 0;
     for (unsigned y = 0; y < 200; y += 2) {
         for (unsigned x = 0; x < 320; x += 2) {

@@ -13,7 +13,7 @@ static void check_scene(const char *name, const char *arithmetic, int depth, int
     description->width = width;
     description->height = height;
     struct loaded_scene loaded = load_description(description, arithmetic);
-    struct render_counts counts = {0, 0, 0, 0, 0};
+    struct render_counts counts = {0};
     uint8_t rgb[3 * 640];
     for (int y = 0; y < height; y++) {
         loaded.arithmetic->image->row(loaded.scene, (uint16_t)y, rgb, &counts);

@@ -33,7 +33,7 @@ static void collect_end(void *context, const struct observed_end *end) {
 static void grow(struct collected *tree, const char *text, const char *arithmetic, unsigned x,
                  unsigned y) {
     struct loaded_scene loaded = load_text(text, arithmetic);
-    struct render_counts counts = {0, 0, 0, 0, 0};
+    struct render_counts counts = {0};
     const struct pixel_observer observer = {tree, collect_node, collect_end};
     tree->node_count = tree->end_count = 0;
     loaded.arithmetic->pixel(loaded.scene, (uint16_t)x, (uint16_t)y, tree->intensity, &counts,
@@ -151,7 +151,7 @@ static void weights_never_grow(void **state) {
         uint64_t seed = 4711;
         for (int pixel = 0; pixel < 40; pixel++) {
             const struct pixel_observer observer = {&tree, collect_node, collect_end};
-            struct render_counts counts = {0, 0, 0, 0, 0};
+            struct render_counts counts = {0};
             static double handed_on[NODES_MOST + 1];
             double leaves = 0;
             tree.node_count = tree.end_count = 0;
@@ -280,7 +280,7 @@ static void equal_wavelengths_give_the_picture_without_dispersion(void **state) 
         struct loaded_scene plain = load_description(description, arithmetics[j]);
         description->model = MODEL_WAVELENGTH;
         struct loaded_scene waves = load_description(description, arithmetics[j]);
-        struct render_counts counts = {0, 0, 0, 0, 0};
+        struct render_counts counts = {0};
         for (int x = 5; x < 640; x += 61) {
             for (int y = 3; y < 400; y += 53) {
                 double a[3], b[3];

@@ -161,12 +161,12 @@ static const struct {
     {COMMAND_RENDER, "render a --quiet=3", "--quiet: takes no value"},
     {COMMAND_RENDER, "render a --json", "no option --json"},
     /* Known, but not built into this version. */
-    {COMMAND_RENDER, "render a --bus usb", "--bus usb: not built"},
-    {COMMAND_RENDER, "render a --bus hid:123", "--bus hid:123: not built"},
+    {COMMAND_RENDER, "render a --bus usb -o x", "--output goes with --bus emulator only"},
+    {COMMAND_RENDER, "render a --bus hid: -o x", "hid[:SERIAL]"},
     {COMMAND_RENDER, "render a --tail estimate", "--tail estimate: not built"},
     {COMMAND_RENDER, "render a --error 1", "--error: not built"},
-    {COMMAND_RENDER, "render a --verify", "--verify: not built"},
-    {COMMAND_RENDER, "render a --wait", "--wait: not built"},
+    {COMMAND_RENDER, "render a --verify", "--verify goes with --bus usb and --bus hid only"},
+    {COMMAND_RENDER, "render a --wait", "--wait goes with --bus usb and --bus hid only"},
     /* What excludes what. */
     {COMMAND_RENDER, "render a --error 1 --threshold 0", "exclude each other"},
     {COMMAND_RENDER, "render a --threshold 0 --error 1", "exclude each other"},

@@ -104,7 +104,8 @@ static struct paper_profile profile_of(const int *levels, unsigned count) {
     static struct paper_photo mask, photo;
     clear(&mask, 1);
     clear(&photo, 1);
-    set(&mask, 20, 2, 255, 255, 255); /* a narrower row above */
+    set(&mask, 20, 2, 255, 255, 255); /* a narrower row above, and one below */
+    set(&mask, 20, 8, 255, 255, 255);
     for (unsigned i = 0; i < count + 2 * PAPER_TERRACE; i++) {
         bool is_end = i < PAPER_TERRACE || i >= count + PAPER_TERRACE;
         set(&mask, 5 + i, 6, 255, 255, 255);

@@ -65,6 +65,9 @@ typedef int64_t real_wide; /* 46 bits of fraction */
 /* 8 LSB. */
 #define LENGTH_NOISE ((real_length)8)
 
+/* Where on a ray its first crossing may lie: at 0, because rays snap to surfaces. */
+#define LENGTH_EPSILON REAL_LENGTH(0.0)
+
 /* ---- Lengths --------------------------------------------------------------------------------- */
 
 static inline real_length length_add(real_length a, real_length b) {
@@ -465,6 +468,18 @@ static inline real_colour colour_faded(real_colour a, real_length distance, int 
                    : product < -FIXED_MOST ? -FIXED_MOST
                                            : product;
     return fixed_saturated(FIXED_colour_faded, most * ((int64_t)1 << -shift));
+}
+
+static inline int32_t colour_steps(real_colour a) {
+    return a;
+}
+
+static inline real_colour colour_of_steps(int32_t steps) {
+    return steps;
+}
+
+static inline int32_t energy_steps(real_energy a) {
+    return a;
 }
 
 static inline uint8_t colour_level(real_colour a) {

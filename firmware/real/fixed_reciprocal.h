@@ -49,7 +49,7 @@ static inline struct fixed_slope fixed_slope_of(uint32_t m, unsigned zeros) {
 
 /* a 2^30 / u to nearest, for the slope of u. */
 static inline int64_t fixed_over(int32_t a, struct fixed_slope slope) {
-    return fixed_rounded(fixed_times(a, slope.mantissa), slope.shift);
+    return fixed_rounded_near(fixed_times(a, slope.mantissa), slope.shift);
 }
 
 #endif

@@ -336,6 +336,23 @@ static inline real_colour colour_faded(real_colour a, real_length distance, int 
 }
 
 /* Not by adding a half first: that rounds a number just below a half up to one. */
+static inline int32_t floating_steps(floating x) {
+    x = floating_clamped(x, (floating)2147483520.0);
+    return (int32_t)(x < 0 ? x - (floating)0.5 : x + (floating)0.5);
+}
+
+static inline int32_t colour_steps(real_colour a) {
+    return floating_steps(a * 65536);
+}
+
+static inline real_colour colour_of_steps(int32_t steps) {
+    return (floating)steps / 65536;
+}
+
+static inline int32_t energy_steps(real_energy a) {
+    return floating_steps(a * 1073741824);
+}
+
 static inline uint8_t colour_level(real_colour a) {
     if (!(a > 0)) {
         return 0;

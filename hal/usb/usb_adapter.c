@@ -5,10 +5,14 @@
 enum { FIRST_BASE = 0x00D0, LAST_BASE = 0x0CD0, BASE_STEP = 0x0200 };
 
 void usb_adapter_init(struct usb_adapter *adapter, struct bus *bus, uint16_t base_served) {
-    static const struct usb_adapter empty;
-    *adapter = empty;
     adapter->bus = bus;
     adapter->base_served = base_served;
+    adapter->session = adapter->last = 0;
+    adapter->base = 0;
+    adapter->data_count = 0;
+    adapter->frames_run = adapter->duplicates = adapter->damaged = 0;
+    usb_memory_clear(&adapter->memory);
+    usb_adapter_detach(adapter);
 }
 
 void usb_adapter_detach(struct usb_adapter *adapter) {
@@ -36,7 +40,6 @@ static bool is_served(const struct usb_adapter *adapter, uint16_t base) {
 /* A hello for the current session changes nothing, so that a late duplicate does no harm. */
 static void answer_hello(struct usb_adapter *adapter, const struct usb_header *header,
                          const uint8_t *payload) {
-    static const struct usb_memory empty;
     uint8_t bytes[USB_HELLO_REPLY_BYTES];
     uint8_t status = USB_STATUS_OK;
     uint16_t base = header->length >= USB_HELLO_BYTES ? usb_get16(payload) : 0;
@@ -49,7 +52,7 @@ static void answer_hello(struct usb_adapter *adapter, const struct usb_header *h
             adapter->session = header->session;
             adapter->last = 0;
             adapter->base = base;
-            adapter->memory = empty;
+            usb_memory_clear(&adapter->memory);
             adapter->data_count = 0;
         }
     } else if (base != adapter->base) {

@@ -19,16 +19,16 @@ enum {
     REPORT_DESCRIPTOR_BYTES = 33,
     BOS_BYTES = 33,
     MICROSOFT_BYTES = 178,
-    PRODUCT_PLACE = 10, /* of idProduct in the device descriptor */
     QUALIFIER_BYTES = 10,
     STRING_SERIAL = 3
 };
 
+/* clang-format off: a line is an item of the specification */
 static const uint8_t device_table[18] = {
     18,
     TYPE_DEVICE,
     0x01,
-    0x02, /* USB 2.01: the BOS descriptor is asked for from there on */
+    0x02, /* USB 2.01: from there on the BOS descriptor is asked for */
     0,
     0,
     0,
@@ -206,6 +206,8 @@ static const uint8_t microsoft_table[] = {10,
                                           0,
                                           42,
                                           0};
+/* clang-format on */
+
 static const char guids_name[] = "DeviceInterfaceGUIDs";
 static const char guids_value[] = "{5A2F6C1E-98D0-4B0B-9C3B-7D9801C0D0DE}";
 
@@ -266,12 +268,9 @@ static size_t qualifier_descriptor(uint8_t *bytes) {
 
 size_t usb_descriptor(const struct usb_device *device, uint16_t value, uint8_t *bytes) {
     unsigned index = value & 0xFF;
-    size_t count;
     switch (value >> 8) {
     case TYPE_DEVICE:
-        count = copy(bytes, device_table, sizeof device_table);
-        usb_put16(bytes + PRODUCT_PLACE, device->product_id);
-        return count;
+        return copy(bytes, device_table, sizeof device_table);
     case TYPE_CONFIGURATION:
         return index == 0 ? configuration_descriptor(device, bytes) : 0;
     case TYPE_STRING:

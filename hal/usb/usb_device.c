@@ -35,7 +35,6 @@ void usb_device_init(struct usb_device *device, struct bus *bus, uint16_t base_s
         device->serial[i] = serial[i];
     }
     device->serial[i] = '\0';
-    device->product_id = USB_PRODUCT_ID;
     device->is_high_speed = is_high_speed;
     usb_device_reset(device);
 }

@@ -8,8 +8,7 @@
 
 enum {
     USB_VENDOR_ID = 0x1209,
-    USB_PRODUCT_ID = 0x9801,      /* the project's own; to be registered before hardware ships */
-    USB_TEST_PRODUCT_ID = 0x0001, /* pid.codes' shared test id: in tests only */
+    USB_PRODUCT_ID = 0x9801, /* to be registered with pid.codes before hardware ships */
     USB_BULK_OUT = 0x01,
     USB_BULK_IN = 0x81,
     USB_HID_OUT = 0x02,
@@ -28,7 +27,7 @@ enum {
 struct usb_device {
     struct usb_adapter adapter;
     char serial[USB_SERIAL_MOST + 1];
-    uint16_t product_id;
+
     bool is_high_speed;
     uint8_t configuration; /* 0: not configured */
     uint8_t halted;        /* bit 0: bulk out, 1: bulk in, 2: HID out, 3: HID in */

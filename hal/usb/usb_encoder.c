@@ -16,8 +16,7 @@ struct pixel_facts {
 
 void usb_encoder_init(struct usb_encoder *encoder, size_t payload_most, void (*full)(void *context),
                       void *context) {
-    static const struct usb_memory empty;
-    encoder->memory = empty;
+    usb_memory_clear(&encoder->memory);
     encoder->payload_most = payload_most;
     encoder->full = full;
     encoder->context = context;

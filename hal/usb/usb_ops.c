@@ -140,6 +140,14 @@ bool usb_ops_check(const struct usb_memory *memory, const uint8_t *ops, size_t c
     return true;
 }
 
+/* By bytes: a constant to copy from would take 2 KB of an adapter's flash. */
+void usb_memory_clear(struct usb_memory *memory) {
+    uint8_t *bytes = (uint8_t *)memory;
+    for (size_t i = 0; i < sizeof *memory; i++) {
+        bytes[i] = 0;
+    }
+}
+
 void usb_memory_pixel(struct usb_memory *memory, const uint8_t colour[3]) {
     for (unsigned i = 0; i < 3; i++) {
         memory->colour[i] = colour[i];

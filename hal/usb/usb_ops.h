@@ -51,6 +51,9 @@ struct usb_memory {
     uint8_t line[USB_LINE_PIXELS][3]; /* the last pixel drawn at each X */
 };
 
+/* Forgets everything: a session begins. */
+void usb_memory_clear(struct usb_memory *memory);
+
 /* Notes a pixel at next_x. */
 void usb_memory_pixel(struct usb_memory *memory, const uint8_t colour[3]);
 

@@ -5,6 +5,8 @@
 
 #include "arithmetic.h"
 #include "compiled_scene.h"
+#include "distinct.h"
+#include "learn.h"
 #include "observe.h"
 #include "scene.h"
 
@@ -34,6 +36,7 @@ typedef char compiled_scene_matches_scene
 /* The tables and the scene that points to them, in one block. */
 struct loaded {
     struct scene scene; /* first: the block is freed through it */
+    struct estimate estimate;
     struct frame frames[COMPILED_FRAMES_MOST];
     struct primitive primitives[COMPILED_PRIMITIVES_MOST];
     struct box boxes[COMPILED_PRIMITIVES_MOST];
@@ -214,6 +217,10 @@ static void load_scene(struct loaded *to, const struct compiled_scene *from) {
     scene->height = from->height;
     scene->depth = from->depth;
     scene->threshold = REAL_ENERGY(from->threshold);
+    scene->estimates = from->estimates;
+    scene->error = (uint32_t)(from->error * 65536 + 0.5);
+    scene->ray_budget = from->ray_budget;
+    scene->brightest = from->brightest;
     scene->background = colours_of(from->background);
     scene->simple = from->simple;
     scene->filters = from->filters;
@@ -246,95 +253,8 @@ static void load_scene(struct loaded *to, const struct compiled_scene *from) {
     scene->seed = from->seed;
 }
 
-static bool fail(const struct compiled_scene *from, unsigned line, const char *what,
-                 struct scene_error *error) {
-    /* One scaled unit's smallest step in fixed point is 2^-20. */
-    snprintf(error->text, sizeof error->text, "%.200s:%u: %s", from->path, line, what);
-    return false;
-}
-
-static bool equal(real_length a, real_length b) {
-    return !length_less(a, b) && !length_less(b, a);
-}
-
-/* One of a box's two faces across an axis. */
-struct face {
-    double place;
-    uint16_t surface;
-    uint8_t frame;
-    unsigned line;
-};
-
-/* Faces that differ in the file but not in this arithmetic would be a wall that light never sees.
- */
-static bool faces_are_distinct(const struct compiled_scene *from, int axis,
-                               struct scene_error *error) {
-    struct face faces[2 * COMPILED_PRIMITIVES_MOST];
-    int count = 0;
-    for (int i = 0; i < from->primitive_count; i++) {
-        const struct compiled_primitive *primitive = &from->primitives[i];
-        if (primitive->kind != PRIMITIVE_BOX) {
-            continue;
-        }
-        const struct compiled_box *box = &from->boxes[primitive->index];
-        const struct face low = {box->minimum[axis], box->surface[axis], primitive->frame,
-                                 primitive->line};
-        const struct face high = {box->maximum[axis], box->surface[axis + 3], primitive->frame,
-                                  primitive->line};
-        faces[count++] = low;
-        faces[count++] = high;
-    }
-    for (int i = 0; i < count; i++) {
-        for (int j = 0; j < i; j++) {
-            if (faces[i].frame == faces[j].frame && faces[i].surface != faces[j].surface &&
-                equal(REAL_LENGTH(faces[i].place), REAL_LENGTH(faces[j].place))) {
-                return fail(from, faces[i].line,
-                            "a wall thinner than this arithmetic resolves: make it thicker, the "
-                            "scene smaller, or choose another --arith",
-                            error);
-            }
-        }
-    }
-    return true;
-}
-
-static bool balls_are_distinct(const struct compiled_scene *from, struct scene_error *error) {
-    for (int i = 0; i < from->primitive_count; i++) {
-        if (from->primitives[i].kind != PRIMITIVE_BALL) {
-            continue;
-        }
-        const struct compiled_ball *ball = &from->balls[from->primitives[i].index];
-        real_length radius = REAL_LENGTH(ball->radius);
-        if (!length_less(REAL_LENGTH(0.0), radius)) {
-            return fail(from, from->primitives[i].line,
-                        "a ball smaller than this arithmetic resolves: make it larger, the scene "
-                        "smaller, or choose another --arith",
-                        error);
-        }
-        for (int j = 0; j < i; j++) {
-            const struct compiled_ball *other = &from->balls[from->primitives[j].index];
-            if (from->primitives[j].kind == PRIMITIVE_BALL && ball->surface != other->surface &&
-                equal(radius, REAL_LENGTH(other->radius)) &&
-                equal(REAL_LENGTH(ball->centre[0]), REAL_LENGTH(other->centre[0])) &&
-                equal(REAL_LENGTH(ball->centre[1]), REAL_LENGTH(other->centre[1])) &&
-                equal(REAL_LENGTH(ball->centre[2]), REAL_LENGTH(other->centre[2]))) {
-                return fail(from, from->primitives[i].line,
-                            "a shell thinner than this arithmetic resolves: make it thicker, the "
-                            "scene smaller, or choose another --arith",
-                            error);
-            }
-        }
-    }
-    return true;
-}
-
 static struct scene *load(const struct compiled_scene *from, struct scene_error *error) {
-    for (int axis = 0; axis < 3; axis++) {
-        if (!faces_are_distinct(from, axis, error)) {
-            return NULL;
-        }
-    }
-    if (!balls_are_distinct(from, error)) {
+    if (!surfaces_are_distinct(from, error)) {
         return NULL;
     }
     struct loaded *loaded = calloc(1, sizeof *loaded);
@@ -351,6 +271,16 @@ static struct scene *load(const struct compiled_scene *from, struct scene_error 
     return &loaded->scene;
 }
 
+static void learn(struct scene *scene, struct estimate *estimate, struct render_counts *counts) {
+    struct loaded *loaded = (struct loaded *)scene;
+    if (scene->estimates) {
+        scene->estimate = 0;
+        learn_estimate(scene, &loaded->estimate, counts);
+        scene->estimate = &loaded->estimate;
+    }
+    *estimate = loaded->estimate;
+}
+
 extern const struct image IMAGE;
 
-const struct arithmetic ARITHMETIC = {&IMAGE, load, observe_pixel};
+const struct arithmetic ARITHMETIC = {&IMAGE, load, learn, observe_pixel};

@@ -60,7 +60,9 @@ static unsigned enumerate(struct usb_found *found, unsigned most, char *reason, 
 }
 
 static unsigned list(struct usb_found *found, unsigned most, char *reason) {
-    return enumerate(found, most, reason, true);
+    unsigned count = enumerate(found, most, reason, true);
+    (void)hid_exit();
+    return count;
 }
 
 static void let_go(struct hid_link *hid) {
@@ -181,6 +183,7 @@ static enum usb_open_status open_link(const char *serial, struct usb_link **link
     hid->link.operations = &operations;
     enum usb_open_status status = open_device(hid, serial, reason);
     if (status != USB_OPEN_OK) {
+        (void)hid_exit(); /* or it would go on with the devices that it knows now */
         free(hid);
         return status;
     }

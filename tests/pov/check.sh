@@ -23,8 +23,8 @@ pov_check=$build/release/tests/pov/pov_check
 out=$build/pov
 mkdir -p "$out"
 
-# scene | size | N | threshold | model. Pictures as the built-in scenes have them by default; then small
-# ones whose rays nothing but N ends.
+# scene | size | N | threshold | model. The built-in scenes as they are by default; then small
+# pictures whose rays nothing but N ends.
 table='
 figA|320x200|10|1/4096|fresnel
 fig3|320x200|5|1/4096|fresnel
@@ -38,6 +38,7 @@ fig7-isolated|320x200|10|1/4096|fresnel
 fig7-frustum|320x200|10|1/4096|fresnel
 tests/pov/solids.scene|320x200|8|1/65536|fresnel
 tests/pov/materials.scene|320x200|8|1/65536|fresnel
+tests/pov/inside.scene|160x100|8|1/4096|fresnel
 fig4b|320x200|10|1/4096|simple
 tests/pov/materials.scene|320x200|8|1/65536|simple
 figA|64x40|10|0|fresnel

@@ -23,6 +23,8 @@ enum {
     FEATURE_PATTERN = 1,
     FEATURE_TRANSPARENCY = 1,
     FEATURE_ABSORPTION = 1,
+    FEATURE_ESTIMATE = 1,       /* cut branches count as what they are worth on average */
+    FEATURE_KEPT = 512,         /* branches kept for an accuracy that is asked for; 0: none is */
     FEATURE_SIMPLE = 1,         /* Table 1 (a) */
     FEATURE_DISPERSION = 1,     /* Table 1 (c): directions by wavelength */
     FEATURE_TINT = 1,           /* Table 1 (c): reflectance and transmittance by wavelength */

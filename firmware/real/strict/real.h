@@ -69,6 +69,10 @@ typedef struct strict_wide *real_wide;
 /* The noise of a computed t: a chord shorter than this at a ray's very start is rounding. 8 LSB. */
 #define LENGTH_NOISE REAL_LENGTH(0.0)
 
+/* Where on a ray its first crossing may lie: at 0, because rays snap to the surface that they start
+ * on. q16_epsilon, which measures what an absolute epsilon does instead, has one. */
+#define LENGTH_EPSILON REAL_LENGTH(0.0)
+
 /* ---- Lengths --------------------------------------------------------------------------------- */
 
 /* a + b, a - b, -a: exact where they fit. */
@@ -234,6 +238,14 @@ real_colour colour_lit(real_colour a, real_colour light);
 /* a / (distance / 2^exponent), where 2^exponent scaled units make one of the scene file's. Error
  * <= 1/2 LSB + relative 2^-31; a distance of 0 or less saturates. |exponent| <= 30. */
 real_colour colour_faded(real_colour a, real_length distance, int exponent);
+
+/* The intensity in steps of 2^-16 level, to nearest, saturated at +-(2^31 - 1); and back. These, and
+ * energy_steps(), are for sums over many pixels, which are formed in integers in every arithmetic. */
+int32_t colour_steps(real_colour a);
+real_colour colour_of_steps(int32_t steps);
+
+/* The share in steps of 2^-30, to nearest, saturated. */
+int32_t energy_steps(real_energy a);
 
 /* The level 0..255 to send to the board: rounded to nearest, clamped. */
 uint8_t colour_level(real_colour a);

@@ -1,0 +1,334 @@
+/* SPDX-License-Identifier: MIT */
+/* The growing of a tree of rays: Eq. (3) as a sum over nodes, each times its weight. */
+#include "growth.h"
+
+#include "optics.h"
+#include "shade.h"
+
+/* What grows from a node: all that its branches have in common. */
+struct node {
+    const struct branch *branch;
+    const struct hit *hit;
+    const struct material *material; /* whose surface it is */
+    struct direction mirrored;
+    real_unit cosine; /* of the angle of incidence */
+};
+
+static const struct energies no_energy = {REAL_ENERGY(0.0), REAL_ENERGY(0.0), REAL_ENERGY(0.0)};
+
+static void report_end(const struct tree *tree, enum branch_kind kind, uint8_t channel,
+                       struct energies weight, enum branch_end why) {
+    if (FEATURE_OBSERVER && tree->observer) {
+        tree->observer->end(tree->observer->context, tree->node, kind, channel, weight, why);
+    }
+}
+
+/* The worth of a branch of that weight. */
+static void cut_worth(struct tree *tree, struct energies weight) {
+    const struct estimate *estimate = tree->scene->estimate;
+    if (FEATURE_ESTIMATE && estimate) {
+        const struct colours mean = {colour_of_steps(estimate->mean[0]),
+                                     colour_of_steps(estimate->mean[1]),
+                                     colour_of_steps(estimate->mean[2])};
+        tree->sum = colours_add(tree->sum, colours_weighed(mean, weight));
+    }
+}
+
+void growth_cut(struct tree *tree, struct energies weight, uint8_t events) {
+    int32_t steps = energy_steps(energies_largest(weight));
+    tree->lost += steps;
+    tree->lost_depth += (int64_t)steps * (tree->scene->depth - events + 1);
+    cut_worth(tree, weight);
+}
+
+static void add_weight(int64_t sum[3], struct energies weight) {
+    sum[0] += energy_steps(weight.red);
+    sum[1] += energy_steps(weight.green);
+    sum[2] += energy_steps(weight.blue);
+}
+
+/* Whether a branch that is cut is followed all the same, to learn what it is worth. */
+static bool learn_beyond(struct tree *tree, const struct branch *branch, bool was_beyond) {
+    struct lesson *lesson = tree->lesson;
+    if (!was_beyond) {
+        add_weight(lesson->weight, branch->weight);
+    }
+    if (branch->events > lesson->last_depth ||
+        energy_less(energies_largest(branch->weight), lesson->last_threshold)) {
+        add_weight(lesson->rest, branch->weight);
+        return false;
+    }
+    return true;
+}
+
+/* What becomes of a branch that threshold or depth level cut: false if nothing is left of it. */
+static bool survives(struct tree *tree, struct branch *branch, bool was_beyond,
+                     enum branch_end why) {
+    report_end(tree, (enum branch_kind)branch->kind, branch->channel, branch->weight, why);
+    if (FEATURE_ESTIMATE && tree->lesson) {
+        branch->beyond = true;
+        return learn_beyond(tree, branch, was_beyond);
+    }
+    struct kept_branches *kept = tree->kept;
+    if (FEATURE_KEPT > 0 && kept && why == END_THRESHOLD && kept->count < KEPT_MOST) {
+        kept->branches[kept->count++] = *branch;
+    } else {
+        growth_cut(tree, branch->weight, branch->events);
+    }
+    return false;
+}
+
+/* Puts a branch aside, if it is to be followed at all. */
+static void grow(struct tree *tree, const struct node *node, enum branch_kind kind, uint8_t channel,
+                 struct direction direction, struct energies coefficient) {
+    const struct hit *hit = node->hit;
+    struct energies weight = energies_product(node->branch->weight, coefficient);
+    real_energy largest = energies_largest(weight);
+    bool was_beyond = node->branch->beyond;
+    if (energy_is_zero(largest)) {
+        report_end(tree, kind, channel, weight, END_NOTHING);
+        return;
+    }
+    bool through = kind == BRANCH_REFRACTED;
+    struct branch *branch = &tree->branches[tree->waiting];
+    branch->ray.origin = hit->where;
+    branch->ray.direction = direction;
+    branch->ray.inside = through ? hit->inside_after : hit->inside_before;
+    branch->ray.surface = hit->surface;
+    branch->ray.object = through ? hit->after : hit->before;
+    branch->weight = weight;
+    branch->events = (uint8_t)(node->branch->events + 1);
+    branch->channel = channel;
+    branch->kind = (uint8_t)kind;
+    branch->beyond = was_beyond;
+    branch->parent = tree->node;
+    bool deep = node->branch->events >= tree->scene->depth;
+    if (was_beyond || deep || energy_less(largest, tree->threshold)) {
+        if (!survives(tree, branch, was_beyond, deep ? END_DEPTH : END_THRESHOLD)) {
+            return;
+        }
+    }
+    tree->waiting++;
+}
+
+/* Lambert-Bouguer: what is left of each primary after the way through the medium. */
+static struct energies attenuated(const struct material *medium, struct energies weight,
+                                  real_length way) {
+    struct energies rest = {energy_transmitted(medium->absorption[0], way),
+                            energy_transmitted(medium->absorption[1], way),
+                            energy_transmitted(medium->absorption[2], way)};
+    return energies_product(weight, rest);
+}
+
+static const struct material *material_of(const struct scene *scene, uint8_t object) {
+    return &scene->materials[scene->objects[object].material];
+}
+
+/* The material whose surface a boundary is: the opaque one, else that of the object which fills
+ * the place where both are. */
+static const struct material *surface_material(const struct scene *scene, const struct hit *hit) {
+    const struct material *before = material_of(scene, hit->before);
+    const struct material *after = material_of(scene, hit->after);
+    if (before->transparent != after->transparent) {
+        return before->transparent ? after : before;
+    }
+    return hit->before > hit->after ? before : after;
+}
+
+static struct energies energies_equal(real_energy share) {
+    struct energies all = {share, share, share};
+    return all;
+}
+
+/* One primary of three shares, the others 0. */
+static struct energies energies_only(real_energy share, uint8_t channel) {
+    struct energies one = no_energy;
+    if (channel == 0) {
+        one.red = share;
+    } else if (channel == 1) {
+        one.green = share;
+    } else {
+        one.blue = share;
+    }
+    return one;
+}
+
+/* What a coefficient of transmission becomes by the medium's own factors, and by the filter that
+ * the ray goes into. */
+static struct energies transmitted(const struct scene *scene, const struct node *node,
+                                   struct energies coefficient) {
+    if (FEATURE_TINT && node->material->tints) {
+        coefficient = energies_product(coefficient, node->material->transmits);
+    }
+    if (FEATURE_FILTER && scene->filters && node->hit->after > node->hit->before) {
+        coefficient = energies_product(coefficient, node->material->filter);
+    }
+    return coefficient;
+}
+
+static struct energies reflected(const struct node *node, struct energies coefficient) {
+    if (FEATURE_TINT && node->material->tints) {
+        coefficient = energies_product(coefficient, node->material->reflects);
+    }
+    return coefficient;
+}
+
+/* Table 1 (c): one mirror direction, three refracted ones. */
+static void grow_dispersed(struct tree *tree, const struct node *node,
+                           const struct material *before, const struct material *after) {
+    struct passage passage[3];
+    for (uint8_t i = 0; i < 3; i++) {
+        passage[i] = optics_passage(before, after, i, node->branch->ray.direction, node->cosine,
+                                    node->hit->normal);
+    }
+    const struct energies reflectance = {passage[0].reflectance, passage[1].reflectance,
+                                         passage[2].reflectance};
+    grow(tree, node, BRANCH_REFLECTED, CHANNEL_ALL, node->mirrored, reflected(node, reflectance));
+    for (uint8_t i = 0; i < 3; i++) {
+        struct energies coefficient = energies_only(passage[i].transmittance, i);
+        grow(tree, node, BRANCH_REFRACTED, i, passage[i].refracted,
+             transmitted(tree->scene, node, coefficient));
+    }
+}
+
+static void grow_transparent(struct tree *tree, const struct node *node) {
+    const struct scene *scene = tree->scene;
+    const struct branch *branch = node->branch;
+    const struct material *before = material_of(scene, node->hit->before);
+    const struct material *after = material_of(scene, node->hit->after);
+    if (FEATURE_SIMPLE && scene->simple) {
+        struct energies coefficient = energies_equal(node->material->transmittance);
+        grow(tree, node, BRANCH_REFRACTED, CHANNEL_ALL, branch->ray.direction,
+             transmitted(scene, node, coefficient));
+        return;
+    }
+    uint8_t channel = branch->channel;
+    if (FEATURE_DISPERSION && channel == CHANNEL_ALL) {
+        if (before->disperses || after->disperses) {
+            grow_dispersed(tree, node, before, after);
+            return;
+        }
+        channel = 0;
+    }
+    struct passage passage = optics_passage(before, after, FEATURE_DISPERSION ? channel : 0,
+                                            branch->ray.direction, node->cosine, node->hit->normal);
+    grow(tree, node, BRANCH_REFLECTED, branch->channel, node->mirrored,
+         reflected(node, energies_equal(passage.reflectance)));
+    grow(tree, node, BRANCH_REFRACTED, branch->channel, passage.refracted,
+         transmitted(scene, node, energies_equal(passage.transmittance)));
+}
+
+/* What arrives from the end of a branch. */
+static void add_intensity(struct tree *tree, const struct branch *branch,
+                          struct colours intensity) {
+    struct colours part = colours_weighed(intensity, branch->weight);
+    if (FEATURE_ESTIMATE && branch->beyond) {
+        tree->lesson->worth[0] += colour_steps(part.red);
+        tree->lesson->worth[1] += colour_steps(part.green);
+        tree->lesson->worth[2] += colour_steps(part.blue);
+    } else {
+        tree->sum = colours_add(tree->sum, part);
+    }
+}
+
+static void visit(struct tree *tree, const struct branch *branch, const struct hit *hit) {
+    const struct scene *scene = tree->scene;
+    struct node node;
+    node.branch = branch;
+    node.hit = hit;
+    node.material = surface_material(scene, hit);
+    node.cosine = incidence_cosine(branch->ray.direction, hit->normal);
+    node.mirrored = mirror_direction(branch->ray.direction, node.cosine, hit->normal);
+    tree->counts->nodes++;
+    tree->node++;
+    struct colours local = {REAL_COLOUR(0.0), REAL_COLOUR(0.0), REAL_COLOUR(0.0)};
+    if (!FEATURE_FILTER || !scene->filters || !node.material->transparent) {
+        local = shade(scene, node.material, &branch->ray, hit, node.mirrored, tree->counts);
+        add_intensity(tree, branch, local);
+    }
+    if (FEATURE_OBSERVER && tree->observer) {
+        tree->observer->node(tree->observer->context, tree->node, branch, hit, &local);
+    }
+    if (FEATURE_TRANSPARENCY && node.material->transparent) {
+        grow_transparent(tree, &node);
+    } else {
+        grow(tree, &node, BRANCH_REFLECTED, branch->channel, node.mirrored,
+             energies_equal(specular_at(scene, node.material, node.cosine)));
+    }
+}
+
+/* Follows a branch to the next boundary, or out of the scene. */
+static void follow(struct tree *tree, struct branch *branch) {
+    const struct scene *scene = tree->scene;
+    struct hit hit;
+    tree->counts->rays++;
+    if (ray_hit(scene, &branch->ray, &hit, tree->counts)) {
+        const struct material *medium = material_of(scene, branch->ray.object);
+        if (FEATURE_ABSORPTION && medium->absorbs) {
+            branch->weight = attenuated(medium, branch->weight, hit.t);
+        }
+        visit(tree, branch, &hit);
+        return;
+    }
+    if (hit.before != OBJECT_AIR) {
+        tree->counts->leaked_rays++;
+    }
+    add_intensity(tree, branch, scene->background);
+    if (FEATURE_OBSERVER && tree->observer) {
+        tree->observer->end(tree->observer->context, branch->parent, (enum branch_kind)branch->kind,
+                            branch->channel, branch->weight, END_LEFT_SCENE);
+    }
+}
+
+void growth_start(struct tree *tree, const struct scene *scene, const struct ray *eye_ray,
+                  struct render_counts *counts) {
+    tree->scene = scene;
+    tree->counts = counts;
+    tree->observer = 0;
+    tree->kept = 0;
+    tree->lesson = 0;
+    tree->sum.red = tree->sum.green = tree->sum.blue = REAL_COLOUR(0.0);
+    tree->threshold = scene->threshold;
+    tree->rays_before = counts->rays;
+    tree->exhausted = false;
+    tree->node = 0;
+    tree->lost = tree->lost_depth = 0;
+    tree->waiting = 1;
+    tree->branches[0].ray = *eye_ray;
+    tree->branches[0].weight = energies_equal(REAL_ENERGY(1.0));
+    tree->branches[0].events = 0;
+    tree->branches[0].channel = CHANNEL_ALL;
+    tree->branches[0].kind = BRANCH_EYE;
+    tree->branches[0].beyond = false;
+    tree->branches[0].parent = 0;
+}
+
+bool growth_is_exhausted(const struct tree *tree) {
+    return tree->counts->rays - tree->rays_before >= tree->scene->ray_budget;
+}
+
+static void cut_waiting(struct tree *tree) {
+    while (tree->waiting > 0) {
+        const struct branch *branch = &tree->branches[--tree->waiting];
+        if (!FEATURE_ESTIMATE || !tree->lesson) {
+            growth_cut(tree, branch->weight, branch->events);
+            continue;
+        }
+        if (!branch->beyond) {
+            add_weight(tree->lesson->weight, branch->weight);
+        }
+        add_weight(tree->lesson->rest, branch->weight);
+    }
+}
+
+void growth_finish(struct tree *tree) {
+    while (tree->waiting > 0) {
+        if (growth_is_exhausted(tree)) {
+            tree->exhausted = true;
+            cut_waiting(tree);
+            return;
+        }
+        struct branch branch = tree->branches[--tree->waiting];
+        follow(tree, &branch);
+    }
+}

@@ -1,0 +1,12 @@
+/* SPDX-License-Identifier: MIT */
+/* What a branch that is cut is worth: learned from a few hundred pixels. */
+#ifndef SUPERFRAME_LEARN_H
+#define SUPERFRAME_LEARN_H
+
+#include "image.h"
+
+/* What image.h's learn() says. */
+void learn_estimate(const struct scene *scene, struct estimate *estimate,
+                    struct render_counts *counts);
+
+#endif

@@ -1,0 +1,129 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Builds the firmware for a target: build.sh TARGET ARITHMETIC SCENE SIZE DEPTH FEATURES FOLDER
+#
+# TARGET      a name of the table at the end
+# ARITHMETIC  fx or f32
+# SCENE       what `superframe compile` takes; SIZE and DEPTH go with it, - is the scene's own
+# FEATURES    minimal: what the scene requires; full: everything
+# FOLDER      where image.elf (or .wasm, .hdm) is made
+# SUPERFRAME  the program (build/superframe); CC the native compiler (gcc)
+#
+# Exit status: 0 built, 1 not.
+set -eu
+
+target=$1 arithmetic=$2 scene=$3 size=$4 depth=$5 features=$6 folder=$7
+SUPERFRAME=${SUPERFRAME:-build/superframe}
+CC=${CC:-gcc}
+here=firmware/targets
+name=$(basename "$scene" .scene)
+symbol=scene_$(printf %s "$name" | sed 's/[^0-9A-Za-z]/_/g')
+
+rm -rf "$folder"
+mkdir -p "$folder/tables"
+options=
+[ "$size" = - ] || options="--size $size"
+[ "$depth" = - ] || options="$options --depth $depth"
+# shellcheck disable=SC2086 # a list of words
+"$SUPERFRAME" compile "$scene" $options -o "$folder/scene.c"
+if [ "$features" = minimal ]; then
+    # shellcheck disable=SC2086 # a list of words
+    "$SUPERFRAME" compile "$scene" $options --minimal -o "$folder/tables/feature_set.h"
+else
+    cp firmware/features/full/feature_set.h "$folder/tables/feature_set.h"
+fi
+
+# What every compiler gets. Copies are loops: see common/memory.c.
+flags="-std=c99 -pedantic -Wall -Wextra -Wconversion -Wshadow -Werror -ffreestanding
+ -ffp-contract=off -ffunction-sections -fdata-sections
+ -DTARGET_IMAGE=image_$arithmetic -DTARGET_SCENE=$symbol
+ -Ifirmware/real/$arithmetic -I$folder/tables -Ihal -Ifirmware -I$here/common"
+firmware="firmware/*.c $folder/scene.c"
+gnu='-fno-tree-loop-distribute-patterns -fstack-usage -fcallgraph-info=su -nostdlib -Wl,--gc-sections'
+records="$here/common/frame.c $here/common/port_records.c"
+semihosting="$records $here/common/memory.c $here/common/semihosting_sink.c"
+# A square root for those without one.
+root=
+[ "$arithmetic" = fx ] || root=$here/common/square_root.c
+
+# cortex_m OPTIONS RAM COPROCESSOR [MORE]
+# shellcheck disable=SC2086 # lists of words, here and below
+cortex_m() {
+    arm-none-eabi-gcc $1 -mthumb $flags $gnu -I$here/cortex_m -Wl,--defsym=ram_bytes="$2" \
+        -Wl,-T,$here/cortex_m/link.ld -o "$folder/image.elf" $firmware $semihosting \
+        $here/cortex_m/start.c $here/cortex_m/semihosting_call.c "$here/cortex_m/$3.c" ${4:-} -lgcc
+}
+
+riscv() {
+    riscv64-unknown-elf-gcc -march=rv32im -mabi=ilp32 -mcmodel=medany -O2 $flags $gnu \
+        -Wl,--defsym=ram_bytes=65536 -Wl,-T,$here/riscv/link.ld -o "$folder/image.elf" \
+        $firmware $semihosting $here/riscv/start.S $here/riscv/semihosting_call.c $root -lgcc
+}
+
+# posix COMPILER OPTIONS: a program on the build machine, or on another Linux by qemu-user.
+posix() {
+    $1 $2 -O2 $flags -c -o "$folder/frame.o" $here/common/frame.c
+    $1 $2 -O2 $flags -c -o "$folder/port_records.o" $here/common/port_records.c
+    objects="$folder/frame.o $folder/port_records.o"
+    for source in $firmware; do
+        object=$folder/$(basename "$source" .c)_.o
+        $1 $2 -O2 $flags -c -o "$object" "$source"
+        objects="$objects $object"
+    done
+    $1 $2 -O2 -std=c99 -Wall -Wextra -Werror -I$here/common ${3:-} -o "$folder/image.elf" \
+        tests/targets/posix_main.c $objects -lm
+}
+
+# pc98 MODE OPTIONS LOAD_ADDRESS ROOM: the image, the boot sector, the disk.
+pc98() {
+    # -Wa,-march: the assembler refuses what a 386 without 387 does not have.
+    $CC $2 -march=i386 -mno-80387 -Wa,-march=i386+no87 $flags $gnu -fno-pic -fno-pie -no-pie \
+        -static -fno-stack-protector -fno-asynchronous-unwind-tables -fcf-protection=none \
+        -mpreferred-stack-boundary=2 -Wl,--build-id=none "-DTARGET_TITLE=\"$name\"" \
+        -I$here/pc98 -Wl,--defsym=load_address="$3",--defsym=room="$4" -Wl,-T,$here/pc98/link.ld \
+        -o "$folder/image.elf" $firmware $here/pc98/main.c $here/pc98/machine.c \
+        $here/pc98/ports.c $here/common/memory.c "$here/pc98/start_$1.S"
+    objcopy -O binary "$folder/image.elf" "$folder/image.bin"
+    bytes=$(wc -c < "$folder/image.bin")
+    $CC -m16 -DIMAGE_SECTORS=$(((bytes + 1023) / 1024)) -nostdlib -static -no-pie \
+        -Wl,--build-id=none -Wl,-T,$here/pc98/boot.ld -Wl,--oformat=binary \
+        -o "$folder/boot.bin" $here/pc98/boot.S
+    cat "$folder/boot.bin" "$folder/image.bin" > "$folder/disk.hdm"
+    truncate -s 1261568 "$folder/disk.hdm"
+}
+
+# isapc: the flat PC-98 disk in a ROM for a PC without a BIOS.
+isapc() {
+    pc98 flat '-m32 -O2' 0x20000 0x2F000
+    $CC -m16 "-DDISK=\"$folder/disk.hdm\"" -nostdlib -static -no-pie -Wl,--build-id=none \
+        -Wl,-T,$here/isapc/link.ld -Wl,--oformat=binary -o "$folder/rom.bin" $here/isapc/rom.S
+}
+
+wasm() {
+    clang --target=wasm32 -Oz -Iemulator $flags -I$here/wasm/include -nostdlib -Wl,--no-entry \
+        -Wl,--gc-sections -Wl,--strip-all -Wl,-z,stack-size=65536 -fno-builtin -o "$folder/image.wasm" $firmware \
+        $here/wasm/module.c $here/common/memory.c emulator/board.c emulator/board_setup.c \
+        emulator/board_report.c
+}
+
+case $target in
+cortex-m0) cortex_m '-mcpu=cortex-m0 -Os' 16384 coprocessor_none $root ;;
+cortex-m3) cortex_m '-mcpu=cortex-m3 -O2' 65536 coprocessor_none $root ;;
+cortex-m4f) cortex_m '-mcpu=cortex-m4 -mfloat-abi=hard -mfpu=fpv4-sp-d16 -O2' 65536 \
+    coprocessor_fpu "${root:+$here/cortex_m/square_root_fpu.c}" ;;
+rv32im) riscv ;;
+native) posix "$CC" '' ;;
+gcc) posix gcc '' ;;
+clang) posix clang '' ;;
+gcc-m32) posix gcc -m32 ;;
+unsigned-char) posix gcc -funsigned-char ;;
+powerpc) posix powerpc-linux-gnu-gcc '' -static ;;
+386-flat) pc98 flat '-m32 -O2' 0x20000 0x2F000 ;;
+386-real) pc98 real '-m16 -Os' 0 0xFFFC ;;
+qemu-486) isapc ;;
+wasm) wasm ;;
+*)
+    echo "build.sh: no target \"$target\"" >&2
+    exit 1
+    ;;
+esac

@@ -1,0 +1,19 @@
+/* SPDX-License-Identifier: MIT */
+/* One frame of the scene that a target was built for. */
+#include "frame.h"
+
+#include "image.h"
+#include "port_records.h"
+#include "scene.h"
+
+enum { FACTORY_BASE = 0x00D0 };
+
+/* The build names both: -DTARGET_IMAGE=image_fx -DTARGET_SCENE=scene_fig3. */
+extern const struct image TARGET_IMAGE;
+extern const struct scene TARGET_SCENE;
+
+void frame_draw(void) {
+    const struct drawing drawing = {.base = FACTORY_BASE, .last = TARGET_SCENE.height};
+    TARGET_IMAGE.draw(&TARGET_SCENE, &drawing);
+    port_records_flush();
+}

@@ -1,0 +1,9 @@
+/* SPDX-License-Identifier: MIT */
+/* One frame of the scene that a target was built for. */
+#ifndef SUPERFRAME_TARGETS_FRAME_H
+#define SUPERFRAME_TARGETS_FRAME_H
+
+/* Draws the whole picture through the ports and hands on what is buffered. */
+void frame_draw(void);
+
+#endif

@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: MIT */
+/* The PC-9801 as far as the image uses it: text VRAM and keyboard. */
+#ifndef SUPERFRAME_TARGETS_PC98_MACHINE_H
+#define SUPERFRAME_TARGETS_PC98_MACHINE_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+enum { TEXT_COLUMNS = 80, TEXT_ROWS = 25 };
+
+void text_clear(void);
+
+/* Writes ASCII from a column on; returns the column after it. What is past the line's end is lost.
+ */
+uint8_t text_put(uint8_t row, uint8_t column, const char *text);
+
+/* The same with a number, 0..65535. */
+uint8_t text_put_number(uint8_t row, uint8_t column, uint16_t number);
+
+/* Whether Esc was pressed since the last time. Reads at most a few waiting keys. */
+bool escape_pressed(void);
+
+#endif

@@ -1,0 +1,77 @@
+/* SPDX-License-Identifier: MIT */
+/* Seconds that a rendering would take on a machine, from what it did. */
+#include "cost_model.h"
+
+#include <math.h>
+#include <string.h>
+
+struct cost_mix cost_mix_of(const struct compiled_scene *scene) {
+    struct cost_mix mix = {0, 0, 0, 0, 0};
+    double one = scene->primitive_count > 0 ? 1.0 / scene->primitive_count : 0;
+    for (int i = 0; i < scene->primitive_count; i++) {
+        const struct compiled_primitive *primitive = &scene->primitives[i];
+        switch (primitive->kind) {
+        case KIND_BOX:
+            *(primitive->frame == WORLD_FRAME ? &mix.box : &mix.turned_box) += one;
+            break;
+        case KIND_BALL:
+            mix.ball += one;
+            break;
+        case KIND_POLYHEDRON:
+            mix.polyhedron_plane += one * scene->polyhedra[primitive->index].count;
+            break;
+        default:
+            mix.quadric += one;
+            break;
+        }
+    }
+    return mix;
+}
+
+void cost_operations_of(const struct cost_events *events, const struct cost_mix *mix,
+                        double operations[WRAP_KINDS]) {
+    const double tests = (double)events->solid_tests;
+    const double counts[COST_EVENTS] = {
+        [COST_RAY] = (double)events->rays,
+        [COST_SHADOW_RAY] = (double)events->shadow_rays,
+        [COST_NODE] = (double)events->nodes,
+        [COST_BOX] = tests * mix->box,
+        [COST_TURNED_BOX] = tests * mix->turned_box,
+        [COST_BALL] = tests * mix->ball,
+        [COST_PLANE] = tests * mix->polyhedron_plane,
+        [COST_QUADRIC] = tests * mix->quadric,
+    };
+    for (int kind = 0; kind < WRAP_KINDS; kind++) {
+        operations[kind] = 0;
+        for (int event = 0; event < COST_EVENTS; event++) {
+            operations[kind] += counts[event] * cost_operations[event][kind];
+        }
+    }
+}
+
+static double clocks_each(const struct cost_target *target, const char *arithmetic) {
+    return strcmp(arithmetic, "fx") == 0    ? target->clocks_fx
+           : strcmp(arithmetic, "f32") == 0 ? target->clocks_f32
+           : strcmp(arithmetic, "f64") == 0 ? target->clocks_f64
+                                            : 0;
+}
+
+double cost_seconds(const struct cost_target *target, const char *arithmetic,
+                    const double operations[WRAP_KINDS], uint64_t port_writes) {
+    double each = clocks_each(target, arithmetic), instructions = 0;
+    const char *code = strcmp(arithmetic, "fx") == 0 ? target->code : target->float_code;
+    if (!(each > 0)) {
+        return NAN;
+    }
+    for (const struct cost_code *row = cost_codes; row->name != NULL; row++) {
+        if (strcmp(row->name, code) == 0 && strcmp(row->arithmetic, arithmetic) == 0) {
+            for (int kind = 0; kind < WRAP_KINDS; kind++) {
+                instructions += operations[kind] * row->instructions[kind];
+            }
+            double clocks =
+                instructions * row->whole * each + (double)port_writes * target->port_clocks;
+            return clocks / (target->megahertz * 1e6);
+        }
+    }
+    return NAN;
+}

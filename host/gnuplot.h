@@ -1,0 +1,11 @@
+/* SPDX-License-Identifier: MIT */
+/* Runs gnuplot, where it is there. */
+#ifndef SUPERFRAME_GNUPLOT_H
+#define SUPERFRAME_GNUPLOT_H
+
+enum gnuplot_status { GNUPLOT_DONE, GNUPLOT_NOT_FOUND, GNUPLOT_FAILED };
+
+/* Runs a script in its folder, and waits for it. */
+enum gnuplot_status gnuplot_run(const char *folder, const char *script);
+
+#endif

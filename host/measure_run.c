@@ -1,0 +1,264 @@
+/* SPDX-License-Identifier: MIT */
+/* Measures the points that are lacking, one rendering after the other, against one picture each. */
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "colour_difference.h"
+#include "command.h"
+#include "compare.h"
+#include "difference_picture.h"
+#include "interrupt.h"
+#include "measure.h"
+#include "output.h"
+#include "png_file.h"
+#include "stopwatch.h"
+
+enum { PATH_SIZE = 1024, ORACLE_WIDTH = 48, ORACLE_HEIGHT = 30, ORACLE_DEPTH = 10 };
+
+/* A picture in dots. */
+struct dots_picture {
+    uint8_t *rgb;
+    unsigned width, height;
+};
+
+/* Two points that are measured against the same picture. */
+static bool share_reference(const struct measure_point *a, const struct measure_point *b) {
+    return strcmp(a->scene, b->scene) == 0 && strcmp(a->model, b->model) == 0 &&
+           a->width == b->width && a->height == b->height;
+}
+
+static int shoot(struct measure *measure, const struct measure_scene *scene,
+                 struct measure_point *point, struct dots_picture *picture) {
+    unsigned dots;
+    int status = measure_shoot(measure, scene->operand, point, &picture->rgb, &dots);
+    picture->width = point->width * dots;
+    picture->height = point->height * dots;
+    return status;
+}
+
+/* ---- The oracle ----------------------------------------------------------------------------- */
+
+static int compare_oracle(struct measure *measure, struct measure_scene *scene,
+                          struct measure_point point) {
+    struct dots_picture wide = {NULL, 0, 0}, narrow = {NULL, 0, 0};
+    struct comparison comparison;
+    point.width = ORACLE_WIDTH;
+    point.height = ORACLE_HEIGHT;
+    point.depth = ORACLE_DEPTH;
+    point.threshold = 1.0 / 4096;
+    strcpy(point.colour, "full");
+    strcpy(point.arithmetic, "f128");
+    int status = shoot(measure, scene, &point, &wide);
+    strcpy(point.arithmetic, "f64");
+    if (status == STATUS_DONE) {
+        status = shoot(measure, scene, &point, &narrow);
+    }
+    if (status == STATUS_DONE) {
+        compare_pictures(wide.rgb, narrow.rgb, (size_t)wide.width * wide.height, &comparison);
+        scene->oracle = comparison_share(&comparison, 0);
+    }
+    free(wide.rgb);
+    free(narrow.rgb);
+    return status;
+}
+
+/* ---- Pictures of differences ---------------------------------------------------------------- */
+
+/* The three that the report shows, of the first scene: the paper's setting, the example that is to
+ * be avoided, and the most exact fx of the plan. */
+static int shown_place(const struct measure *measure, const struct measure_point *point) {
+    bool is_deep = point->depth == 64 && point->threshold > 0 && point->threshold < 1e-4 / 2;
+    if (strcmp(point->scene, measure->scenes[0].name) != 0 || strcmp(point->colour, "full") != 0) {
+        return -1;
+    }
+    if (strcmp(point->arithmetic, "fx") == 0 && point->depth == 10 && !(point->threshold > 0)) {
+        return 0;
+    }
+    return !is_deep                                        ? -1
+           : strcmp(point->arithmetic, "q16_epsilon") == 0 ? 1
+           : strcmp(point->arithmetic, "fx") == 0          ? 2
+                                                           : -1;
+}
+
+static const char *const shown_files[MEASURE_SHOWN] = {
+    "difference-paper.png", "difference-q16-epsilon.png", "difference-fx.png"};
+
+static int write_difference(const struct measure *measure, const char *name,
+                            const struct dots_picture *reference,
+                            const struct dots_picture *picture) {
+    char path[PATH_SIZE];
+    struct output output;
+    struct png_error error;
+    memset(&output, 0, sizeof output);
+    (void)snprintf(path, sizeof path, "%s/%s", measure->folder, name);
+    if (!output_open(&output, path)) {
+        return STATUS_FAILED;
+    }
+    difference_picture(reference->rgb, picture->rgb, (size_t)picture->width * picture->height,
+                       picture->rgb);
+    if (write_png(output.file, picture->rgb, picture->width, picture->height, &error) != PNG_OK) {
+        output_complain(&output, error.message);
+        output_discard(&output);
+        return STATUS_FAILED;
+    }
+    return output_commit(&output) ? STATUS_DONE : STATUS_FAILED;
+}
+
+/* ---- Points --------------------------------------------------------------------------------- */
+
+static int judge_point(struct measure_point *point, const struct dots_picture *reference,
+                       const struct dots_picture *picture) {
+    struct comparison comparison;
+    struct colour_differences colours;
+    size_t dots = (size_t)picture->width * picture->height;
+    compare_pictures(reference->rgb, picture->rgb, dots, &comparison);
+    if (!colour_differences(reference->rgb, picture->rgb, dots, &colours)) {
+        complain("out of memory");
+        return STATUS_FAILED;
+    }
+    point->wrong = 100.0 * (double)(dots - comparison_within(&comparison, 1)) / (double)dots;
+    point->largest = comparison_largest(&comparison);
+    point->rmse = comparison_rmse(&comparison);
+    point->psnr = comparison_psnr(&comparison);
+    point->colour_mean = colours.mean;
+    point->colour_high = colours.high;
+    return STATUS_DONE;
+}
+
+static int measure_point(struct measure *measure, const struct measure_scene *scene,
+                         struct measure_point *point, const struct dots_picture *reference,
+                         FILE *log) {
+    struct dots_picture picture = {NULL, 0, 0};
+    int status = shoot(measure, scene, point, &picture);
+    if (status == STATUS_DONE) {
+        status = judge_point(point, reference, &picture);
+    }
+    int place = shown_place(measure, point);
+    if (status == STATUS_DONE && place >= 0 && share_reference(point, &measure->points.points[0])) {
+        status = write_difference(measure, shown_files[place], reference, &picture);
+    }
+    free(picture.rgb);
+    if (status != STATUS_DONE) {
+        return status;
+    }
+    point->is_done = true;
+    measure_write_point(log, point);
+    if (fflush(log) != 0) {
+        complain("%s/points.csv: cannot be written: %s", measure->folder, strerror(errno));
+        return STATUS_FAILED;
+    }
+    return STATUS_DONE;
+}
+
+/* All points that share the reference of the given one, which is the first of them. */
+static int measure_group(struct measure *measure, const struct measure_scene *scene, size_t first,
+                         FILE *log) {
+    struct measure_point like = measure->points.points[first];
+    struct dots_picture reference = {NULL, 0, 0};
+    strcpy(like.arithmetic, "f64");
+    strcpy(like.colour, "full");
+    like.depth = MEASURE_CONVERGED_DEPTH;
+    like.threshold = MEASURE_CONVERGED_THRESHOLD;
+    int status = shoot(measure, scene, &like, &reference);
+    for (size_t i = first; i < measure->points.count && status == STATUS_DONE; i++) {
+        struct measure_point *point = &measure->points.points[i];
+        if (!point->is_done && share_reference(point, &like)) {
+            status = measure_point(measure, scene, point, &reference, log);
+        }
+    }
+    free(reference.rgb);
+    return status;
+}
+
+/* Rows that are still to be rendered, for the progress bar. */
+static unsigned count_rows(const struct measure *measure) {
+    unsigned rows = (unsigned)measure->scene_count * 2 * ORACLE_HEIGHT;
+    for (size_t i = 0; i < measure->points.count; i++) {
+        const struct measure_point *point = &measure->points.points[i];
+        bool is_first = !point->is_done;
+        for (size_t j = 0; j < i && is_first; j++) {
+            const struct measure_point *other = &measure->points.points[j];
+            is_first = other->is_done || !share_reference(point, other);
+        }
+        rows += point->is_done ? 0 : point->height;
+        rows += is_first ? point->height : 0;
+    }
+    return rows;
+}
+
+static struct measure_scene *scene_of(struct measure *measure, const char *name) {
+    for (size_t i = 0; i < measure->scene_count; i++) {
+        if (strcmp(measure->scenes[i].name, name) == 0) {
+            return &measure->scenes[i];
+        }
+    }
+    return NULL;
+}
+
+/* points.csv, to be written on: its head is there already or is written; a line that was cut off is
+ * ended. */
+static FILE *open_log(const struct measure *measure) {
+    char path[PATH_SIZE];
+    int last = EOF;
+    (void)snprintf(path, sizeof path, "%s/points.csv", measure->folder);
+    FILE *file = fopen(path, "a+");
+    if (file == NULL) {
+        complain("%s: cannot be written: %s", path, strerror(errno));
+        return NULL;
+    }
+    if (fseek(file, -1, SEEK_END) == 0) {
+        last = fgetc(file);
+    }
+    (void)fseek(file, 0, SEEK_END);
+    if (last == EOF) {
+        measure_write_head(file);
+    } else if (last != '\n') {
+        (void)fputc('\n', file);
+    }
+    return file;
+}
+
+static int run_all(struct measure *measure, FILE *log) {
+    int status = STATUS_DONE;
+    for (size_t i = 0; i < measure->scene_count && status == STATUS_DONE; i++) {
+        struct measure_scene *scene = &measure->scenes[i];
+        struct measure_point like = measure->points.points[0];
+        for (size_t j = 0; j < measure->points.count; j++) {
+            if (strcmp(measure->points.points[j].scene, scene->name) == 0) {
+                like = measure->points.points[j];
+                break;
+            }
+        }
+        status = compare_oracle(measure, scene, like);
+    }
+    for (size_t i = 0; i < measure->points.count && status == STATUS_DONE; i++) {
+        const struct measure_point *point = &measure->points.points[i];
+        if (!point->is_done) {
+            status = measure_group(measure, scene_of(measure, point->scene), i, log);
+        }
+    }
+    return status;
+}
+
+int measure_run(struct measure *measure) {
+    FILE *log = open_log(measure);
+    if (log == NULL) {
+        return STATUS_FAILED;
+    }
+    progress_begin(&measure->progress, count_rows(measure), measure->options->quiet);
+    measure->began = stopwatch_start();
+    interrupt_catch();
+    int status = run_all(measure, log);
+    progress_end(&measure->progress);
+    if (fclose(log) != 0 && status == STATUS_DONE) {
+        complain("%s/points.csv: cannot be written: %s", measure->folder, strerror(errno));
+        status = STATUS_FAILED;
+    }
+    if (*interrupt_noted() != 0) {
+        complain("interrupted; started again with the same -o it goes on where it was");
+        status = STATUS_SIGNAL + *interrupt_noted();
+    }
+    return status;
+}

@@ -1,0 +1,103 @@
+/* SPDX-License-Identifier: MIT */
+/* The options about adapters, and what is said where there is none. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "options.h"
+#include "usb_backends.h"
+
+static struct options options;
+static struct options_error error;
+
+static bool parse(enum command_id command, const char *line) {
+    static char words[256];
+    char *argv[16];
+    int argc = 0;
+    (void)snprintf(words, sizeof words, "%s", line);
+    for (char *word = strtok(words, " "); word != NULL; word = strtok(NULL, " ")) {
+        argv[argc++] = word;
+    }
+    argv[argc] = NULL;
+    return options_parse(command, argc, argv, &options, &error);
+}
+
+static void usb_and_hid_take_a_serial_number_or_none(void **state) {
+    (void)state;
+    assert_true(parse(COMMAND_RENDER, "render fig3 --bus usb"));
+    assert_int_equal(options.bus, BUS_CHOICE_USB);
+    assert_null(options.adapter.serial);
+    assert_int_equal(options.adapter.verify_percent, 0);
+    assert_true(parse(COMMAND_RENDER, "render fig3 --bus hid:A1-b --wait --verify"));
+    assert_int_equal(options.bus, BUS_CHOICE_HID);
+    assert_string_equal(options.adapter.serial, "A1-b");
+    assert_true(options.adapter.waits);
+    assert_int_equal(options.adapter.verify_percent, 100);
+    assert_true(parse(COMMAND_RENDER, "render fig3 --bus usb:X --verify=7"));
+    assert_int_equal(options.adapter.verify_percent, 7);
+}
+
+static void what_does_not_go_with_them_is_refused(void **state) {
+    static const char *const lines[][2] = {
+        {"render fig3 --bus usb:", "usb[:SERIAL]"},
+        {"render fig3 --bus usbx", "usb[:SERIAL]"},
+        {"render fig3 --bus usb --verify=0", "1..100"},
+        {"render fig3 --bus usb --verify=101", "1..100"},
+        {"render fig3 --bus hid --strict", "--strict goes with --bus emulator only"},
+        {"render fig3 --bus trace:x --wait", "--wait goes with --bus usb and --bus hid only"},
+    };
+    (void)state;
+    for (unsigned i = 0; i < sizeof lines / sizeof lines[0]; i++) {
+        assert_false(parse(COMMAND_RENDER, lines[i][0]));
+        assert_non_null(strstr(error.text, lines[i][1]));
+    }
+}
+
+static void the_virtual_adapter_has_options_of_its_own(void **state) {
+    (void)state;
+    assert_true(parse(COMMAND_ADAPTER, "adapter --listen 0.0.0.0:1 --serial AB-1 --once -o s.png"));
+    assert_string_equal(options.adapter.listen, "0.0.0.0:1");
+    assert_string_equal(options.adapter.serial, "AB-1");
+    assert_true(options.adapter.once);
+    assert_string_equal(options.output, "s.png");
+    assert_false(parse(COMMAND_ADAPTER, "adapter --serial a_b"));
+    assert_false(parse(COMMAND_ADAPTER, "adapter --serial 12345678901234567890123456789012"));
+    assert_false(parse(COMMAND_DEVICES, "devices --wait"));
+}
+
+static void the_adapter_that_is_meant_is_found_among_several(void **state) {
+    struct usb_found found[2] = {{"A", "here", true, NULL}, {"B", "there", true, NULL}};
+    char reason[USB_LINK_REASON_SIZE] = "";
+    unsigned index = 9;
+    (void)state;
+    assert_int_equal(usb_choose(found, 2, "B", &index, reason), USB_OPEN_OK);
+    assert_int_equal(index, 1);
+    assert_int_equal(usb_choose(found, 1, NULL, &index, reason), USB_OPEN_OK);
+    assert_int_equal(index, 0);
+    assert_int_equal(usb_choose(found, 2, NULL, &index, reason), USB_OPEN_REFUSED);
+    assert_non_null(strstr(reason, "2 adapters"));
+    assert_non_null(strstr(reason, " A B"));
+    assert_int_equal(usb_choose(found, 2, "C", &index, reason), USB_OPEN_ABSENT);
+    assert_non_null(strstr(reason, "no adapter \"C\""));
+    assert_int_equal(usb_choose(found, 0, NULL, &index, reason), USB_OPEN_ABSENT);
+    assert_non_null(strstr(reason, "1209:9801"));
+    found[0].is_accessible = false;
+    found[0].serial[0] = '\0';
+    assert_int_equal(usb_choose(found, 2, "A", &index, reason), USB_OPEN_REFUSED);
+    assert_non_null(strstr(reason, "70-superframe.rules"));
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(usb_and_hid_take_a_serial_number_or_none),
+        cmocka_unit_test(what_does_not_go_with_them_is_refused),
+        cmocka_unit_test(the_virtual_adapter_has_options_of_its_own),
+        cmocka_unit_test(the_adapter_that_is_meant_is_found_among_several),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

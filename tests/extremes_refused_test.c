@@ -1,0 +1,124 @@
+/* SPDX-License-Identifier: MIT */
+/* Scenes that cannot be: refused at load, with the line, the reason and what is allowed. */
+#include "extremes_fixture.h"
+
+/* One scene in which each case changes one thing. */
+static const char good[] =
+    "version = 1;\n"
+    "size = [4, 4]; depth = 3; threshold = 0.25;\n"
+    "camera = { eye = (1, -7, 3); look_at = (0, 0, 0); };\n"
+    "lights = ( { position = (0, 0, 9); } );\n"
+    "materials = {\n"
+    "glass = { colour = [0, 0, 0]; ior = 1.5; gloss = 7; absorption = 2; };\n"
+    "clay = { colour = [9, 9, 9]; }; };\n"
+    "objects = (\n"
+    "{ material = \"glass\"; solid = { box = { min = (-1, -1, -1);\n"
+    "max = (1, 1, 1); }; }; },\n"
+    "{ material = \"clay\"; solid = { ball = { radius = 0.5; }; }; },\n"
+    "{ material = \"clay\"; solid = { quadric = {\n"
+    "coefficients = (1, 1, 2, 0, 0, 0, 0, 0, 0, -1); }; }; } );\n";
+
+static const struct change {
+    const char *from, *to;
+    const char *line, *reason, *allowed;
+} changes[] = {
+    {"radius = 0.5", "radius = 0", ":11:", "'radius' of the ball is 0", "1e-09"},
+    {"radius = 0.5", "radius = -1", ":11:", "'radius' of the ball is -1", "1e-09"},
+    {"max = (1, 1, 1)", "max = (1, -2, 1)", ":", "max", "min"},
+    {"max = (1, 1, 1)", "max = (1, -1, 1)", ":", "max", "min"},
+    {"(1, 1, 2, 0, 0, 0, 0, 0, 0, -1)", "(0, 0, 0, 0, 0, 0, 0, 0, 0, 0)", ":13:", "quadric",
+     "differ from 0"},
+    {"(1, 1, 2, 0, 0, 0, 0, 0, 0, -1)", "(0, 0, 0, 0, 0, 0, 1, 1, 1, 0)", ":13:", "quadric",
+     "half_space"},
+    {"(1, 1, 2, 0, 0, 0, 0, 0, 0, -1)", "(1, 1, 2, 0, 0, 0, 0, 0, 0, 1)", ":12:", "no point",
+     "negative"},
+    {"ior = 1.5", "ior = 0", ":6:", "'ior'", "0.7 to 4"},
+    {"ior = 1.5", "ior = 0.69", ":6:", "'ior'", "0.7 to 4"},
+    {"ior = 1.5", "ior = 4.01", ":6:", "'ior'", "0.7 to 4"},
+    {"ior = 1.5", "ior = -1.5", ":6:", "'ior'", "0.7 to 4"},
+    {"ior = 1.5", "ior = nan", ":6:", "'nan'", "finite"},
+    {"ior = 1.5", "ior = Inf", ":6:", "'Inf'", "finite"},
+    {"ior = 1.5", "ior = 1e400", ":6:", "too large", "1.7e308"},
+    {"ior = 1.5", "ior = 1,5", ":6:", "'1,5' is no number", "a dot"},
+    {"gloss = 7", "gloss = 65536", ":6:", "'gloss'", "65535"},
+    {"gloss = 7", "gloss = -1", ":6:", "'gloss'", "0 to"},
+    {"absorption = 2", "absorption = -0.1", ":6:", "'absorption'", "0 to"},
+    {"depth = 3", "depth = 256", ":2:", "'depth'", "0 to 255"},
+    {"depth = 3", "depth = -1", ":2:", "'depth'", "0 to 255"},
+    {"threshold = 0.25", "threshold = 1.0001", ":2:", "'threshold'", "0 to 1"},
+    {"size = [4, 4]", "size = [0, 4]", ":2:", "'size'", "1 to 640"},
+    {"size = [4, 4]", "size = [4, 401]", ":2:", "'size'", "400"},
+    {"(0, 0, 9)", "(0, 0, 1e10)", ":4:", "'position'", "1000000000"},
+};
+
+static void each_is_refused_with_its_line_and_what_is_allowed(void **state) {
+    (void)state;
+    assert_string_equal(refusal_of(good, "fx"), "");
+    for (size_t i = 0; i < sizeof changes / sizeof changes[0]; i++) {
+        const struct change *change = &changes[i];
+        char text[4096];
+        const char *place = strstr(good, change->from);
+        assert_non_null(place);
+        snprintf(text, sizeof text, "%.*s%s%s", (int)(place - good), good, change->to,
+                 place + strlen(change->from));
+        assert_refused(text, "fx", change->line, change->reason);
+        assert_refused(text, "f64", "test.scene:", change->allowed);
+    }
+}
+
+/* What a format cannot hold is refused, and what it just can is not. */
+static void fx_refuses_what_it_cannot_hold(void **state) {
+    (void)state;
+    static const char format[] =
+        "version = 1; size = [4, 4];%s\n"
+        "camera = { eye = (0, -8, 0); look_at = (0, 0, 0); };\n"
+        "materials = { glass = { colour = [0, 0, 0]; ior = 1.5; absorption = %.17g; }; };\n"
+        "objects = ( { material = \"glass\"; solid = { box = { min = (-8, -8, -8);"
+        " max = (8, 8, 8); }; }; },\n"
+        "{ material = \"glass\"; solid = { ball = { centre = (3, 0, 0); radius = %.17g; }; }; } );";
+    char text[2048];
+    /* The content reaches +-8: 64 scaled units make one of the file's, and 2^-20 is an LSB. */
+    snprintf(text, sizeof text, format, "", 511.0, 1.0);
+    assert_string_equal(refusal_of(text, "fx"), "");
+    snprintf(text, sizeof text, format, "", 512.0, 1.0);
+    assert_refused(text, "fx", "test.scene:3:", "absorption too strong");
+    snprintf(text, sizeof text, format, "", 1.0, 0x1p-26);
+    assert_string_equal(refusal_of(text, "fx"), "");
+    snprintf(text, sizeof text, format, "", 1.0, 0x1p-28);
+    assert_refused(text, "fx", "test.scene:5:", "smaller than this arithmetic resolves");
+    assert_string_equal(refusal_of(text, "f32"), "");
+    snprintf(text, sizeof text, format, "attenuation = { constant = 15.9; };", 1.0, 1.0);
+    assert_string_equal(refusal_of(text, "fx"), "");
+    snprintf(text, sizeof text, format, "attenuation = { constant = 16.0; };", 1.0, 1.0);
+    assert_refused(text, "fx", "test.scene", "C of C + D is too large");
+}
+
+/* Without an end: nothing to be told of its inside. */
+static void unbounded_glass_is_refused(void **state) {
+    (void)state;
+    static const char *const solids[] = {
+        "half_space = { normal = (0, 0, 1); offset = 0; };",
+        "quadric = { coefficients = (1, 1, -1, 0, 0, 0, 0, 0, 0, 0); };",
+        ("difference = ( { half_space = { normal = (0, 1, 1); offset = 0; }; },"
+         " { ball = { radius = 1; }; } );"),
+    };
+    for (size_t i = 0; i < sizeof solids / sizeof solids[0]; i++) {
+        char text[2048];
+        snprintf(text, sizeof text,
+                 "version = 1; camera = { eye = (1, -7, 3); look_at = (0, 0, 0); };\n"
+                 "materials = { glass = { colour = [0, 0, 0]; ior = 1.5; }; };\n"
+                 "objects = ( { material = \"glass\"; solid = { ball = { radius = 2; }; }; },\n"
+                 "{ material = \"glass\"; solid = { %s }; } );",
+                 solids[i]);
+        assert_refused(text, "fx", "test.scene:4:", "transparent object without an end");
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(each_is_refused_with_its_line_and_what_is_allowed),
+        cmocka_unit_test(fx_refuses_what_it_cannot_hold),
+        cmocka_unit_test(unbounded_glass_is_refused),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

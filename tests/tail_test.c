@@ -1,0 +1,157 @@
+/* SPDX-License-Identifier: MIT */
+/* What a cut branch counts as: learned, the same in every arithmetic, and worth its rays. */
+#include "scene_fixture.h"
+
+enum { WIDTH = 40, HEIGHT = 25, PIXELS = WIDTH * HEIGHT };
+
+/* A picture in levels, neither rounded nor clamped above, and what it took. */
+struct picture {
+    double level[PIXELS][3];
+    unsigned long rays;
+    struct estimate estimate;
+    struct render_counts counts;
+};
+
+static void render_scene(struct picture *picture, const char *name, const char *arithmetic,
+                         double threshold, bool estimates, double error) {
+    struct scene_error refusal;
+    struct scene_description *description = load_scene(name, &refusal);
+    assert_non_null(description);
+    description->width = WIDTH;
+    description->height = HEIGHT;
+    description->depth = 64;
+    description->threshold = threshold;
+    description->estimates = estimates;
+    description->error = error;
+    struct loaded_scene loaded = load_description(description, arithmetic);
+    memset(picture, 0, sizeof *picture);
+    loaded.arithmetic->learn(loaded.scene, &picture->estimate, &picture->counts);
+    for (int i = 0; i < PIXELS; i++) {
+        loaded.arithmetic->pixel(loaded.scene, (uint16_t)(i % WIDTH), (uint16_t)(i / WIDTH),
+                                 picture->level[i], &picture->counts, NULL);
+    }
+    picture->rays = picture->counts.rays;
+    assert_int_equal(picture->counts.leaked_rays, 0);
+    unload(&loaded);
+    scene_description_free(description);
+}
+
+/* The number of pixels that differ by more than that many levels, as the screen clamps them. */
+static int far_pixels(const struct picture *a, const struct picture *b, double most) {
+    int count = 0;
+    for (int i = 0; i < PIXELS; i++) {
+        double worst = 0;
+        for (int j = 0; j < 3; j++) {
+            worst = fmax(worst, fabs(fmin(a->level[i][j], 255) - fmin(b->level[i][j], 255)));
+        }
+        count += worst > most;
+    }
+    return count;
+}
+
+static struct picture converged, black, estimated, other;
+
+/* Half of the rays that black needs to be as right, or fewer. */
+static void an_estimate_is_worth_a_lower_threshold(void **state) {
+    (void)state;
+    static const char *const scenes[] = {"fig3", "fig5"};
+    for (int i = 0; i < 2; i++) {
+        render_scene(&converged, scenes[i], "f64", 1.0 / 100000, true, 0);
+        render_scene(&estimated, scenes[i], "fx", 1.0 / 2048, true, 0);
+        render_scene(&black, scenes[i], "fx", 1.0 / 16384, false, 0);
+        int with = far_pixels(&converged, &estimated, 1),
+            without = far_pixels(&converged, &black, 1);
+        print_message("%s: %d of %d pixels off at 1/2048 with the estimate (%lu rays), %d at "
+                      "1/16384 with black (%lu rays)\n",
+                      scenes[i], with, PIXELS, estimated.rays, without, black.rays);
+        assert_true(with <= without);
+        assert_true(with * 50 <= PIXELS);
+    }
+}
+
+static void black_is_what_an_empty_estimate_gives(void **state) {
+    (void)state;
+    render_scene(&black, "fig4b", "fx", 1.0 / 512, false, 0);
+    for (int i = 0; i < 3; i++) {
+        assert_int_equal(black.estimate.mean[i], 0);
+    }
+    render_scene(&estimated, "fig4b", "fx", 1.0 / 512, true, 0);
+    for (int i = 0; i < PIXELS; i++) {
+        for (int j = 0; j < 3; j++) {
+            assert_true(estimated.level[i][j] >= black.level[i][j]);
+        }
+    }
+    assert_true(far_pixels(&black, &estimated, 1) > PIXELS / 10);
+}
+
+static void every_arithmetic_learns_the_same(void **state) {
+    (void)state;
+    static const char *const arithmetics[] = {"fx", "f32", "f64"};
+    render_scene(&other, "fig3", "f128", 1.0 / 64, true, 2);
+    for (int i = 0; i < 3; i++) {
+        render_scene(&estimated, "fig3", arithmetics[i], 1.0 / 64, true, 2);
+        for (int j = 0; j < 3; j++) {
+            assert_true(abs(estimated.estimate.mean[j] - other.estimate.mean[j]) < 65536 / 4);
+        }
+        assert_true(abs(estimated.estimate.spread - other.estimate.spread) < 65536 / 4);
+    }
+}
+
+/* A finer accuracy costs more, and is finer. */
+static void an_accuracy_asked_for_is_reached(void **state) {
+    (void)state;
+    static const double errors[] = {4, 2, 1, 0.5};
+    unsigned long rays = 0;
+    render_scene(&converged, "fig3", "f64", 1.0 / 100000, true, 0);
+    for (int i = 0; i < 4; i++) {
+        render_scene(&estimated, "fig3", "fx", 0, true, errors[i]);
+        int off = far_pixels(&converged, &estimated, 1.5 * errors[i]);
+        print_message("--error %g: %lu rays, %d pixels over %g\n", errors[i], estimated.rays, off,
+                      1.5 * errors[i]);
+        assert_true(off * 500 <= PIXELS);
+        assert_true(estimated.rays > rays);
+        rays = estimated.rays;
+    }
+}
+
+/* Light that never comes out: the budget ends it, and the counts say so. */
+static void trapped_light_ends_by_the_budget(void **state) {
+    (void)state;
+    static const char text[] =
+        "version = 1; size = [8, 5]; depth = 255; threshold = 0.0;\n"
+        "camera = { eye = (0.3, 0.2, 0.1); look_at = (1, 0.3, 0.2); field_of_view = 90; };\n"
+        "materials = { glass = { colour = [40, 40, 40]; ambient = 1.0; ambient_is_own = true;\n"
+        "  ior = 4.0; }; };\n"
+        "objects = ( { material = \"glass\"; solid = { box = { min = (-1, -1, -1); max = (1, 1, "
+        "1); "
+        "}; }; } );\n";
+    struct scene_description *description = read_text(text);
+    description->error = 0.25;
+    description->estimates = true;
+    struct loaded_scene loaded = load_description(description, "fx");
+    struct render_counts counts = {0};
+    struct estimate estimate;
+    loaded.arithmetic->learn(loaded.scene, &estimate, &counts);
+    counts.rays = 0;
+    for (int i = 0; i < 40; i++) {
+        double level[3];
+        loaded.arithmetic->pixel(loaded.scene, (uint16_t)(i % 8), (uint16_t)(i / 8), level, &counts,
+                                 NULL);
+    }
+    assert_true(counts.rays <= 40u * (loaded.compiled->ray_budget + 1000));
+    assert_true(counts.proved_error > 0);
+    assert_int_equal(counts.leaked_rays, 0);
+    unload(&loaded);
+    scene_description_free(description);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(an_estimate_is_worth_a_lower_threshold),
+        cmocka_unit_test(black_is_what_an_empty_estimate_gives),
+        cmocka_unit_test(every_arithmetic_learns_the_same),
+        cmocka_unit_test(an_accuracy_asked_for_is_reached),
+        cmocka_unit_test(trapped_light_ends_by_the_budget),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

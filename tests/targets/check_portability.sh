@@ -1,0 +1,31 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Compiles the firmware where int has 16 bits (gcc for AVR), and looks that nothing asks for a
+# 64-bit division of a library. Nothing is run.
+#
+# An AVR's double has 32 bits, so that constants lose bits there: this is about types and
+# promotions, not about pictures.
+# Exit status: 0 it compiles and asks for nothing else, 1 not.
+set -u
+cd "$(dirname "$0")/../.." || exit 1
+BUILD=${BUILD:-build}
+work=$BUILD/targets/avr
+mkdir -p "$work"
+# Every feature, with a stack of rays that such a machine has room for.
+sed 's/FEATURE_DEPTH = [0-9]*/FEATURE_DEPTH = 10/; s/FEATURE_KEPT = [0-9]*/FEATURE_KEPT = 0/' \
+    firmware/features/full/feature_set.h > "$work/feature_set.h"
+failures=0
+for source in firmware/*.c; do
+    object=$work/$(basename "$source" .c).o
+    if ! avr-gcc -mmcu=atmega2560 -std=c99 -pedantic -Wall -Wextra -Werror -Os -ffreestanding \
+        -Ifirmware/real/fx -I"$work" -Ihal -Ifirmware -c -o "$object" "$source"; then
+        failures=$((failures + 1))
+        continue
+    fi
+    if avr-nm -u "$object" | grep -E '__(u?divdi3|u?moddi3|divmoddi4|udivmod64|divdi)'; then
+        echo "$source: asks for a 64-bit division"
+        failures=$((failures + 1))
+    fi
+done
+echo "int of 16 bits: $failures wrong"
+[ $failures -eq 0 ]

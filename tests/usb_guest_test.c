@@ -1,0 +1,287 @@
+/* SPDX-License-Identifier: MIT */
+/* The USB/IP server's side of one guest, byte by byte: the list, attaching, transfers, and what
+ * ends the visit. */
+#include "board_fixture.h"
+
+#include "usbip.h"
+
+enum { HEADER = 48, SEEN_SIZE = 4096 };
+
+static struct usb_device device;
+static struct usbip_guest guest;
+static uint8_t seen[SEEN_SIZE]; /* what the guest was sent */
+static size_t seen_count;
+
+static void see(void *context, const uint8_t *bytes, size_t count) {
+    assert_ptr_equal(context, &seen);
+    assert_true(seen_count + count <= sizeof seen);
+    memcpy(seen + seen_count, bytes, count);
+    seen_count += count;
+}
+
+static uint32_t number_at(size_t place) {
+    assert_true(place + 4 <= seen_count);
+    return (uint32_t)seen[place] << 24 | (uint32_t)seen[place + 1] << 16 |
+           (uint32_t)seen[place + 2] << 8 | seen[place + 3];
+}
+
+static void put_number(uint8_t *bytes, uint32_t value) {
+    for (unsigned i = 0; i < 4; i++) {
+        bytes[i] = (uint8_t)(value >> (24 - 8 * i));
+    }
+}
+
+static void arrive(bool is_busy, bool is_high_speed) {
+    power_on(BOARD_1987);
+    usb_device_init(&device, &board_bus.bus, 0x00D0, "GUEST", is_high_speed);
+    usbip_guest_init(&guest, &device, is_busy, see, &seen);
+    seen_count = 0;
+}
+
+/* Asks for a device of this name. */
+static void import(const char *name) {
+    uint8_t request[40] = {0x01, 0x11, 0x80, 0x03};
+    strcpy((char *)request + 8, name);
+    usbip_guest_take(&guest, request, sizeof request);
+}
+
+/* A command with its data; of what is sent, only what comes after counts. */
+static void command(const uint32_t fields[8], const uint8_t *setup, const uint8_t *data,
+                    size_t count) {
+    uint8_t bytes[HEADER] = {0};
+    for (unsigned i = 0; i < 8; i++) {
+        put_number(bytes + 4 * i, fields[i]);
+    }
+    put_number(bytes + 32, 0);
+    if (setup != NULL) {
+        memcpy(bytes + 40, setup, 8);
+    }
+    seen_count = 0;
+    usbip_guest_take(&guest, bytes, sizeof bytes);
+    usbip_guest_take(&guest, data, count);
+}
+
+/* A transfer with a number; is_in: from the device. */
+static void submit(uint32_t number, unsigned endpoint, bool is_in, uint32_t length,
+                   const uint8_t *setup, const uint8_t *data) {
+    const uint32_t fields[8] = {1, number, 0x10001, is_in, endpoint, 0, length, 0};
+    command(fields, setup, data, is_in ? 0 : length);
+}
+
+static void assert_answer(uint32_t code, uint32_t number, int32_t status, uint32_t length) {
+    assert_int_equal(number_at(0), code);
+    assert_int_equal(number_at(4), number);
+    assert_int_equal((int32_t)number_at(20), status);
+    assert_int_equal(number_at(24), length);
+}
+
+static void attach(void) {
+    static const uint8_t set_configuration[8] = {0, 9, 1};
+    arrive(false, true);
+    import("1-1");
+    assert_true(guest.is_attached && !guest.is_over);
+    submit(1, 0, false, 0, set_configuration, NULL);
+    assert_answer(3, 1, 0, 0);
+    assert_int_equal(device.configuration, 1);
+}
+
+static void the_list_names_the_device(void **state) {
+    static const uint8_t request[8] = {0x01, 0x11, 0x80, 0x05};
+    (void)state;
+    for (int is_high = 0; is_high < 2; is_high++) {
+        arrive(true, is_high); /* also to who comes while another has the device */
+        usbip_guest_take(&guest, request, sizeof request);
+        assert_int_equal(seen_count, 8 + 4 + 312 + 8);
+        assert_int_equal(number_at(0), 0x01110005);
+        assert_int_equal(number_at(4), 0);
+        assert_int_equal(number_at(8), 1);
+        assert_string_equal((const char *)seen + 12 + 256, "1-1");
+        assert_int_equal(number_at(12 + 296), is_high ? 3 : 2);
+        assert_int_equal(number_at(12 + 300), 0x12099801);
+        assert_true(guest.is_over);
+    }
+}
+
+static void only_a_free_device_of_that_name_is_given(void **state) {
+    (void)state;
+    arrive(false, true);
+    import("1-2");
+    assert_int_equal(number_at(0), 0x01110003);
+    assert_int_equal(number_at(4), 1);
+    assert_true(guest.is_over && !guest.is_attached);
+    arrive(true, true);
+    import("1-1");
+    assert_int_equal(number_at(4), 2);
+    assert_string_equal(guest.reason, "another guest has the device");
+    arrive(false, true);
+    import("1-1");
+    assert_int_equal(number_at(4), 0);
+    assert_int_equal(seen_count, 8 + 312);
+}
+
+static void bytes_may_come_one_by_one(void **state) {
+    uint8_t request[40] = {0x01, 0x11, 0x80, 0x03, 0, 0, 0, 0, '1', '-', '1'};
+    (void)state;
+    arrive(false, true);
+    for (size_t i = 0; i < sizeof request; i++) {
+        assert_int_equal(seen_count, 0);
+        usbip_guest_take(&guest, request + i, 1);
+    }
+    assert_true(guest.is_attached);
+}
+
+static void strangers_are_sent_away(void **state) {
+    static const struct {
+        uint8_t request[8];
+        const char *reason;
+    } cases[] = {{{0x01, 0x10, 0x80, 0x03}, "another version of USB/IP"},
+                 {{0x01, 0x11, 0x80, 0x07}, "neither the list nor a device"}};
+    (void)state;
+    for (size_t i = 0; i < 2; i++) {
+        arrive(false, true);
+        usbip_guest_take(&guest, cases[i].request, 8);
+        assert_true(guest.is_over);
+        assert_non_null(strstr(guest.reason, cases[i].reason));
+        usbip_guest_take(&guest, cases[i].request, 8); /* nothing more is taken */
+        assert_int_equal(seen_count, 0);
+    }
+}
+
+static void control_transfers(void **state) {
+    static const uint8_t device_descriptor[8] = {0x80, 6, 0, 1, 0, 0, 18, 0};
+    static const uint8_t unknown[8] = {0x80, 0x55, 0, 0, 0, 0, 18, 0};
+    static const uint8_t out_of_step[8] = {0x00, 9, 1, 0, 0, 0, 5, 0};
+    (void)state;
+    attach();
+    submit(2, 0, true, 18, device_descriptor, NULL);
+    assert_answer(3, 2, 0, 18);
+    assert_int_equal(seen_count, HEADER + 18);
+    assert_int_equal(seen[HEADER], 18);
+    submit(3, 0, true, 8, device_descriptor, NULL); /* less room than it has */
+    assert_answer(3, 3, 0, 8);
+    assert_int_equal(seen_count, HEADER + 8);
+    submit(4, 0, true, 18, unknown, NULL);
+    assert_answer(3, 4, -32, 0);
+    submit(5, 0, true, 18, out_of_step, NULL); /* setup says out, the transfer in */
+    assert_answer(3, 5, -32, 0);
+    submit(6, 0, false, 0, out_of_step, NULL); /* setup promises five bytes */
+    assert_answer(3, 6, -32, 0);
+    submit(7, 0, false, 0, device_descriptor, NULL); /* setup says in, and 18 bytes */
+    assert_answer(3, 7, -32, 0);
+    assert_false(guest.is_over);
+}
+
+static void transfers_wait_and_may_be_taken_back(void **state) {
+    const uint32_t unlink[8] = {2, 20, 0x10001, 0, 0, 11, 0, 0};
+    const uint32_t again[8] = {2, 21, 0x10001, 0, 0, 11, 0, 0};
+    (void)state;
+    attach();
+    submit(10, 1, true, 512, NULL, NULL);
+    submit(11, 1, true, 512, NULL, NULL);
+    submit(12, 1, true, 512, NULL, NULL);
+    assert_int_equal(seen_count, 0);
+    assert_int_equal(guest.parked_count, 3);
+    command(unlink, NULL, NULL, 0);
+    assert_answer(4, 20, -104, 0);
+    assert_int_equal(guest.parked_count, 2);
+    command(again, NULL, NULL, 0);
+    assert_answer(4, 21, 0, 0); /* it is not there any more */
+    assert_int_equal(guest.parked[1].number, 12);
+}
+
+/* A greeting over bulk is answered in the transfer that waits. */
+static void what_waits_is_answered_when_there_is_something(void **state) {
+    static const uint8_t base[2] = {0xD0, 0x00};
+    const struct usb_header hello = {USB_VERSION, USB_KIND_HELLO, 1, 0, 0, 2, USB_HELLO_START, 0};
+    static uint8_t frame[USB_FRAME_MOST];
+    size_t length = usb_frame_pack(frame, &hello, base);
+    (void)state;
+    attach();
+    submit(30, 1, true, 512, NULL, NULL);
+    submit(31, 1, false, (uint32_t)length, NULL, frame);
+    assert_answer(3, 31, 0, (uint32_t)length);
+    assert_int_equal(number_at(HEADER + 4), 30);
+    assert_int_equal(seen_count, 2 * HEADER + number_at(HEADER + 24));
+    assert_true(number_at(HEADER + 24) > 0);
+    assert_int_equal(guest.parked_count, 0);
+}
+
+static void endpoints_that_are_none_stall(void **state) {
+    static const uint8_t byte[1] = {0};
+    (void)state;
+    attach();
+    submit(40, 9, false, 1, NULL, byte);
+    assert_answer(3, 40, -32, 0);
+    submit(41, 9, true, 64, NULL, NULL);
+    assert_answer(3, 41, -32, 0);
+}
+
+static void what_ends_the_visit(void **state) {
+    static const struct {
+        uint32_t fields[8];
+        uint32_t packets;
+        const char *reason;
+    } cases[] = {
+        {{7, 1, 0, 0, 1, 0, 0, 0}, 0, "a command that USB/IP does not have"},
+        {{1, 1, 0, 2, 1, 0, 0, 0}, 0, "a command that USB/IP does not have"},
+        {{1, 1, 0, 0, 16, 0, 0, 0}, 0, "a command that USB/IP does not have"},
+        {{1, 1, 0, 1, 1, 0, 0, 0}, 3, "an isochronous transfer"},
+        {{1, 1, 0, 0, 1, 0, 65537, 0}, 0, "more than 65536 bytes"},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        uint8_t bytes[HEADER] = {0};
+        attach();
+        for (unsigned j = 0; j < 8; j++) {
+            put_number(bytes + 4 * j, cases[i].fields[j]);
+        }
+        put_number(bytes + 32, cases[i].packets);
+        usbip_guest_take(&guest, bytes, sizeof bytes);
+        assert_true(guest.is_over);
+        assert_non_null(strstr(guest.reason, cases[i].reason));
+    }
+    attach();
+    for (uint32_t i = 0; i <= USBIP_PARKED_MOST; i++) {
+        assert_false(guest.is_over);
+        submit(100 + i, 1, true, 64, NULL, NULL);
+    }
+    assert_string_equal(guest.reason, "too many of its transfers wait");
+}
+
+static void packets_of_no_number_are_as_good_as_none(void **state) {
+    uint8_t bytes[HEADER] = {0, 0, 0, 1, 0, 0, 0, 50, 0, 1, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+    (void)state;
+    attach();
+    put_number(bytes + 24, 64);
+    put_number(bytes + 32, 0xFFFFFFFF);
+    usbip_guest_take(&guest, bytes, sizeof bytes);
+    assert_false(guest.is_over);
+    assert_int_equal(guest.parked_count, 1);
+}
+
+static void leaving_resets_the_device(void **state) {
+    (void)state;
+    attach();
+    usbip_guest_leave(&guest);
+    assert_false(guest.is_attached);
+    assert_int_equal(device.configuration, 0);
+    usbip_guest_leave(&guest); /* harmless when repeated */
+    assert_false(guest.is_attached);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_list_names_the_device),
+        cmocka_unit_test(only_a_free_device_of_that_name_is_given),
+        cmocka_unit_test(bytes_may_come_one_by_one),
+        cmocka_unit_test(strangers_are_sent_away),
+        cmocka_unit_test(control_transfers),
+        cmocka_unit_test(transfers_wait_and_may_be_taken_back),
+        cmocka_unit_test(what_waits_is_answered_when_there_is_something),
+        cmocka_unit_test(endpoints_that_are_none_stall),
+        cmocka_unit_test(what_ends_the_visit),
+        cmocka_unit_test(packets_of_no_number_are_as_good_as_none),
+        cmocka_unit_test(leaving_resets_the_device),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
