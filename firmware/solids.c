@@ -18,15 +18,16 @@ void local_ray_world(struct local_ray *ray, struct point origin, struct directio
     set_slope(ray, 2, direction.z);
 }
 
-void local_ray_in(struct local_ray *ray, const struct frame *frame, struct point origin,
-                  struct direction direction) {
-    struct point p = point_subtract(origin, frame->origin);
-    struct point local = {point_dot(p, frame->axis[0]), point_dot(p, frame->axis[1]),
-                          point_dot(p, frame->axis[2])};
-    struct direction turned = {direction_dot(direction, frame->axis[0]),
-                               direction_dot(direction, frame->axis[1]),
-                               direction_dot(direction, frame->axis[2])};
-    local_ray_world(ray, local, turned);
+/* The same ray in a frame, without the slopes, which only boxes ask for. */
+static void turn_ray(struct local_ray *ray, const struct frame *frame,
+                     const struct local_ray *world) {
+    struct point p = point_subtract(world->origin, frame->origin);
+    ray->origin.x = point_dot(p, frame->axis[0]);
+    ray->origin.y = point_dot(p, frame->axis[1]);
+    ray->origin.z = point_dot(p, frame->axis[2]);
+    ray->direction.x = direction_dot(world->direction, frame->axis[0]);
+    ray->direction.y = direction_dot(world->direction, frame->axis[1]);
+    ray->direction.z = direction_dot(world->direction, frame->axis[2]);
 }
 
 /* Whether a ray that runs along a plane is on the inner side of it. Of two solids that share the
@@ -169,12 +170,15 @@ uint8_t primitive_segments(const struct scene *scene, const struct primitive *pr
         return 1;
     }
     if (FEATURE_ROTATION && primitive->frame != FRAME_WORLD) {
-        local_ray_in(&local, &scene->frames[primitive->frame], world->origin, world->direction);
+        turn_ray(&local, &scene->frames[primitive->frame], world);
         ray = &local;
     }
     if (FEATURE_QUADRIC && primitive->kind == PRIMITIVE_QUADRIC) {
         return quadric_segments(&scene->quadrics[primitive->index], ray,
                                 start.surface != SURFACE_NONE, segments);
+    }
+    if (FEATURE_ROTATION && ray == &local) {
+        local_ray_world(&local, local.origin, local.direction);
     }
     segments[0] = box_segment(&scene->boxes[primitive->index], ray, start);
     return 1;

@@ -25,9 +25,6 @@ struct segment {
 
 void local_ray_world(struct local_ray *ray, struct point origin, struct direction direction);
 
-void local_ray_in(struct local_ray *ray, const struct frame *frame, struct point origin,
-                  struct direction direction);
-
 /* Where a ray starts: on a surface of the primitive, or SURFACE_NONE; and whether it is inside. A
  * face on that surface lies at exactly 0, and is not where a ray that is inside leaves. */
 struct start {

@@ -22,10 +22,10 @@ enum { PAPER_SMALL_WIDTH = 320, PAPER_SMALL_HEIGHT = 200 };
 
 /* A picture and what it took. */
 struct paper_photo {
-    struct render_totals totals;
-    unsigned width, height;     /* pixels; all zero where nothing was rendered */
-    unsigned dots;              /* of the screen, along each side of a pixel */
-    uint8_t rgb[PICTURE_BYTES]; /* the screen; of a multiple exposure the camera's picture */
+    struct render_totals totals; /* seconds: of processor time */
+    unsigned width, height;      /* pixels; all zero where nothing was rendered */
+    unsigned dots;               /* of the screen, along each side of a pixel */
+    uint8_t rgb[PICTURE_BYTES];  /* the screen; of a multiple exposure the camera's picture */
 };
 
 /* R, G, B of a pixel. */

@@ -209,8 +209,8 @@ int paper_claim_size(struct paper *paper, struct paper_claim *claim) {
                           worst <= 0.02};
     paper_say(claim->why,
               "Asked for: 3.8 to 4.2 in both counts (%s); relative costs that differ by no more "
-              "than 2 %% (%s; the largest difference is %.2f %%). Seconds are one run each, on a "
-              "machine that does other things too.",
+              "than 2 %% (%s; the largest difference is %.2f %%). Seconds are processor time of "
+              "one run each, the drawing of the whole screen included.",
               yes(parts[0]), yes(parts[1]), 100 * worst);
     claim->verdict = paper_judge(parts, sizeof parts / sizeof parts[0]);
     return STATUS_DONE;

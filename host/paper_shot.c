@@ -5,6 +5,7 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 #include "builtin_scenes.h"
 #include "command.h"
@@ -144,6 +145,13 @@ static void show_progress(void *context, const struct render_totals *so_far) {
     progress_show(&paper->progress, &paper->now);
 }
 
+/* Of this process, all its threads: what else the machine does hardly shows. */
+static double processor_seconds(void) {
+    struct timespec used = {0, 0};
+    (void)clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used);
+    return (double)used.tv_sec + (double)used.tv_nsec * 1e-9;
+}
+
 /* Renders onto the chain's board; exposures: NULL, or the camera. */
 static int render_shot(struct paper *paper, const struct compiled_scene *compiled,
                        struct port_chain *chain, struct exposures *exposures,
@@ -160,7 +168,9 @@ static int render_shot(struct paper *paper, const struct compiled_scene *compile
                                    .exposed = exposures != NULL ? exposures_take : NULL,
                                    .exposed_context = exposures};
     struct bus *bound = bus_bind(&chain->hash.bus);
+    double began = processor_seconds();
     bool is_rendered = render(&job, totals, &error);
+    totals->seconds = processor_seconds() - began;
     (void)bus_bind(bound);
     paper->before = paper->now;
     if (!is_rendered) {

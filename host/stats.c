@@ -71,6 +71,18 @@ static void write_processor(FILE *out, const struct run_stats *stats) {
                   (double)stats->processor->instructions * clocks / (machine->megahertz * 1e6));
 }
 
+static void write_cost(FILE *out, const struct run_stats *stats) {
+    const struct port_chain *chain = stats->chain;
+    double frames[COST_SHOWN];
+    if (stats->totals == NULL) {
+        stats_write_cost(out, &chain->cost, stats->board, NULL);
+        return;
+    }
+    stats_predict_frames(stats->compiled, stats->totals, stats->arithmetic,
+                         port_chain_writes(chain), frames);
+    stats_write_cost(out, &chain->cost, stats->board, frames);
+}
+
 void stats_write(FILE *out, const struct run_stats *stats) {
     struct port_chain *chain = stats->chain;
     (void)fputs("{\n", out);
@@ -97,7 +109,7 @@ void stats_write(FILE *out, const struct run_stats *stats) {
                       picture_crc(stats->photograph));
     }
     if (stats->board != NULL && chain->is_counting) {
-        stats_write_cost(out, &chain->cost, stats->board);
+        write_cost(out, stats);
     }
     if (stats->processor != NULL) {
         write_processor(out, stats);

@@ -2,21 +2,56 @@
 /* What the port accesses cost on machines of the time, for the statistics. */
 #include "stats_cost.h"
 
+#include <math.h>
 #include <stddef.h>
+#include <string.h>
 
-const char *const cost_shown_machines[] = {"VM2", "VX2", "RA2", NULL};
+#include "cost_model.h"
 
-void stats_write_cost(FILE *out, const struct cost_bus *cost, const struct board_options *options) {
+const char *const cost_shown_machines[COST_SHOWN + 1] = {"VM2", "VX2", "RA2", NULL};
+
+/* The same machines in the cost model. */
+static const char *const targets[COST_SHOWN] = {"v30", "286", "386"};
+
+static const struct cost_target *find_target(const char *name) {
+    const struct cost_target *target = cost_targets;
+    while (target->name != NULL && strcmp(target->name, name) != 0) {
+        target++;
+    }
+    return target->name != NULL ? target : NULL;
+}
+
+void stats_predict_frames(const struct compiled_scene *scene, const struct render_totals *totals,
+                          const char *arithmetic, uint64_t port_writes,
+                          double seconds[COST_SHOWN]) {
+    const struct cost_events events = {totals->rays, totals->shadow_rays, totals->nodes,
+                                       totals->solid_tests};
+    const struct cost_mix mix = cost_mix_of(scene);
+    double operations[WRAP_KINDS];
+    cost_operations_of(&events, &mix, operations);
+    for (int i = 0; i < COST_SHOWN; i++) {
+        const struct cost_target *target = find_target(targets[i]);
+        seconds[i] = target != NULL ? cost_seconds(target, arithmetic, operations, port_writes)
+                                    : (double)NAN;
+    }
+}
+
+void stats_write_cost(FILE *out, const struct cost_bus *cost, const struct board_options *options,
+                      const double frames[COST_SHOWN]) {
     (void)fprintf(out, "  \"bus_wait_ns\": %g,\n  \"port_cost\": {", options->bus_wait);
-    for (int i = 0; cost_shown_machines[i] != NULL; i++) {
+    for (int i = 0; i < COST_SHOWN; i++) {
         const struct cost_machine *machine = cost_machine_by_name(cost_shown_machines[i]);
         double seconds = cost_bus_seconds(cost, machine, options->bus_wait);
-        (void)fprintf(out, "%s\"%s\": {\"seconds\": %.9g, \"frame_share\": ", i > 0 ? ", " : "",
-                      machine->name, seconds);
-        if (options->frame_seconds > 0) {
-            (void)fprintf(out, "%.9g}", seconds / options->frame_seconds);
+        double frame = options->frame_seconds > 0 ? options->frame_seconds
+                       : frames != NULL           ? frames[i]
+                                                  : 0;
+        (void)fprintf(out, "%s\"%s\": {\"seconds\": %.9g, ", i > 0 ? ", " : "", machine->name,
+                      seconds);
+        if (isfinite(frame) && frame > 0) {
+            (void)fprintf(out, "\"frame_seconds\": %.6g, \"frame_share\": %.9g}", frame,
+                          seconds / frame);
         } else {
-            (void)fprintf(out, "null}");
+            (void)fprintf(out, "\"frame_seconds\": null, \"frame_share\": null}");
         }
     }
     (void)fprintf(out, "},\n");

@@ -92,9 +92,16 @@ pc98() {
     truncate -s 1261568 "$folder/disk.hdm"
 }
 
-# isapc: the flat PC-98 disk in a ROM for a PC without a BIOS.
-isapc() {
+pc98_flat() {
     pc98 flat '-m32 -O2' 0x20000 0x2F000
+}
+
+pc98_real() {
+    pc98 real '-m16 -Os' 0 0xFFFC
+}
+
+# isapc: the PC-98 disk just made, in a ROM for a PC without a BIOS.
+isapc() {
     $CC -m16 "-DDISK=\"$folder/disk.hdm\"" -nostdlib -static -no-pie -Wl,--build-id=none \
         -Wl,-T,$here/isapc/link.ld -Wl,--oformat=binary -o "$folder/rom.bin" $here/isapc/rom.S
 }
@@ -118,9 +125,16 @@ clang) posix clang '' ;;
 gcc-m32) posix gcc -m32 ;;
 unsigned-char) posix gcc -funsigned-char ;;
 powerpc) posix powerpc-linux-gnu-gcc '' -static ;;
-386-flat) pc98 flat '-m32 -O2' 0x20000 0x2F000 ;;
-386-real) pc98 real '-m16 -Os' 0 0xFFFC ;;
-qemu-486) isapc ;;
+386-flat) pc98_flat ;;
+386-real) pc98_real ;;
+qemu-486)
+    pc98_flat
+    isapc
+    ;;
+qemu-486-real)
+    pc98_real
+    isapc
+    ;;
 wasm) wasm ;;
 *)
     echo "build.sh: no target \"$target\"" >&2

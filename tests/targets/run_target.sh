@@ -29,7 +29,7 @@ powerpc) $limit qemu-ppc ./image.elf ;;
     $limit "$SUPERFRAME" boot disk.hdm --quiet --trace ports.trace --stats boot.json
     sed -n 's/.*"instructions": \([0-9]*\).*/\1/p' boot.json > instructions.txt
     ;;
-qemu-486) sh "$scripts/run_qemu_486.sh" ;;
+qemu-486 | qemu-486-real) sh "$scripts/run_qemu_486.sh" ;;
 wasm) $limit node "$scripts/run_wasm.mjs" image.wasm ports.bin ;;
 *) $limit ./image.elf ;;
 esac

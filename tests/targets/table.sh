@@ -50,7 +50,8 @@ describe() {
     rv32im) echo 'RV32IM (QEMU virt)' ;;
     386-flat) echo '386, protected mode (PC-98 floppy on Unicorn)' ;;
     386-real) echo '386, real mode (PC-98 floppy on Unicorn)' ;;
-    qemu-486) echo '486 (the same floppy on QEMU isapc)' ;;
+    qemu-486) echo '486, protected mode (the same floppy on QEMU isapc)' ;;
+    qemu-486-real) echo '486, real mode (the same floppy on QEMU isapc)' ;;
     wasm) echo 'WebAssembly (node)' ;;
     esac
 }
@@ -82,7 +83,7 @@ add_row() {
     echo "| superframe render | fx | \`$(native_hash fig3 fx)\` | - | \`$(native_hash fig4b fx)\` | - |"
 } > "$table"
 for target in ${TARGETS:-gcc clang gcc-m32 unsigned-char wasm powerpc cortex-m4f cortex-m3 rv32im \
-    cortex-m0 qemu-486 386-flat 386-real}; do
+    cortex-m0 qemu-486 qemu-486-real 386-flat 386-real}; do
     add_row "$target" fx
 done
 # Floating point: held to a tolerance elsewhere; here for what it costs.

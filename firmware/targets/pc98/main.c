@@ -71,27 +71,20 @@ static bool next_row(void *context, uint16_t y, uint8_t *rgb) {
     return true;
 }
 
-/* What cut branches are worth is learned before the first row. */
-static void draw_estimated(struct run *run, const struct drawing *drawing) {
-    struct scene learned = TARGET_SCENE;
-    struct estimate estimate;
-    struct render_counts counts = {.rays = 0};
-    TARGET_IMAGE.learn(&TARGET_SCENE, &estimate, &counts);
-    learned.estimate = &estimate;
-    run->scene = &learned;
-    TARGET_IMAGE.draw(&learned, drawing);
-}
-
 void pc98_main(void) {
-    struct run run = {.scene = &TARGET_SCENE};
+    struct scene scene = TARGET_SCENE;
+    struct estimate estimate;
+    struct run run = {.scene = &scene};
     const struct drawing drawing = {
         .base = BASE, .last = TARGET_SCENE.height, .source = next_row, .context = &run};
     text_clear();
     (void)text_put(TITLE_ROW, 0, "superframe: " TARGET_TITLE "; Esc ends it");
-    if (FEATURE_ESTIMATE && TARGET_SCENE.estimates) {
-        draw_estimated(&run, &drawing);
-    } else {
-        TARGET_IMAGE.draw(&TARGET_SCENE, &drawing);
+    if (FEATURE_ESTIMATE && scene.estimates) {
+        /* What cut branches are worth is learned before the first row. */
+        struct render_counts counts = {.rays = 0};
+        TARGET_IMAGE.learn(&TARGET_SCENE, &estimate, &counts);
+        scene.estimate = &estimate;
     }
+    TARGET_IMAGE.draw(&scene, &drawing);
     (void)text_put(PROGRESS_ROW, 0, run.is_ended ? "Ended by Esc.       " : "The picture is done.");
 }
