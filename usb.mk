@@ -26,8 +26,12 @@ $(BUILD)/sanitized/tests/usb/%.o: tests/usb/%.c $(BUILD)/flags | setup
 	@mkdir -p $(@D)
 	$(CC) $(WARNINGS) -D_DEFAULT_SOURCE $(POSIX) $(CFLAGS_sanitized) $(INCLUDE_tests) -Itests/usb $(UMOCKDEV_CFLAGS) -MMD -MP -c -o $@ $<
 
-$(USB_TEST_PROGRAMS): $(BUILD)/sanitized/tests/usb/%_test: $(patsubst tests/%.c,$(BUILD)/sanitized/tests/%.o,$(wildcard tests/usb/*.c)) $(sanitized_LIBRARY) $(BUILD)/sources
-	$(CC) $(LDFLAGS_sanitized) -o $@ $(filter %.o,$^) -lcmocka $(filter-out -lhidapi%,$(LIBS)) -l$* $(UMOCKDEV_LIBS)
+# Not the whole program: libunicorn, where it is linked, has functions of GLib's names.
+USB_TEST_OBJECTS := $(patsubst tests/%.c,$(BUILD)/sanitized/tests/%.o,$(wildcard tests/usb/*.c)) $(sanitized_HAL) \
+                    $(patsubst %.c,$(BUILD)/sanitized/%.o,$(wildcard emulator/board*.c host/usb_*.c host/usb/libusb*.c) host/usb/hidapi.c)
+
+$(USB_TEST_PROGRAMS): $(BUILD)/sanitized/tests/usb/%_test: $(USB_TEST_OBJECTS)
+	$(CC) $(LDFLAGS_sanitized) -o $@ $^ -lcmocka -lusb-1.0 -l$* $(UMOCKDEV_LIBS) -lpthread
 
 # ---- Bytes on the cable -------------------------------------------------------------------------
 

@@ -18,8 +18,9 @@
 #include "picture.h"
 #include "screen_output.h"
 #include "usbip.h"
+#include "values.h"
 
-enum { GUESTS_MOST = 4, SEND_SECONDS = 10, NAME_SIZE = 256, POLL_MS = 200 };
+enum { GUESTS_MOST = 4, SEND_SECONDS = 10, NAME_SIZE = 256, POLL_MS = 200, PORT_MOST = 65535 };
 
 /* A connection. */
 struct guest {
@@ -77,9 +78,12 @@ static void announce(const struct server *server) {
 static int start_listening(struct server *server) {
     const char *listen_at = server->options->adapter.listen;
     char address[NAME_SIZE], port[NAME_SIZE];
+    unsigned long number;
     struct addrinfo wanted, *found = NULL;
-    if (!split(listen_at != NULL ? listen_at : "127.0.0.1", address, port)) {
-        return bad_input("--listen %.100s: allowed is ADDRESS, ADDRESS:PORT or [ADDRESS]:PORT",
+    if (!split(listen_at != NULL ? listen_at : "127.0.0.1", address, port) ||
+        !value_whole(port, 0, PORT_MOST, &number)) {
+        return bad_input("--listen %.100s: allowed is ADDRESS, ADDRESS:PORT or [ADDRESS]:PORT, "
+                         "with a port 0..65535",
                          listen_at);
     }
     memset(&wanted, 0, sizeof wanted);

@@ -34,15 +34,13 @@ int measure_close(const struct measure *measure, FILE *file, const char *name) {
 
 double measure_predict(const struct measure *measure, const struct measure_point *point,
                        const struct cost_target *target) {
-    double operations[WRAP_KINDS];
-    struct cost_mix mix = {1, 0, 0, 0, 0};
+    struct cost_work work = {point->events, {1, 0, 0, 0, 0}, point->port_writes};
     for (size_t i = 0; i < measure->scene_count; i++) {
         if (strcmp(measure->scenes[i].name, point->scene) == 0) {
-            mix = measure->scenes[i].mix;
+            work.mix = measure->scenes[i].mix;
         }
     }
-    cost_operations_of(&point->events, &mix, operations);
-    return cost_seconds(target, point->arithmetic, operations, point->port_writes);
+    return cost_seconds(target, point->arithmetic, &work);
 }
 
 static int take_scenes(struct measure *measure) {

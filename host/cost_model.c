@@ -57,19 +57,22 @@ static double clocks_each(const struct cost_target *target, const char *arithmet
 }
 
 double cost_seconds(const struct cost_target *target, const char *arithmetic,
-                    const double operations[WRAP_KINDS], uint64_t port_writes) {
-    double each = clocks_each(target, arithmetic), instructions = 0;
+                    const struct cost_work *work) {
+    double operations[WRAP_KINDS], instructions = 0;
+    double each = clocks_each(target, arithmetic);
     const char *code = strcmp(arithmetic, "fx") == 0 ? target->code : target->float_code;
     if (!(each > 0)) {
         return NAN;
     }
+    cost_operations_of(&work->events, &work->mix, operations);
     for (const struct cost_code *row = cost_codes; row->name != NULL; row++) {
         if (strcmp(row->name, code) == 0 && strcmp(row->arithmetic, arithmetic) == 0) {
             for (int kind = 0; kind < WRAP_KINDS; kind++) {
                 instructions += operations[kind] * row->instructions[kind];
             }
-            double clocks =
-                instructions * row->whole * each + (double)port_writes * target->port_clocks;
+            instructions += row->overhead * (double)(work->events.rays + work->events.shadow_rays +
+                                                     work->events.nodes);
+            double clocks = instructions * each + (double)work->port_writes * target->port_clocks;
             return clocks / (target->megahertz * 1e6);
         }
     }

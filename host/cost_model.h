@@ -56,19 +56,28 @@ struct cost_target {
 /* Ended by one without a name. */
 extern const struct cost_target cost_targets[];
 
-/* Instructions of one operation of each kind, as a compiler makes them, and by how much the
- * instructions of a whole image exceed those of its operations. */
+/* Instructions of one operation of each kind, as a compiler makes them, and what a whole image
+ * takes beside its operations (calls, loops, copies, sets) for each ray, shadow ray and boundary.
+ */
 struct cost_code {
     const char *name, *arithmetic;
     double instructions[WRAP_KINDS];
-    double whole; /* instructions of the image / instructions of its operations */
+    double overhead;
 };
 
-/* Measured: `make cost-instructions` prints the table. Ended by one without a name. */
+/* Measured: `make cost-instructions` prints the instructions, tests/cost/whole.sh what shows the
+ * overhead. Ended by one without a name. */
 extern const struct cost_code cost_codes[];
+
+/* What a rendering did, for the predictions. */
+struct cost_work {
+    struct cost_events events;
+    struct cost_mix mix;
+    uint64_t port_writes;
+};
 
 /* Seconds; NaN where there is no entry for that arithmetic. */
 double cost_seconds(const struct cost_target *target, const char *arithmetic,
-                    const double operations[WRAP_KINDS], uint64_t port_writes);
+                    const struct cost_work *work);
 
 #endif

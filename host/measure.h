@@ -27,6 +27,7 @@ struct measure_point {
     uint64_t leaked_rays, port_writes;
     double seconds; /* on the machine that measured, with --jobs threads */
     double wrong;   /* per cent of the pixels that are more than 1 LSB off */
+    double apart;   /* per cent that are more than 1 LSB off double's with the same settings */
     unsigned largest;
     double rmse, psnr, colour_mean, colour_high; /* psnr infinite for equal pictures */
 };
@@ -59,6 +60,7 @@ struct measure_setting {
     unsigned depth;
     double threshold;
     double wrong, worst; /* per cent: the scenes' mean, and the scene that is worst */
+    double apart;        /* the scenes' mean */
     double rays;         /* a pixel, shadow rays counted */
     double seconds[MEASURE_TARGETS_MOST]; /* by cost_targets: the scenes' mean; NaN: no entry */
 };

@@ -165,7 +165,8 @@ int measure_plan(struct measure *measure) {
 
 static const char head[] =
     "scene,arithmetic,depth,threshold,width,height,colour,model,rays,shadow_rays,nodes,"
-    "solid_tests,leaked_rays,port_writes,seconds,percent_wrong,largest_error,rmse,psnr,"
+    "solid_tests,leaked_rays,port_writes,seconds,percent_wrong,percent_apart,largest_error,rmse,"
+    "psnr,"
     "delta_e_mean,delta_e_999\n";
 
 void measure_write_head(FILE *file) {
@@ -177,11 +178,11 @@ void measure_write_point(FILE *file, const struct measure_point *point) {
     measure_key(point, key);
     (void)fprintf(file,
                   "%s,%" PRIu64 ",%" PRIu64 ",%" PRIu64 ",%" PRIu64 ",%" PRIu64 ",%" PRIu64
-                  ",%.6f,%.6f,%u,%.6f,%.4f,%.6f,%.6f\n",
+                  ",%.6f,%.6f,%.6f,%u,%.6f,%.4f,%.6f,%.6f\n",
                   key, point->events.rays, point->events.shadow_rays, point->events.nodes,
                   point->events.solid_tests, point->leaked_rays, point->port_writes, point->seconds,
-                  point->wrong, point->largest, point->rmse, point->psnr, point->colour_mean,
-                  point->colour_high);
+                  point->wrong, point->apart, point->largest, point->rmse, point->psnr,
+                  point->colour_mean, point->colour_high);
 }
 
 /* Reads what stands behind the key. */
@@ -189,11 +190,11 @@ static bool read_results(const char *text, struct measure_point *point) {
     char end;
     return sscanf(text,
                   ",%" SCNu64 ",%" SCNu64 ",%" SCNu64 ",%" SCNu64 ",%" SCNu64 ",%" SCNu64
-                  ",%lf,%lf,%u,%lf,%lf,%lf,%lf%c",
+                  ",%lf,%lf,%lf,%u,%lf,%lf,%lf,%lf%c",
                   &point->events.rays, &point->events.shadow_rays, &point->events.nodes,
                   &point->events.solid_tests, &point->leaked_rays, &point->port_writes,
-                  &point->seconds, &point->wrong, &point->largest, &point->rmse, &point->psnr,
-                  &point->colour_mean, &point->colour_high, &end) == 14 &&
+                  &point->seconds, &point->wrong, &point->apart, &point->largest, &point->rmse,
+                  &point->psnr, &point->colour_mean, &point->colour_high, &end) == 15 &&
            end == '\n';
 }
 

@@ -15,7 +15,13 @@
 #include "png_file.h"
 #include "stopwatch.h"
 
-enum { PATH_SIZE = 1024, ORACLE_WIDTH = 48, ORACLE_HEIGHT = 30, ORACLE_DEPTH = 10 };
+enum {
+    PATH_SIZE = 1024,
+    ORACLE_WIDTH = 48,
+    ORACLE_HEIGHT = 30,
+    ORACLE_DEPTH = 10,
+    TWINS_MOST = 64
+};
 
 /* A picture in dots. */
 struct dots_picture {
@@ -106,7 +112,55 @@ static int write_difference(const struct measure *measure, const char *name,
     return output_commit(&output) ? STATUS_DONE : STATUS_FAILED;
 }
 
+/* ---- Double with the same settings ---------------------------------------------------------- */
+
+/* Pictures of one group that double has made, to hold other arithmetics against. */
+struct twins {
+    size_t count;
+    struct measure_point point[TWINS_MOST];
+    struct dots_picture picture[TWINS_MOST];
+};
+
+static void free_twins(struct twins *twins) {
+    for (size_t i = 0; i < twins->count; i++) {
+        free(twins->picture[i].rgb);
+    }
+    free(twins);
+}
+
+/* Double's picture with the settings of a point: one that is kept, or a new one. */
+static int find_twin(struct measure *measure, const struct measure_scene *scene,
+                     const struct measure_point *like, struct twins *twins, size_t *found) {
+    struct measure_point point = *like;
+    char wanted[MEASURE_KEY_SIZE], key[MEASURE_KEY_SIZE];
+    strcpy(point.arithmetic, "f64");
+    measure_key(&point, wanted);
+    for (size_t i = 0; i < twins->count; i++) {
+        measure_key(&twins->point[i], key);
+        if (strcmp(key, wanted) == 0) {
+            *found = i;
+            return STATUS_DONE;
+        }
+    }
+    if (twins->count == TWINS_MOST) {
+        free(twins->picture[--twins->count].rgb);
+    }
+    int status = shoot(measure, scene, &point, &twins->picture[twins->count]);
+    if (status == STATUS_DONE) {
+        twins->point[twins->count] = point;
+        *found = twins->count++;
+    }
+    return status;
+}
+
 /* ---- Points --------------------------------------------------------------------------------- */
+
+static double percent_off(const struct dots_picture *a, const struct dots_picture *b) {
+    struct comparison comparison;
+    size_t dots = (size_t)a->width * a->height;
+    compare_pictures(a->rgb, b->rgb, dots, &comparison);
+    return 100.0 * (double)(dots - comparison_within(&comparison, 1)) / (double)dots;
+}
 
 static int judge_point(struct measure_point *point, const struct dots_picture *reference,
                        const struct dots_picture *picture) {
@@ -118,7 +172,7 @@ static int judge_point(struct measure_point *point, const struct dots_picture *r
         complain("out of memory");
         return STATUS_FAILED;
     }
-    point->wrong = 100.0 * (double)(dots - comparison_within(&comparison, 1)) / (double)dots;
+    point->wrong = percent_off(reference, picture);
     point->largest = comparison_largest(&comparison);
     point->rmse = comparison_rmse(&comparison);
     point->psnr = comparison_psnr(&comparison);
@@ -129,11 +183,18 @@ static int judge_point(struct measure_point *point, const struct dots_picture *r
 
 static int measure_point(struct measure *measure, const struct measure_scene *scene,
                          struct measure_point *point, const struct dots_picture *reference,
-                         FILE *log) {
+                         struct twins *twins, FILE *log) {
     struct dots_picture picture = {NULL, 0, 0};
+    size_t twin = 0;
     int status = shoot(measure, scene, point, &picture);
     if (status == STATUS_DONE) {
         status = judge_point(point, reference, &picture);
+    }
+    if (status == STATUS_DONE) {
+        status = find_twin(measure, scene, point, twins, &twin);
+    }
+    if (status == STATUS_DONE) {
+        point->apart = percent_off(&twins->picture[twin], &picture);
     }
     int place = shown_place(measure, point);
     if (status == STATUS_DONE && place >= 0 && share_reference(point, &measure->points.points[0])) {
@@ -161,15 +222,38 @@ static int measure_group(struct measure *measure, const struct measure_scene *sc
     strcpy(like.colour, "full");
     like.depth = MEASURE_CONVERGED_DEPTH;
     like.threshold = MEASURE_CONVERGED_THRESHOLD;
+    struct twins *twins = calloc(1, sizeof *twins);
+    if (twins == NULL) {
+        complain("out of memory");
+        return STATUS_FAILED;
+    }
     int status = shoot(measure, scene, &like, &reference);
     for (size_t i = first; i < measure->points.count && status == STATUS_DONE; i++) {
         struct measure_point *point = &measure->points.points[i];
         if (!point->is_done && share_reference(point, &like)) {
-            status = measure_point(measure, scene, point, &reference, log);
+            status = measure_point(measure, scene, point, &reference, twins, log);
         }
     }
+    free_twins(twins);
     free(reference.rgb);
     return status;
+}
+
+/* Whether no point before it has the same twin. */
+static bool is_first_of_twins(const struct measure *measure, size_t i) {
+    struct measure_point one = measure->points.points[i];
+    char wanted[MEASURE_KEY_SIZE], key[MEASURE_KEY_SIZE];
+    one.arithmetic[0] = '\0';
+    measure_key(&one, wanted);
+    for (size_t j = 0; j < i; j++) {
+        struct measure_point other = measure->points.points[j];
+        other.arithmetic[0] = '\0';
+        measure_key(&other, key);
+        if (!other.is_done && strcmp(key, wanted) == 0) {
+            return false;
+        }
+    }
+    return true;
 }
 
 /* Rows that are still to be rendered, for the progress bar. */
@@ -183,6 +267,7 @@ static unsigned count_rows(const struct measure *measure) {
             is_first = other->is_done || !share_reference(point, other);
         }
         rows += point->is_done ? 0 : point->height;
+        rows += !point->is_done && is_first_of_twins(measure, i) ? point->height : 0;
         rows += is_first ? point->height : 0;
     }
     return rows;

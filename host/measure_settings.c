@@ -46,6 +46,7 @@ static void gather(const struct measure *measure, struct measure_setting *settin
         double pixels = (double)point->width * point->height;
         scenes++;
         setting->wrong += point->wrong;
+        setting->apart += point->apart;
         setting->worst = fmax(setting->worst, point->wrong);
         setting->rays += (double)(point->events.rays + point->events.shadow_rays) / pixels;
         for (size_t j = 0; cost_targets[j].name != NULL; j++) {
@@ -53,6 +54,7 @@ static void gather(const struct measure *measure, struct measure_setting *settin
         }
     }
     setting->wrong /= scenes;
+    setting->apart /= scenes;
     setting->rays /= scenes;
     for (size_t j = 0; cost_targets[j].name != NULL; j++) {
         setting->seconds[j] /= scenes;

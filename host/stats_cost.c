@@ -24,15 +24,13 @@ static const struct cost_target *find_target(const char *name) {
 void stats_predict_frames(const struct compiled_scene *scene, const struct render_totals *totals,
                           const char *arithmetic, uint64_t port_writes,
                           double seconds[COST_SHOWN]) {
-    const struct cost_events events = {totals->rays, totals->shadow_rays, totals->nodes,
-                                       totals->solid_tests};
-    const struct cost_mix mix = cost_mix_of(scene);
-    double operations[WRAP_KINDS];
-    cost_operations_of(&events, &mix, operations);
+    const struct cost_work work = {
+        {totals->rays, totals->shadow_rays, totals->nodes, totals->solid_tests},
+        cost_mix_of(scene),
+        port_writes};
     for (int i = 0; i < COST_SHOWN; i++) {
         const struct cost_target *target = find_target(targets[i]);
-        seconds[i] = target != NULL ? cost_seconds(target, arithmetic, operations, port_writes)
-                                    : (double)NAN;
+        seconds[i] = target != NULL ? cost_seconds(target, arithmetic, &work) : (double)NAN;
     }
 }
 

@@ -2,38 +2,9 @@
 /* Every arithmetic against f128: pixels of whole scenes, where they stand and far away. */
 #include "scene_fixture.h"
 
-enum { PIXELS = 4000 };
+#include "transformed_scene.h"
 
-/* Moves and scales everything that a description says of places. */
-static void transform(struct scene_description *description, double scale, double move) {
-    struct affine around = {{{scale, 0, 0, move}, {0, scale, 0, move}, {0, 0, scale, move}}};
-    bool done[SCENE_NODES_MOST] = {false};
-    for (size_t i = 0; i < description->object_count; i++) {
-        int root = description->objects[i].solid;
-        struct affine *placement = &description->nodes[root].placement;
-        struct affine inner = *placement;
-        for (int row = 0; row < 3 && !done[root]; row++) {
-            for (int column = 0; column < 4; column++) {
-                placement->m[row][column] = around.m[row][row] * inner.m[row][column];
-            }
-            placement->m[row][3] += move;
-        }
-        done[root] = true;
-    }
-    for (int i = 0; i < 3; i++) {
-        description->camera.eye[i] = scale * description->camera.eye[i] + move;
-        description->camera.look_at[i] = scale * description->camera.look_at[i] + move;
-        for (size_t j = 0; j < description->light_count; j++) {
-            double *position = description->lights[j].position;
-            position[i] = scale * position[i] + move;
-        }
-        for (size_t j = 0; j < description->material_count; j++) {
-            struct scene_pattern *pattern = &description->materials[j].pattern;
-            pattern->size[i] *= scale;
-            pattern->origin[i] = scale * pattern->origin[i] + move;
-        }
-    }
-}
+enum { PIXELS = 4000 };
 
 /* How many of the seeded pixels differ from f128's by more than 1 level in some channel. */
 static int wrong_pixels(const struct scene_description *description, const char *arithmetic,
@@ -75,7 +46,7 @@ static void check(double scale, double move) {
         assert_non_null(description);
         description->width = 640;
         description->height = 400;
-        transform(description, scale, move);
+        transform_scene(description, scale, move);
         int pixels = PIXELS / (i == 2 ? 4 : 1);
         int wrong = wrong_pixels(description, arithmetics[i], pixels);
         assert_true(10000 * wrong <= (i == 2 ? 0 : pixels));

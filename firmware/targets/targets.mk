@@ -20,6 +20,7 @@ $(BUILD)/targets/count.so: tests/targets/count_plugin.c | setup
 
 .PHONY: targets
 targets: $(BUILD)/superframe $(BUILD)/targets/count.so ## Run fig3 and fig4b on every target; write the table in docs/targets.md
+	BUILD=$(BUILD) sh tests/targets/check_portability.sh
 	BUILD=$(BUILD) sh tests/targets/table.sh docs/targets.md
 
 .PHONY: size

@@ -1,0 +1,99 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# superframe measure and compare as their users call them: results, going on, refusals.
+# Exit status: 0 all hold, 1 one does not.
+set -u
+cd "$(dirname "$0")/.." || exit 1
+program=${SUPERFRAME:-${BUILD:-build}/sanitized/superframe}
+case $program in
+/*) ;;
+*) program=$PWD/$program ;;
+esac
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder" || exit 1
+failures=0
+
+wrong() {
+    echo "$*"
+    failures=$((failures + 1))
+}
+
+# expect STATUS WORDS COMMAND...: the exit status, and what standard error says.
+expect() {
+    status=$1
+    words=$2
+    shift 2
+    "$program" "$@" > out.txt 2> err.txt < /dev/null
+    found=$?
+    [ $found -eq "$status" ] || wrong "$*: exit status $found, not $status: $(head -n 3 err.txt)"
+    [ -z "$words" ] || grep -q -- "$words" err.txt || wrong "$*: says \"$(head -n 1 err.txt)\", not \"$words\""
+}
+
+cat > ball.scene << 'END'
+version = 1;
+size = [16, 10];
+depth = 4;
+camera = { eye = (0, -6, 1); look_at = (0, 0, 0); };
+lights = ( { direction = (-1, 1, -1); } );
+materials = { glass = { colour = [90, 40, 20]; diffuse = 0.5; specular = 0.5; ior = 1.5; }; };
+objects = ( { material = "glass"; solid = { ball = { radius = 1; }; }; } );
+END
+
+# A whole measurement of few points, then the same with half of its lines and a torn one.
+points='--arith fx --size 16x10 --depth 3 --quiet'
+# shellcheck disable=SC2086 # a list of options
+expect 0 '' measure ball.scene $points -o m
+for file in points.csv table.csv report.md report.html plots.gp plots.dat; do
+    [ -s "m/$file" ] || wrong "m/$file: is not there"
+done
+whole=$(wc -l < m/points.csv)
+[ "$whole" -gt 10 ] || wrong "points.csv has $whole lines"
+grep -q '^ball,fx,3,0,16,10,full,fresnel,' m/points.csv || wrong 'a point is lacking'
+head -n 4 m/points.csv > kept.csv
+{ cat kept.csv && printf 'ball,fx,3,0.0009765625,16,10,full,fresnel,12,'; } > m/points.csv
+# shellcheck disable=SC2086
+expect 0 '' measure ball.scene $points -o m
+[ "$(head -n 4 m/points.csv)" = "$(cat kept.csv)" ] || wrong 'what was there was measured again'
+[ "$(grep -c '^ball,fx,3.*,[0-9.]*$' m/points.csv)" -ge $((whole - 1)) ] || wrong 'points are lacking'
+cp m/points.csv before.csv
+# shellcheck disable=SC2086
+expect 0 '' measure ball.scene $points -o m
+cmp -s m/points.csv before.csv || wrong 'a finished measurement was not left alone'
+# shellcheck disable=SC2086
+(PATH=/nonexistent && "$program" measure ball.scene $points -o m 2> err.txt) || wrong 'no gnuplot: failed'
+grep -q 'gnuplot is not there' err.txt || wrong "no gnuplot: says \"$(cat err.txt)\""
+
+expect 2 'measure: -o DIR is lacking' measure ball.scene
+expect 2 'exposures is not measured' measure ball.scene --colour exposures -o n
+expect 2 'nothing' measure nothing -o n
+expect 2 'two scenes are called' measure ball.scene ./ball.scene -o n
+expect 1 'cannot be written' measure ball.scene -o /dev/null/n
+mkdir -p other && echo 'a,b' > other/points.csv
+expect 2 'does not begin' measure ball.scene -o other
+
+# Pictures and signatures.
+expect 0 '' render ball.scene -o a.png --signatures a.sig --quiet
+expect 0 '' render ball.scene --arith f64 -o b.png --signatures b.sig --jobs 2 --quiet
+expect 0 '' compare a.png b.png --signatures a.sig b.sig --difference d.png
+grep -q '^CIEDE2000 ' out.txt || wrong 'compare: no CIEDE2000'
+grep -q '^flips  *0 of 160' out.txt || wrong "compare: $(grep flips out.txt)"
+[ -s d.png ] || wrong 'compare: no picture of the difference'
+expect 0 '' compare --signatures a.sig b.sig --json
+grep -q '"flips": 0' out.txt || wrong 'compare --json: no flips'
+expect 0 '' render ball.scene --depth 0 -o c.png --signatures c.sig --quiet
+expect 3 'of the signatures are equal' compare --signatures a.sig c.sig
+expect 2 'is lacking' compare --signatures a.sig
+expect 2 'B.sig is lacking' compare a.png b.png --signatures a.sig
+expect 2 'B.png is lacking' compare a.png
+expect 2 'one too many' compare a.png b.png c.png
+expect 2 'two pictures only' compare --signatures a.sig b.sig --difference e.png
+head -c 100 a.sig > torn.sig
+expect 2 'ends too early' compare --signatures a.sig torn.sig
+expect 2 'is no file of signatures' compare a.png b.png --signatures a.png b.sig
+expect 1 'cannot be written' compare a.png b.png --difference nowhere/d.png
+expect 1 'full' render ball.scene -o /dev/null --signatures /dev/full --quiet
+expect 2 'same place' render ball.scene -o x --signatures x --quiet
+
+echo "measure: $failures wrong"
+[ $failures -eq 0 ]
