@@ -196,10 +196,10 @@ $(TEST_PROGRAMS): %: %.o $(sanitized_LIBRARY) $(BUILD)/sources
 	$(CC) $(LDFLAGS_sanitized) -o $@ $(filter %.o,$^) -lcmocka $(LIBS)
 
 # The test kit is no part of the program: its own suite alone is linked with it.
-$(BUILD)/sanitized/testkit/%.o: testkit/%.c $(BUILD)/flags | setup
+$(BUILD)/sanitized/emulator/testing/%.o: emulator/testing/%.c $(BUILD)/flags | setup
 	@mkdir -p $(@D)
 	$(CC) $(WARNINGS) $(POSIX) $(CFLAGS_sanitized) $(INCLUDE_testkit) -MMD -MP -c -o $@ $<
-$(BUILD)/sanitized/tests/testkit_test.o: INCLUDE_tests += -Itestkit
+$(BUILD)/sanitized/tests/testkit_test.o: INCLUDE_tests += -Iemulator/testing
 $(BUILD)/sanitized/tests/testkit_test: $(TESTKIT_SOURCES:%.c=$(BUILD)/sanitized/%.o)
 
 define real_test_rules
@@ -252,10 +252,10 @@ lint-style: | setup
 	@sh tests/check_style.sh
 
 lint-cppcheck: | setup
-	cppcheck --quiet --std=c99 --enable=warning,performance,portability --suppressions-list=tests/cppcheck_suppressions.txt --error-exitcode=1 $(INCLUDE_host) -Ifirmware/real/fx -Ifirmware/features/full -Itestkit hal emulator host firmware testkit
+	cppcheck --quiet --std=c99 --enable=warning,performance,portability --suppressions-list=tests/cppcheck_suppressions.txt --error-exitcode=1 $(INCLUDE_host) -Ifirmware/real/fx -Ifirmware/features/full -Iemulator/testing hal emulator host firmware
 
 lint-tidy: | setup
-	@printf '%s\n' $(HAL_SOURCES) $(EMULATOR_SOURCES) $(HOST_SOURCES) $(TESTKIT_SOURCES) | xargs -P 2 -n 8 sh -c '$(TIDY) "$$@" -- -std=c99 $(POSIX) $(INCLUDE_host) -Itestkit' tidy
+	@printf '%s\n' $(HAL_SOURCES) $(EMULATOR_SOURCES) $(HOST_SOURCES) $(TESTKIT_SOURCES) | xargs -P 2 -n 8 sh -c '$(TIDY) "$$@" -- -std=c99 $(POSIX) $(INCLUDE_host) -Iemulator/testing' tidy
 	@printf '%s\n' fx f64 | xargs -P 2 -I % $(TIDY) --checks=-clang-analyzer-core.DivideZero $(FIRMWARE_SOURCES) $(PER_ARITHMETIC_SOURCES) -- -std=c99 -Ifirmware/real/% -Ifirmware/features/full $(INCLUDE_host)
 
 # ---- The machine ----------------------------------------------------------------------------

@@ -7,10 +7,10 @@ INSTALL ?= install
 VERSION := $(shell sed -n 's/^.define SUPERFRAME_VERSION "\(.*\)"/\1/p' host/command.h)
 SONAME  := libsuperframe.so.$(firstword $(subst ., ,$(VERSION)))
 
-TESTKIT_SOURCES := $(wildcard testkit/*.c)
-INCLUDE_testkit := $(INCLUDE_emulator) -Itestkit
+TESTKIT_SOURCES := $(wildcard emulator/testing/*.c)
+INCLUDE_testkit := $(INCLUDE_emulator) -Iemulator/testing
 # What a program that uses the library may include: all but the emulator's own.
-PUBLIC_HEADERS := $(filter-out %_internal.h,$(wildcard hal/*.h hal/usb/*.h emulator/*.h)) testkit/testing.h
+PUBLIC_HEADERS := $(filter-out %_internal.h,$(wildcard hal/*.h hal/usb/*.h emulator/*.h)) emulator/testing/testing.h
 
 LIBRARY_OBJECTS := $(HAL_SOURCES:%.c=$(BUILD)/library/%.o) $(EMULATOR_SOURCES:%.c=$(BUILD)/library/%.o)
 TESTKIT_OBJECTS := $(TESTKIT_SOURCES:%.c=$(BUILD)/library/%.o)
@@ -43,7 +43,7 @@ install: $(BUILD)/superframe $(LIBRARIES) ## Install command, library, test kit 
 	$(INSTALL) -m 755 $(BUILD)/library/$(SONAME) '$(DESTDIR)$(PREFIX)/lib'
 	ln -sf $(SONAME) '$(DESTDIR)$(PREFIX)/lib/libsuperframe.so'
 	$(INSTALL) -m 644 $(PUBLIC_HEADERS) '$(DESTDIR)$(PREFIX)/include/superframe'
-	for name in superframe superframe-testing; do sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@VERSION@|$(VERSION)|' testkit/$$name.pc.in > '$(DESTDIR)$(PREFIX)/lib/pkgconfig/'$$name.pc && chmod 644 '$(DESTDIR)$(PREFIX)/lib/pkgconfig/'$$name.pc || exit 1; done
+	for name in superframe superframe-testing; do sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@VERSION@|$(VERSION)|' emulator/testing/$$name.pc.in > '$(DESTDIR)$(PREFIX)/lib/pkgconfig/'$$name.pc && chmod 644 '$(DESTDIR)$(PREFIX)/lib/pkgconfig/'$$name.pc || exit 1; done
 	$(INSTALL) -m 644 host/usb/70-superframe.rules '$(DESTDIR)$(PREFIX)/lib/udev/rules.d'
 	$(INSTALL) -m 644 docs/*.1 '$(DESTDIR)$(PREFIX)/share/man/man1'
 	$(INSTALL) -m 644 docs/*.3 '$(DESTDIR)$(PREFIX)/share/man/man3'

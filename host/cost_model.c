@@ -29,7 +29,7 @@ struct cost_mix cost_mix_of(const struct compiled_scene *scene) {
 }
 
 void cost_operations_of(const struct cost_events *events, const struct cost_mix *mix,
-                        double operations[WRAP_KINDS]) {
+                        double operations[COST_KINDS]) {
     const double tests = (double)events->solid_tests;
     const double counts[COST_EVENTS] = {
         [COST_RAY] = (double)events->rays,
@@ -41,7 +41,7 @@ void cost_operations_of(const struct cost_events *events, const struct cost_mix 
         [COST_PLANE] = tests * mix->polyhedron_plane,
         [COST_QUADRIC] = tests * mix->quadric,
     };
-    for (int kind = 0; kind < WRAP_KINDS; kind++) {
+    for (int kind = 0; kind < COST_KINDS; kind++) {
         operations[kind] = 0;
         for (int event = 0; event < COST_EVENTS; event++) {
             operations[kind] += counts[event] * cost_operations[event][kind];
@@ -58,7 +58,7 @@ static double clocks_each(const struct cost_target *target, const char *arithmet
 
 double cost_seconds(const struct cost_target *target, const char *arithmetic,
                     const struct cost_work *work) {
-    double operations[WRAP_KINDS], instructions = 0;
+    double operations[COST_KINDS], instructions = 0;
     double each = clocks_each(target, arithmetic);
     const char *code = strcmp(arithmetic, "fx") == 0 ? target->code : target->float_code;
     if (!(each > 0)) {
@@ -67,7 +67,7 @@ double cost_seconds(const struct cost_target *target, const char *arithmetic,
     cost_operations_of(&work->events, &work->mix, operations);
     for (const struct cost_code *row = cost_codes; row->name != NULL; row++) {
         if (strcmp(row->name, code) == 0 && strcmp(row->arithmetic, arithmetic) == 0) {
-            for (int kind = 0; kind < WRAP_KINDS; kind++) {
+            for (int kind = 0; kind < COST_KINDS; kind++) {
                 instructions += operations[kind] * row->instructions[kind];
             }
             instructions += row->overhead * (double)(work->events.rays + work->events.shadow_rays +

@@ -6,7 +6,10 @@
 #include <stdint.h>
 
 #include "compiled_scene.h"
-#include "real/wrap_kinds.h"
+
+/* Kinds of operations: as many as enum wrap_kind of firmware/real/wrap_kinds.h has, in its order;
+ * tests/cost/operations.c holds the two numbers against each other. */
+enum { COST_KINDS = 13 };
 
 /* What a rendering did. */
 struct cost_events {
@@ -36,11 +39,11 @@ enum cost_event {
 };
 
 /* Measured: `make cost-operations` prints the table. */
-extern const double cost_operations[COST_EVENTS][WRAP_KINDS];
+extern const double cost_operations[COST_EVENTS][COST_KINDS];
 
 /* Operations by kind of a whole rendering. */
 void cost_operations_of(const struct cost_events *events, const struct cost_mix *mix,
-                        double operations[WRAP_KINDS]);
+                        double operations[COST_KINDS]);
 
 /* A machine and what it takes. */
 struct cost_target {
@@ -61,7 +64,7 @@ extern const struct cost_target cost_targets[];
  */
 struct cost_code {
     const char *name, *arithmetic;
-    double instructions[WRAP_KINDS];
+    double instructions[COST_KINDS];
     double overhead;
 };
 

@@ -18,7 +18,7 @@
 /* One rendering that is measured. The key is what it was asked for; the rest is what it gave. */
 struct measure_point {
     char scene[32]; /* short name */
-    char arithmetic[16], colour[16], model[16];
+    char arithmetic[16], colour[16], model[16], tail[16];
     unsigned depth, width, height;
     double threshold;
 
@@ -54,9 +54,9 @@ struct measure_point *measure_list_find(const struct measure_list *list,
 
 enum { MEASURE_TARGETS_MOST = 16 };
 
-/* Arithmetic, depth and threshold, over all scenes: what a user chooses. */
+/* Arithmetic, depth, threshold and tail, over all scenes: what a user chooses. */
 struct measure_setting {
-    char arithmetic[16];
+    char arithmetic[16], tail[16];
     unsigned depth;
     double threshold;
     double wrong, worst; /* per cent: the scenes' mean, and the scene that is worst */

@@ -25,6 +25,8 @@ static struct scene_overrides overrides_of(const struct measure *measure,
     struct scene_overrides overrides = measure->options->overrides;
     overrides.has_depth = overrides.has_threshold = overrides.has_size = true;
     overrides.has_model = overrides.has_colour = true;
+    overrides.has_estimates = true;
+    overrides.estimates = strcmp(point->tail, "estimate") == 0;
     overrides.depth = (int)point->depth;
     overrides.threshold = point->threshold;
     overrides.width = (int)point->width;

@@ -29,6 +29,7 @@ static void write_depth_curves(FILE *file, const struct measure_settings *settin
         for (size_t i = 0; i < settings->count; i++) {
             const struct measure_setting *setting = &settings->settings[i];
             if (strcmp(setting->arithmetic, settings->settings[0].arithmetic) == 0 &&
+                strcmp(setting->tail, settings->settings[0].tail) == 0 &&
                 fabs(setting->threshold - thresholds[t]) < 1e-9) {
                 (void)fprintf(file, "%u %.6f\n", setting->depth, shown(setting->wrong));
             }
@@ -38,12 +39,14 @@ static void write_depth_curves(FILE *file, const struct measure_settings *settin
 }
 
 /* Wrong against threshold at one depth, for each arithmetic. */
-static void write_threshold_curves(FILE *file, const struct measure_settings *settings) {
+static void write_threshold_curves(FILE *file, const struct measure_settings *settings,
+                                   const char *tail) {
     for (int a = 0; arithmetics[a] != NULL; a++) {
-        (void)fprintf(file, "# [threshold-%s]\n", arithmetics[a]);
+        (void)fprintf(file, "# [threshold-%s-%s]\n", tail, arithmetics[a]);
         for (size_t i = 0; i < settings->count; i++) {
             const struct measure_setting *setting = &settings->settings[i];
-            if (strcmp(setting->arithmetic, arithmetics[a]) == 0 && setting->depth == CURVE_DEPTH &&
+            if (strcmp(setting->arithmetic, arithmetics[a]) == 0 &&
+                strcmp(setting->tail, tail) == 0 && setting->depth == CURVE_DEPTH &&
                 setting->threshold > 0) {
                 (void)fprintf(file, "%.9g %.6f\n", setting->threshold, shown(setting->wrong));
             }
@@ -76,7 +79,8 @@ static int write_data(const struct measure *measure, const struct measure_settin
         (void)fputs("\n\n", file);
     }
     write_depth_curves(file, settings);
-    write_threshold_curves(file, settings);
+    write_threshold_curves(file, settings, "black");
+    write_threshold_curves(file, settings, "estimate");
     for (size_t j = 0; cost_targets[j].name != NULL; j++) {
         (void)fprintf(file, "# [front-%s]\n", cost_targets[j].name);
         for (size_t i = 0; i < settings->count; i++) {
@@ -132,9 +136,11 @@ static bool has_curve(const struct measure_settings *settings, double threshold)
     return false;
 }
 
-static bool is_deep(const struct measure_settings *settings, const char *arithmetic) {
+static bool is_deep(const struct measure_settings *settings, const char *arithmetic,
+                    const char *tail) {
     for (size_t i = 0; i < settings->count; i++) {
         if (strcmp(settings->settings[i].arithmetic, arithmetic) == 0 &&
+            strcmp(settings->settings[i].tail, tail) == 0 &&
             settings->settings[i].depth == CURVE_DEPTH && settings->settings[i].threshold > 0) {
             return true;
         }
@@ -164,11 +170,14 @@ static void write_curves(FILE *file, const struct measure_settings *settings) {
                   "1./16384, '1/65536' 1./65536)\nplot \\\n",
                   CURVE_DEPTH);
     for (int a = 0; arithmetics[a] != NULL; a++) {
-        if (is_deep(settings, arithmetics[a])) {
-            (void)fprintf(file,
-                          "    'plots.dat' index '[threshold-%s]' using 1:2 smooth unique with "
-                          "linespoints pt %d ps 1.2 lc %d title '%s', \\\n",
-                          arithmetics[a], 4 + a, a + 1, arithmetics[a]);
+        for (int t = 0; t < 2; t++) {
+            const char *tail = t == 0 ? "black" : "estimate";
+            if (is_deep(settings, arithmetics[a], tail)) {
+                (void)fprintf(file,
+                              "    'plots.dat' index '[threshold-%s-%s]' using 1:2 smooth unique "
+                              "with linespoints dt %d pt %d ps 1.2 lc %d title '%s, %s', \\\n",
+                              tail, arithmetics[a], t + 1, 4 + a, a + 1, arithmetics[a], tail);
+            }
         }
     }
     (void)fputs("    2000 notitle\n", file);

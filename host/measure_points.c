@@ -10,16 +10,16 @@
 #include "load_scene.h"
 #include "measure.h"
 
-enum { LINE_SIZE = 1024, BASE_WIDTH = 160, BASE_HEIGHT = 100, BASE_DEPTH = 10 };
+enum { LINE_SIZE = 1024, BASE_WIDTH = 160, BASE_HEIGHT = 100, BASE_DEPTH = 10, TAIL_DEPTH = 64 };
 
 static const double base_threshold = 1.0 / 4096;
 
 /* ---- Lists ---------------------------------------------------------------------------------- */
 
 void measure_key(const struct measure_point *point, char key[MEASURE_KEY_SIZE]) {
-    (void)snprintf(key, MEASURE_KEY_SIZE, "%s,%s,%u,%.9g,%u,%u,%s,%s", point->scene,
+    (void)snprintf(key, MEASURE_KEY_SIZE, "%s,%s,%u,%.9g,%u,%u,%s,%s,%s", point->scene,
                    point->arithmetic, point->depth, point->threshold, point->width, point->height,
-                   point->colour, point->model);
+                   point->colour, point->model, point->tail);
 }
 
 bool measure_list_add(struct measure_list *list, const struct measure_point *point) {
@@ -99,6 +99,26 @@ static int plan_grid(struct measure *measure, struct measure_point point) {
     return STATUS_DONE;
 }
 
+/* What an estimated tail gains, where there is room for it. */
+static int plan_tails(struct measure *measure, struct measure_point point) {
+    static const char *const arithmetics[] = {"fx", "f32", "f64"};
+    static const double thresholds[] = {1.0 / 256, 1.0 / 1024, 1.0 / 2048, 1.0 / 4096, 1.0 / 16384};
+    const struct options *options = measure->options;
+    const struct scene_overrides *overrides = &options->overrides;
+    unsigned many_a = options->has_arithmetic ? 1 : 3, many_t = overrides->has_threshold ? 1 : 5;
+    strcpy(point.tail, "estimate");
+    point.depth = overrides->has_depth ? (unsigned)overrides->depth : TAIL_DEPTH;
+    for (unsigned i = 0; i < many_a * many_t && !overrides->has_estimates; i++) {
+        (void)snprintf(point.arithmetic, sizeof point.arithmetic, "%s",
+                       options->has_arithmetic ? options->arithmetic : arithmetics[i / many_t]);
+        point.threshold = overrides->has_threshold ? overrides->threshold : thresholds[i % many_t];
+        if (add(measure, &point) != STATUS_DONE) {
+            return STATUS_FAILED;
+        }
+    }
+    return STATUS_DONE;
+}
+
 /* One setting varied, the others as in the middle of the grid. */
 static int plan_star(struct measure *measure, struct measure_point point) {
     static const unsigned sizes[][2] = {{80, 50}, {320, 200}, {640, 400}};
@@ -152,9 +172,12 @@ int measure_plan(struct measure *measure) {
                     point.colour);
         enum scene_model model = overrides->has_model ? overrides->model : description->model;
         (void)snprintf(point.model, sizeof point.model, "%s", model_words[model]);
+        bool estimates = overrides->has_estimates && overrides->estimates;
+        strcpy(point.tail, estimates ? "estimate" : "black");
         scene_description_free(description);
         free(compiled);
-        if (plan_grid(measure, point) != STATUS_DONE || plan_star(measure, point) != STATUS_DONE) {
+        if (plan_grid(measure, point) != STATUS_DONE || plan_tails(measure, point) != STATUS_DONE ||
+            plan_star(measure, point) != STATUS_DONE) {
             return STATUS_FAILED;
         }
     }
@@ -164,7 +187,7 @@ int measure_plan(struct measure *measure) {
 /* ---- points.csv ----------------------------------------------------------------------------- */
 
 static const char head[] =
-    "scene,arithmetic,depth,threshold,width,height,colour,model,rays,shadow_rays,nodes,"
+    "scene,arithmetic,depth,threshold,width,height,colour,model,tail,rays,shadow_rays,nodes,"
     "solid_tests,leaked_rays,port_writes,seconds,percent_wrong,percent_apart,largest_error,rmse,"
     "psnr,"
     "delta_e_mean,delta_e_999\n";

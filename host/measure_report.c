@@ -158,9 +158,9 @@ static void write_advice(const struct report *report) {
                 used += (size_t)snprintf(cells + used, sizeof cells - used, "|none of these|–");
             } else {
                 used += (size_t)snprintf(cells + used, sizeof cells - used,
-                                         "|%s, N = %u, threshold %s|%s", best->arithmetic,
+                                         "|%s, N = %u, threshold %s, tail %s|%s", best->arithmetic,
                                          best->depth, threshold_text(best->threshold, threshold),
-                                         seconds_text(best->seconds[i], seconds));
+                                         best->tail, seconds_text(best->seconds[i], seconds));
             }
         }
         row(report, false, cells);
@@ -182,8 +182,8 @@ static const struct measure_setting *find_setting(const struct report *report,
                                                   double threshold) {
     for (size_t i = 0; i < report->settings->count; i++) {
         const struct measure_setting *setting = &report->settings->settings[i];
-        if (strcmp(setting->arithmetic, arithmetic) == 0 && setting->depth == depth &&
-            fabs(setting->threshold - threshold) < 1e-9) {
+        if (strcmp(setting->arithmetic, arithmetic) == 0 && strcmp(setting->tail, "black") == 0 &&
+            setting->depth == depth && fabs(setting->threshold - threshold) < 1e-9) {
             return setting;
         }
     }
@@ -211,11 +211,12 @@ static void write_paper(const struct report *report) {
     }
     if (better != NULL) {
         char threshold[32];
-        paragraph(report,
-                  "N = %u with a threshold of %s is no worse: %.2f %% wrong with %.0f rays a "
-                  "pixel, %.1f times fewer.",
-                  better->depth, threshold_text(better->threshold, threshold), better->wrong,
-                  better->rays, paper->rays / better->rays);
+        paragraph(
+            report,
+            "N = %u with a threshold of %s, tail %s, is no worse: %.2f %% wrong with %.0f rays a "
+            "pixel, %.1f times fewer.",
+            better->depth, threshold_text(better->threshold, threshold), better->tail,
+            better->wrong, better->rays, paper->rays / better->rays);
     }
     picture(report, "difference-paper.png",
             "The paper's setting against the converged picture, first scene. Black: equal; blue: 1 "
@@ -223,6 +224,40 @@ static void write_paper(const struct report *report) {
     picture(report, "difference-fx.png", "fx with N = 64 and a threshold of 1/65536, first scene.");
     picture(report, "error-depth.png", "Share wrong against depth level.");
     picture(report, "error-threshold.png", "Share wrong against threshold, N = 64.");
+}
+
+/* The two ways to count what a branch would have brought that is cut, side by side. */
+static void write_tails(const struct report *report) {
+    bool has_any = false;
+    for (size_t i = 0; i < report->settings->count; i++) {
+        const struct measure_setting *one = &report->settings->settings[i];
+        const struct measure_setting *black =
+            find_setting(report, one->arithmetic, one->depth, one->threshold);
+        char cells[TEXT_SIZE], threshold[32];
+        if (strcmp(one->tail, "estimate") != 0) {
+            continue;
+        }
+        if (!has_any) {
+            heading(report, 2, "What a cut branch counts as");
+            row(report, true,
+                "arithmetic|N|threshold|black: per cent wrong|rays a pixel|estimate: per cent "
+                "wrong|rays a pixel");
+        }
+        has_any = true;
+        size_t used = (size_t)snprintf(cells, sizeof cells, "%s|%u|%s|", one->arithmetic,
+                                       one->depth, threshold_text(one->threshold, threshold));
+        if (black != NULL) {
+            used += (size_t)snprintf(cells + used, sizeof cells - used, "%.3f|%.1f", black->wrong,
+                                     black->rays);
+        } else {
+            used += (size_t)snprintf(cells + used, sizeof cells - used, "–|–");
+        }
+        (void)snprintf(cells + used, sizeof cells - used, "|%.3f|%.1f", one->wrong, one->rays);
+        row(report, false, cells);
+    }
+    if (has_any) {
+        end_table(report);
+    }
 }
 
 static void write_arithmetics(const struct report *report) {
@@ -325,6 +360,7 @@ static int write_report(const struct measure *measure, const struct measure_sett
     write_method(&report);
     write_advice(&report);
     write_paper(&report);
+    write_tails(&report);
     write_arithmetics(&report);
     write_others(&report);
     write_machines(&report);
@@ -339,7 +375,8 @@ static int write_table(const struct measure *measure) {
     if (file == NULL) {
         return STATUS_FAILED;
     }
-    (void)fputs("scene,arithmetic,depth,threshold,width,height,colour,model,percent_wrong", file);
+    (void)fputs("scene,arithmetic,depth,threshold,width,height,colour,model,tail,percent_wrong",
+                file);
     for (size_t j = 0; cost_targets[j].name != NULL; j++) {
         (void)fprintf(file, ",seconds_%s", cost_targets[j].name);
     }

@@ -76,7 +76,8 @@ static int compare_oracle(struct measure *measure, struct measure_scene *scene,
  * be avoided, and the most exact fx of the plan. */
 static int shown_place(const struct measure *measure, const struct measure_point *point) {
     bool is_deep = point->depth == 64 && point->threshold > 0 && point->threshold < 1e-4 / 2;
-    if (strcmp(point->scene, measure->scenes[0].name) != 0 || strcmp(point->colour, "full") != 0) {
+    if (strcmp(point->scene, measure->scenes[0].name) != 0 || strcmp(point->colour, "full") != 0 ||
+        strcmp(point->tail, "black") != 0) {
         return -1;
     }
     if (strcmp(point->arithmetic, "fx") == 0 && point->depth == 10 && !(point->threshold > 0)) {
@@ -220,6 +221,7 @@ static int measure_group(struct measure *measure, const struct measure_scene *sc
     struct dots_picture reference = {NULL, 0, 0};
     strcpy(like.arithmetic, "f64");
     strcpy(like.colour, "full");
+    strcpy(like.tail, "black");
     like.depth = MEASURE_CONVERGED_DEPTH;
     like.threshold = MEASURE_CONVERGED_THRESHOLD;
     struct twins *twins = calloc(1, sizeof *twins);

@@ -21,7 +21,8 @@ bool measure_is_of_grid(const struct measure *measure, const struct measure_poin
 
 static bool is_setting_of(const struct measure_setting *setting,
                           const struct measure_point *point) {
-    return strcmp(setting->arithmetic, point->arithmetic) == 0 && setting->depth == point->depth &&
+    return strcmp(setting->arithmetic, point->arithmetic) == 0 &&
+           strcmp(setting->tail, point->tail) == 0 && setting->depth == point->depth &&
            !(setting->threshold < point->threshold) && !(setting->threshold > point->threshold);
 }
 
@@ -72,6 +73,7 @@ bool measure_settings(const struct measure *measure, struct measure_settings *se
         if (measure_is_of_grid(measure, point) && !is_gathered(settings, point)) {
             struct measure_setting *setting = &settings->settings[settings->count++];
             memcpy(setting->arithmetic, point->arithmetic, sizeof setting->arithmetic);
+            memcpy(setting->tail, point->tail, sizeof setting->tail);
             setting->depth = point->depth;
             setting->threshold = point->threshold;
             gather(measure, setting);

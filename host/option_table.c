@@ -361,7 +361,7 @@ const struct option_entry option_table[] = {
      "which board (1987)"},
     {"base", 0, "PORT", BOARD_WATCHERS | BIT(ADAPTER), set_base,
      "00D0, 02D0, 04D0, 06D0, 08D0, 0AD0 or 0CD0", "the jumper's base address (00D0)"},
-    {"tail", 0, "KIND", SCENE_READERS, set_tail, "black or estimate",
+    {"tail", 0, "KIND", SCENE_READERS | BIT(MEASURE), set_tail, "black or estimate",
      "what a cut branch counts as (black; estimate with --error)"},
     {"verify", 0, "[=PERCENT]", BIT(RENDER), set_verify, "a whole number 1..100",
      "read back what was drawn over USB or HID, or so many of its lines, and repair it"},

@@ -10,7 +10,7 @@ cd "$(dirname "$0")/.." || exit 2
 
 BUILD=${BUILD:-build}
 mkdir -p "$BUILD"
-find hal firmware emulator host testkit -name '*.[ch]' | sort > "$BUILD/include-files.txt"
+find hal firmware emulator host -name '*.[ch]' | sort > "$BUILD/include-files.txt"
 [ -s "$BUILD/include-files.txt" ] || {
     echo 'check_includes: no source files found' >&2
     exit 2
@@ -28,7 +28,7 @@ BEGIN {
     may["firmware/targets"] = "firmware/targets/* firmware hal firmware/real/* firmware/features/*"
     may["firmware/targets/wasm"] = "firmware/targets/wasm emulator " may["firmware/targets"]
     may["emulator"] = "emulator hal hal/*"
-    may["testkit"] = "testkit emulator hal"
+    may["emulator/testing"] = "emulator/testing emulator hal"
     may["host"] = "host hal hal/* emulator firmware"
     may["host/arithmetic"] = "host/arithmetic host firmware firmware/real/* firmware/features/*"
     # What host/ may see of the folders below it; host/arithmetic/ is compiled beside the firmware.

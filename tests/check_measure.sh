@@ -49,9 +49,9 @@ for file in points.csv table.csv report.md report.html plots.gp plots.dat; do
 done
 whole=$(wc -l < m/points.csv)
 [ "$whole" -gt 10 ] || wrong "points.csv has $whole lines"
-grep -q '^ball,fx,3,0,16,10,full,fresnel,' m/points.csv || wrong 'a point is lacking'
+grep -q '^ball,fx,3,0,16,10,full,fresnel,black,' m/points.csv || wrong 'a point is lacking'
 head -n 4 m/points.csv > kept.csv
-{ cat kept.csv && printf 'ball,fx,3,0.0009765625,16,10,full,fresnel,12,'; } > m/points.csv
+{ cat kept.csv && printf 'ball,fx,3,0.0009765625,16,10,full,fresnel,black,12,'; } > m/points.csv
 # shellcheck disable=SC2086
 expect 0 '' measure ball.scene $points -o m
 [ "$(head -n 4 m/points.csv)" = "$(cat kept.csv)" ] || wrong 'what was there was measured again'

@@ -12,7 +12,7 @@ wrong() {
     failures=$((failures + 1))
 }
 
-sources=$(find hal firmware emulator host testkit tests docs/examples -name '*.[ch]' | sort)
+sources=$(find hal firmware emulator host tests docs/examples -name '*.[ch]' | sort)
 others=$(find hal firmware emulator host tests -name '*.sh' | sort)
 for file in $sources $others Makefile install.mk tests/measures.mk setup.sh .ci/run; do
     head -n 3 "$file" | grep -q 'SPDX-License-Identifier: MIT' ||

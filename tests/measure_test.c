@@ -16,6 +16,7 @@
 #include "load_scene.h"
 #include "measure.h"
 #include "parallel.h"
+#include "real/wrap_kinds.h"
 #include "requirements.h"
 #include "signatures.h"
 
@@ -25,6 +26,7 @@ static struct measure_point make_point(const char *arithmetic, unsigned depth, d
     strcpy(point.scene, "fig3");
     strcpy(point.colour, "full");
     strcpy(point.model, "fresnel");
+    strcpy(point.tail, "black");
     (void)snprintf(point.arithmetic, sizeof point.arithmetic, "%s", arithmetic);
     point.depth = depth;
     point.threshold = threshold;

@@ -43,20 +43,18 @@ static void answer_hello(struct usb_adapter *adapter, const struct usb_header *h
     uint8_t bytes[USB_HELLO_REPLY_BYTES];
     uint8_t status = USB_STATUS_OK;
     uint16_t base = header->length >= USB_HELLO_BYTES ? usb_get16(payload) : 0;
-    if (!is_served(adapter, base) || header->session == 0) {
+    bool is_current = header->session == adapter->session;
+    if (!is_served(adapter, base) || header->session == 0 ||
+        (is_current && base != adapter->base)) {
         status = USB_STATUS_BAD_BASE;
-    } else if (header->session != adapter->session) {
-        if ((header->status & USB_HELLO_START) == 0) {
-            status = USB_STATUS_UNKNOWN_SESSION;
-        } else {
-            adapter->session = header->session;
-            adapter->last = 0;
-            adapter->base = base;
-            usb_memory_clear(&adapter->memory);
-            adapter->data_count = 0;
-        }
-    } else if (base != adapter->base) {
-        status = USB_STATUS_BAD_BASE;
+    } else if (!is_current && (header->status & USB_HELLO_START) == 0) {
+        status = USB_STATUS_UNKNOWN_SESSION;
+    } else if (!is_current) {
+        adapter->session = header->session;
+        adapter->last = 0;
+        adapter->base = base;
+        usb_memory_clear(&adapter->memory);
+        adapter->data_count = 0;
     }
     const struct usb_hello_reply hello = {
         USB_PAYLOAD_MOST, USB_READ_MOST, adapter->base != 0 ? adapter->base : adapter->base_served,

@@ -16,9 +16,10 @@ static unsigned bits_of(unsigned mask) {
     return (mask & 1) + (mask >> 1 & 1) + (mask >> 2 & 1);
 }
 
-/* The ops that are counted in a word: SAME, COPY, PLANES. */
-static void take_apart_counted(const uint8_t *ops, struct op *op) {
-    op->number = usb_get16(ops + 1);
+/* The ops that are counted in a word: SAME, COPY, PLANES. head is three bytes at least; of what
+ * follows them nothing is read here. */
+static void take_apart_counted(const uint8_t *ops, const uint8_t *head, struct op *op) {
+    op->number = usb_get16(head + 1);
     op->length = 3;
     if (op->code == USB_OP_PLANES) {
         op->data = ops + 3;
@@ -26,10 +27,10 @@ static void take_apart_counted(const uint8_t *ops, struct op *op) {
     }
 }
 
-static void take_apart_pixels(const uint8_t *ops, struct op *op) {
+static void take_apart_pixels(const uint8_t *ops, const uint8_t *head, struct op *op) {
     op->code = (uint8_t)(ops[0] & 0xF8);
     op->low = ops[0] & 7;
-    op->number = (uint16_t)(ops[1] + 1);
+    op->number = (uint16_t)(head[1] + 1);
     op->data = ops + 2;
     op->length = 2 + (size_t)op->number * bits_of(op->low);
 }
@@ -39,7 +40,7 @@ static bool take_apart(const uint8_t *ops, size_t count, struct op *op) {
     /* An op that is cut off is read as if zeros followed; its length then does not fit. */
     const uint8_t padded[3] = {ops[0], count > 1 ? ops[1] : (uint8_t)0, 0};
     const uint8_t *head = count >= 3 ? ops : padded;
-    struct op empty = {ops[0], 0, 0, ops, 1, 0};
+    const struct op empty = {ops[0], 0, 0, ops, 1, 0};
     *op = empty;
     switch (ops[0] >> 4) {
     case 0:
@@ -61,7 +62,7 @@ static bool take_apart(const uint8_t *ops, size_t count, struct op *op) {
             op->length = 2;
             op->reads = 3 * (size_t)op->number;
         } else if (ops[0] != USB_OP_NEXT_LINE) {
-            take_apart_counted(head, op);
+            take_apart_counted(ops, head, op);
         }
         break;
     case 5:
@@ -73,7 +74,7 @@ static bool take_apart(const uint8_t *ops, size_t count, struct op *op) {
         if ((ops[0] & 7) == 0) {
             return false;
         }
-        take_apart_pixels(head, op);
+        take_apart_pixels(ops, head, op);
         break;
     default:
         return false;

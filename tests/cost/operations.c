@@ -7,6 +7,7 @@
 
 #include "arithmetic.h"
 #include "cost_model.h"
+#include "real/wrap_kinds.h"
 #include "scene_description.h"
 
 /* Renders rows of one to six solids of a kind, some opaque, with the arithmetic that counts, and
@@ -14,6 +15,8 @@
  * differ in their proportions. Prints the rows of cost_operations, host/cost_tables.c. */
 
 extern const struct arithmetic arithmetic_count;
+
+typedef char kinds_are_those_of_the_host[(int)COST_KINDS == (int)WRAP_KINDS ? 1 : -1];
 
 uint64_t count_operations[WRAP_KINDS + 1];
 
