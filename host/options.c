@@ -198,14 +198,6 @@ static bool check_together(enum command_id command, const struct options *option
         return refuse(error, "measure: --colour exposures is not measured; allowed is: full, "
                              "bits:1..bits:8 or dither");
     }
-    if (command == COMMAND_MEASURE && (options->output == NULL || strcmp(options->output, "-") == 0)) {
-        return refuse(error, "measure: -o DIR is lacking; allowed is: a folder's name");
-    }
-    if (command == COMMAND_MEASURE && options->overrides.has_colour &&
-        options->overrides.colour == COLOUR_EXPOSURES) {
-        return refuse(error, "measure: --colour exposures is not measured; allowed is: full, "
-                             "bits:1..bits:8 or dither");
-    }
     if (command == COMMAND_EXPORT && !options->pov) {
         return refuse(error, "export: --pov is lacking; it is the only kind of source");
     }

@@ -37,7 +37,7 @@ static void take_feature(void *context, const char *name, int value) {
     if (value == 0) {
         return;
     }
-    for (; name[length] != '\0' && length < sizeof text - 16; length++) {
+    for (; length < sizeof text - 16 && name[length] != '\0'; length++) {
         text[length] = name[length] == '_' ? ' ' : (char)tolower((unsigned char)name[length]);
     }
     text[length] = '\0';

@@ -163,8 +163,10 @@ static const struct {
     /* Known, but not built into this version. */
     {COMMAND_RENDER, "render a --bus usb -o x", "--output goes with --bus emulator only"},
     {COMMAND_RENDER, "render a --bus hid: -o x", "hid[:SERIAL]"},
-    {COMMAND_RENDER, "render a --tail estimate", "--tail estimate: not built"},
-    {COMMAND_RENDER, "render a --error 1", "--error: not built"},
+    {COMMAND_RENDER, "render a --tail grey", "--tail: \"grey\" is not allowed"},
+    {COMMAND_RENDER, "render a --error 0", "--error: \"0\" is not allowed"},
+    {COMMAND_RENDER, "render a --error nan", "--error: \"nan\" is not allowed"},
+    {COMMAND_RENDER, "render a --error 1 --tail black", "exclude each other"},
     {COMMAND_RENDER, "render a --verify", "--verify goes with --bus usb and --bus hid only"},
     {COMMAND_RENDER, "render a --wait", "--wait goes with --bus usb and --bus hid only"},
     /* What excludes what. */

@@ -10,7 +10,7 @@
 /^node:/ {
     match($0, /title: "[^"]*"/)
     node = (substr($0, RSTART + 8, RLENGTH - 9))
-    if ($0 ~ /dynamic/) {
+    if ($0 ~ /\(dynamic\)/) {
         print node ": a frame of unknown size" > "/dev/stderr"
         failed = 1
     }

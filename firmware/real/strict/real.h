@@ -239,8 +239,9 @@ real_colour colour_lit(real_colour a, real_colour light);
  * <= 1/2 LSB + relative 2^-31; a distance of 0 or less saturates. |exponent| <= 30. */
 real_colour colour_faded(real_colour a, real_length distance, int exponent);
 
-/* The intensity in steps of 2^-16 level, to nearest, saturated at +-(2^31 - 1); and back. These, and
- * energy_steps(), are for sums over many pixels, which are formed in integers in every arithmetic. */
+/* The intensity in steps of 2^-16 level, to nearest, saturated at +-(2^31 - 1); and back. These,
+ * and energy_steps(), are for sums over many pixels, which are formed in integers in every
+ * arithmetic. */
 int32_t colour_steps(real_colour a);
 real_colour colour_of_steps(int32_t steps);
 
