@@ -12,6 +12,7 @@
 
 #include "picture.h"
 #include "png_file.h"
+#include "trace_replay.h"
 
 enum { LINES = 40 };
 
@@ -140,6 +141,42 @@ static void a_guest_draws_by_hid(void **state) {
     draw_over(true);
 }
 
+/* A scene's port accesses, as the firmware made them, played to the adapter: the picture behind it
+ * is that of the emulated board in the program itself. */
+static void a_rendered_scene_is_the_same_behind_the_cable(void **state) {
+    static struct trace_reader reader;
+    struct trace_replay replay;
+    struct usb_limits limits = quick_limits(9);
+    char command[2048];
+    int status = -1;
+    (void)state;
+    limits.reply_ms = 5000;
+    (void)snprintf(command, sizeof command,
+                   "'%s' render fig3 --size 64x40 --quiet -o '%s.own' --trace '%s.trace'",
+                   getenv("SUPERFRAME"), picture_path, picture_path);
+    assert_int_equal(system(command), 0);
+    (void)snprintf(command, sizeof command, "%s.trace", picture_path);
+    FILE *trace = fopen(command, "rb");
+    assert_non_null(trace);
+    client_init(&client, connect_to_server(), false);
+    client_attach(&client);
+    struct usb_bus *usb_bus = usb_bus_new(&client.link, 0x00D0, &limits);
+    assert_non_null(usb_bus);
+    memset(&replay, 0, sizeof replay);
+    assert_int_equal(trace_reader_open(&reader, trace), TRACE_OK);
+    assert_int_equal(trace_replay(&reader, &usb_bus->bus, 0, &replay), TRACE_END);
+    assert_int_equal(bus_flush(&usb_bus->bus), BUS_OK);
+    (void)fclose(trace);
+    usb_bus_free(usb_bus);
+    (void)close(client.socket);
+    assert_int_equal(waitpid(server, &status, 0), server);
+    server = 0;
+    assert_int_equal(status, 0);
+    (void)snprintf(command, sizeof command, "cmp '%s' '%s.own' && rm '%s.own' '%s.trace'",
+                   picture_path, picture_path, picture_path, picture_path);
+    assert_int_equal(system(command), 0);
+}
+
 static void the_list_is_shown_and_a_second_guest_is_refused(void **state) {
     static const uint8_t list[8] = {0x01, 0x11, 0x80, 0x05};
     uint8_t bytes[400], import[40] = {0x01, 0x11, 0x80, 0x03};
@@ -178,6 +215,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(a_guest_draws_by_bulk, start_server, stop_server),
         cmocka_unit_test_setup_teardown(a_guest_draws_by_hid, start_server, stop_server),
+        cmocka_unit_test_setup_teardown(a_rendered_scene_is_the_same_behind_the_cable, start_server,
+                                        stop_server),
         cmocka_unit_test_setup_teardown(the_list_is_shown_and_a_second_guest_is_refused,
                                         start_server, stop_server),
         cmocka_unit_test_setup_teardown(an_interrupt_ends_it_with_its_picture, start_server,

@@ -99,7 +99,8 @@ real_length length_scaled(real_length a, real_unit u);
 real_slope slope_of(real_unit u);
 
 /* a / u for the slope of u. Never decreases where a increases (u > 0). Error <= 1/2 LSB +
- * |a/u| 2^-31. Saturates beyond LENGTH_FAR, in the float images too (at 2048). */
+ * |a/u| 2^-31. Saturates beyond LENGTH_FAR in fixed point; a float image goes on, to where its
+ * slopes end: never to an infinity. */
 real_length length_over(real_length a, real_slope slope);
 
 /* Whether floor(a / size) is odd: the cell of a pattern. size > 0. Exact in fx; a float image takes
