@@ -182,7 +182,6 @@ static const struct {
     {COMMAND_COMPILE, "compile a -o b --jobs 2", "no option --jobs"},
     {COMMAND_REPLAY, "replay a", "-o FILE.png is lacking"},
     {COMMAND_REPLAY, "replay", "TRACE... is lacking"},
-    {COMMAND_COMPARE, "compare a b c", "\"c\" is one too many"},
     {COMMAND_COMPARE, "compare a b --within 256", "0..255"},
     {COMMAND_COMPARE, "compare a b --share 100.1", "0..100"},
     {COMMAND_SCENES, "scenes fig3", "\"fig3\" is one too many"},
