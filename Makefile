@@ -255,7 +255,7 @@ lint-cppcheck: | setup
 	cppcheck --quiet --std=c99 --enable=warning,performance,portability --suppressions-list=tests/cppcheck_suppressions.txt --error-exitcode=1 $(INCLUDE_host) -Ifirmware/real/fx -Ifirmware/features/full -Iemulator/testing hal emulator host firmware
 
 lint-tidy: | setup
-	@printf '%s\n' $(HAL_SOURCES) $(EMULATOR_SOURCES) $(HOST_SOURCES) $(TESTKIT_SOURCES) | xargs -P 2 -n 8 sh -c '$(TIDY) "$$@" -- -std=c99 $(POSIX) $(INCLUDE_host) -Iemulator/testing' tidy
+	@printf '%s\n' $(HAL_SOURCES) $(EMULATOR_SOURCES) $(HOST_SOURCES) $(TESTKIT_SOURCES) | xargs -P 2 -n 8 sh -c '$(TIDY) "$$@" -- -std=c99 $(POSIX) $(INCLUDE_host) $(USB_CFLAGS) -Iemulator/testing' tidy
 	@printf '%s\n' fx f64 | xargs -P 2 -I % $(TIDY) --checks=-clang-analyzer-core.DivideZero $(FIRMWARE_SOURCES) $(PER_ARITHMETIC_SOURCES) -- -std=c99 -Ifirmware/real/% -Ifirmware/features/full $(INCLUDE_host)
 
 # ---- The machine ----------------------------------------------------------------------------

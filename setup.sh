@@ -13,7 +13,7 @@ set -u
 CC=${CC:-cc}
 SETUP=${SETUP:-yes}
 
-# group | how to look for it: header, tool, file, pc (pkg-config) or m32 | what to look for | Debian package
+# group | how to look for it: header, tool, file, pc (pkg-config), runtime (clang's) or m32 | what to look for | Debian package
 table='
 build|tool|make|make
 build|header|stdio.h|libc6-dev
@@ -24,8 +24,9 @@ build|header|zlib.h|zlib1g-dev
 test|header|cmocka.h|libcmocka-dev
 test|m32|stdio.h|gcc-multilib
 test|tool|clang|clang
-pov|tool|povray|povray
 test|tool|pkg-config|pkg-config
+test|runtime|libclang_rt.fuzzer-x86_64.a|libclang-rt-14-dev
+pov|tool|povray|povray
 paper|tool|gnuplot|gnuplot-nox
 usb|tool|pkg-config|pkg-config
 usb|pc|libusb-1.0|libusb-1.0-0-dev
@@ -104,6 +105,7 @@ lacking() {
         pc) pkg-config --exists "$thing" > /dev/null 2>&1 ;;
         tool) command -v "$thing" > /dev/null 2>&1 ;;
         file) [ -e "$thing" ] ;;
+        runtime) [ -e "$(clang -print-resource-dir 2> /dev/null)/lib/linux/$thing" ] ;;
         m32) has_m32 "$thing" ;;
         esac || echo "$package"
     done | sort -u | tr '\n' ' ' | sed 's/ $//'

@@ -134,6 +134,7 @@ static bool next_crossing(const struct search *search, const struct primitive_se
     best->t = LENGTH_FAR;
     best->surface = SURFACE_NONE;
     best->leaving = false;
+    set_clear(toggled);
     for (uint8_t i = 0; i < search->scene->primitive_count; i++) {
         struct crossing found;
         if (!may_be_next(search, i, inside) ||

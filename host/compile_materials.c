@@ -6,7 +6,12 @@
 #include "compile_internal.h"
 
 static bool same_indices(const struct compiled_material *a, const struct compiled_material *b) {
-    return memcmp(a->ior, b->ior, sizeof a->ior) == 0;
+    for (int i = 0; i < 3; i++) {
+        if (a->ior[i] < b->ior[i] || a->ior[i] > b->ior[i]) {
+            return false;
+        }
+    }
+    return true;
 }
 
 /* The first material with the same indices of refraction. */

@@ -14,7 +14,7 @@ static void collect_uses(struct compiled_scene *scene, struct compiled_object *o
 }
 
 static bool casts(const struct compiled_scene *scene, int object) {
-    return object > 0 && scene->materials[scene->objects[object].material].casts_shadow;
+    return scene->materials[scene->objects[object].material].casts_shadow;
 }
 
 /* Whether everything but one object, and the light, lie on the far side of a plane that has all of

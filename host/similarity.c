@@ -14,9 +14,10 @@ static double luma(const uint8_t *rgb) {
 }
 
 static void make_window(double window[SIMILARITY_WINDOW]) {
+    const int middle = SIMILARITY_WINDOW / 2;
     double sum = 0;
     for (int i = 0; i < SIMILARITY_WINDOW; i++) {
-        double distance = i - SIMILARITY_WINDOW / 2;
+        double distance = i - middle;
         window[i] = exp(-distance * distance / (2 * 1.5 * 1.5));
         sum += window[i];
     }
