@@ -312,6 +312,66 @@ static void the_simple_model_goes_straight_and_weighs_tau(void **state) {
     }
 }
 
+/* Table 1 (c): each primary is refracted by its own index, and weighed by its own factors. */
+static void each_primary_has_its_own_index_and_factors(void **state) {
+    (void)state;
+    static struct collected tree;
+    static const double n[3] = {1.4, 1.5, 1.7}, factor[3] = {0.5, 0.75, 1};
+    for (int j = 0; j < ARITHMETICS; j++) {
+        grow(
+            &tree,
+            "version = 1; size = [1, 1]; depth = 3; threshold = 0.0; model = \"wavelength\";"
+            "camera = { eye = (8, 0, 6); look_at = (0, 0, 0); up = (0, 1, 0); field_of_view = 1; };"
+            "materials = { glass = { colour = [0, 0, 0]; ior = [1.4, 1.5, 1.7];"
+            " transmittance_factors = (0.5, 0.75, 1.0); }; }; objects = ( " SLAB " );",
+            arithmetics[j], 0, 0);
+        const struct observed_end *mirrored = ended(&tree, 1, OBSERVED_REFLECTED);
+        assert_non_null(mirrored);
+        for (int i = 0; i < 3; i++) {
+            const struct observed_node *through = NULL;
+            for (size_t k = 0; k < tree.node_count; k++) {
+                if (tree.nodes[k].parent == 1 && tree.nodes[k].channel == i) {
+                    through = &tree.nodes[k];
+                }
+            }
+            assert_non_null(through);
+            double across = (tree.nodes[0].where[0] - through->where[0]) / through->distance;
+            assert_true(fabs(across - 0.8 / n[i]) < 1e3 * noise[j]);
+            double kt = (1 - mirrored->weight[i]) * factor[i];
+            for (int channel = 0; channel < 3; channel++) {
+                double expected = channel == i ? kt : 0;
+                assert_true(fabs(through->weight[channel] - expected) < 10 * noise[j]);
+            }
+        }
+    }
+}
+
+/* w(theta) at 17 angles; between them straight lines in the cosine. */
+static void a_table_of_w_is_linear_in_the_cosine(void **state) {
+    (void)state;
+    static struct collected tree;
+    const double step = acos(-1) / 32;
+    for (double angle = 0; angle < 89; angle += 3.7) {
+        double table[17], theta = angle * acos(-1) / 180;
+        char material[1000] = "glass = { colour = [0, 0, 0]; specular = (";
+        for (int i = 0; i < 17; i++) {
+            table[i] = 0.1 + 0.05 * ((7 * i) % 17);
+            sprintf(material + strlen(material), "%s%.17g", i ? ", " : "", table[i]);
+        }
+        strcat(material, "); };");
+        int i = (int)(theta / step);
+        double high = cos(i * step), low = cos((i + 1) * step);
+        double share = (cos(theta) - low) / (high - low);
+        double expected = table[i] * share + table[i + 1] * (1 - share);
+        for (int j = 0; j < ARITHMETICS; j++) {
+            look(&tree, arithmetics[j], angle, 3, 100, material, SLAB);
+            const struct observed_end *mirrored = ended(&tree, 1, OBSERVED_REFLECTED);
+            assert_non_null(mirrored);
+            assert_true(fabs(mirrored->weight[0] - expected) < 100 * noise[j]);
+        }
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(reflectance_at_normal_incidence_is_that_of_the_formula),
@@ -321,6 +381,8 @@ int main(void) {
         cmocka_unit_test(a_slab_absorbs_exponentially),
         cmocka_unit_test(total_internal_reflection_loses_nothing),
         cmocka_unit_test(equal_wavelengths_give_the_picture_without_dispersion),
+        cmocka_unit_test(each_primary_has_its_own_index_and_factors),
+        cmocka_unit_test(a_table_of_w_is_linear_in_the_cosine),
         cmocka_unit_test(the_simple_model_goes_straight_and_weighs_tau),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
