@@ -49,7 +49,7 @@ static bool has_point_light(const struct compiled_scene *scene) {
 }
 
 /* The air around does not count: its boundary with an opaque material is that material's. */
-static bool has_transparency(const struct compiled_scene *scene) {
+bool features_has_transparency(const struct compiled_scene *scene) {
     for (int i = 1; i < scene->material_count; i++) {
         if (scene->materials[i].transparent) {
             return true;
@@ -67,7 +67,7 @@ static bool has_absorption(const struct compiled_scene *scene) {
     return false;
 }
 
-static bool has_dispersion(const struct compiled_scene *scene) {
+bool features_has_dispersion(const struct compiled_scene *scene) {
     for (int i = 0; i < scene->material_count; i++) {
         if (scene->materials[i].disperses) {
             return true;
@@ -106,10 +106,10 @@ static void find_features(const struct compiled_scene *scene, struct feature fea
         {"SHADOWS", scene->has_shadows},
         {"FADING", scene->fades},
         {"PATTERN", scene->pattern_count > 0},
-        {"TRANSPARENCY", has_transparency(scene)},
+        {"TRANSPARENCY", features_has_transparency(scene)},
         {"ABSORPTION", has_absorption(scene)},
         {"SIMPLE", scene->simple},
-        {"DISPERSION", has_dispersion(scene)},
+        {"DISPERSION", features_has_dispersion(scene)},
         {"TINT", has_tint(scene)},
         {"FILTER", scene->filters},
         {"SPECULAR_TABLE", scene->specular_table_count > 0},

@@ -7,6 +7,10 @@
 
 #include "compiled_scene.h"
 
+/* Whether a material is transparent, the air around apart; whether one's three indices differ. */
+bool features_has_transparency(const struct compiled_scene *scene);
+bool features_has_dispersion(const struct compiled_scene *scene);
+
 /* Words of a primitive set that the scene fills, at least one. */
 int features_primitive_words(const struct compiled_scene *scene);
 

@@ -84,24 +84,6 @@ bool requirements_highlight(const struct compiled_scene *scene) {
     return false;
 }
 
-static bool has_dispersion(const struct compiled_scene *scene) {
-    for (int i = 0; i < scene->material_count; i++) {
-        if (scene->materials[i].disperses) {
-            return true;
-        }
-    }
-    return false;
-}
-
-static bool has_transparency(const struct compiled_scene *scene) {
-    for (int i = 1; i < scene->material_count; i++) {
-        if (scene->materials[i].transparent) {
-            return true;
-        }
-    }
-    return false;
-}
-
 static void print_dead(FILE *out, const struct compiled_scene *scene) {
     if (!scene->has_shadows) {
         (void)fprintf(out, "dead        shadow rays: %s\n",
@@ -111,13 +93,13 @@ static void print_dead(FILE *out, const struct compiled_scene *scene) {
     }
     if (!requirements_total_reflection(scene)) {
         (void)fprintf(out, "dead        total reflection: %s\n",
-                      !has_transparency(scene) ? "nothing is transparent"
-                      : scene->simple          ? "the simplified model bends no ray"
-                                               : "no border is between two indices of refraction");
+                      !features_has_transparency(scene) ? "nothing is transparent"
+                      : scene->simple                   ? "the simplified model bends no ray"
+                                      : "no border is between two indices of refraction");
     }
-    if (!has_dispersion(scene)) {
+    if (!features_has_dispersion(scene)) {
         (void)fprintf(out, "dead        dispersion: no material's indices differ by wavelength%s\n",
-                      has_transparency(scene) ? " in this model" : "");
+                      features_has_transparency(scene) ? " in this model" : "");
     }
     if (!requirements_highlight(scene)) {
         (void)fprintf(out, "dead        highlights and mirrors: every material's specular is 0\n");
