@@ -59,6 +59,22 @@ BOOT_SETUP   := $(shell CC='$(CC)' SETUP='$(SETUP)' sh setup.sh quick >&2)
 endif
 BOOT_PACKAGE := $(if $(call has_package,$(BOOT_UNICORN)),$(BOOT_UNICORN))
 HOST_SOURCES += $(if $(BOOT_PACKAGE),host/processor/unicorn.c,host/processor/no_unicorn.c)
+# Streams of rays, for the arithmetics that CPUs have in vectors: the sets of instructions that are
+# compiled for, one of which is taken at run time.
+STREAM_REALS   := f32 f64
+ifneq ($(filter x86_64%,$(shell $(CC) -dumpmachine)),)
+STREAM_SETS    := plain avx2 avx512
+HOST_SOURCES   += host/engines/x86_64.c
+else
+STREAM_SETS    := plain
+HOST_SOURCES   += host/engines/portable.c
+endif
+STREAM_SOURCES := $(wildcard host/stream/*.c) firmware/solids.c
+# Nothing here changes a result: no trap is waited for, and no errno is read.
+STREAM_FLAGS   := -O3 -fno-trapping-math -fno-math-errno
+FLAGS_plain    :=
+FLAGS_avx2     := -march=x86-64-v3
+FLAGS_avx512   := -march=x86-64-v4 -mprefer-vector-width=512
 BOOT_LIBS    := $(if $(BOOT_PACKAGE),$(shell pkg-config --libs $(BOOT_PACKAGE)))
 TEST_SOURCES     := $(wildcard tests/*_test.c)
 REAL_TEST_SOURCES := $(wildcard tests/real/*_test.c)
@@ -108,7 +124,8 @@ $(1)_EMULATOR := $$(EMULATOR_SOURCES:%.c=$$(BUILD)/$(1)/%.o)
 $(1)_HOST     := $$(filter-out %/host/main.o,$$(HOST_SOURCES:%.c=$$(BUILD)/$(1)/%.o))
 $(1)_SCENES   := $$(BUILD)/$(1)/builtin_scenes.o
 $(1)_IMAGES   := $$(patsubst %,$$(BUILD)/$(1)/image_%.o,$$(ARITHMETICS) $$(EXAMPLES))
-$(1)_LIBRARY  := $$($(1)_HAL) $$($(1)_EMULATOR) $$($(1)_HOST) $$($(1)_IMAGES) $$($(1)_SCENES)
+$(1)_STREAMS  := $$(foreach real,$$(STREAM_REALS),$$(STREAM_SETS:%=$$(BUILD)/$(1)/stream_$$(real)_%.o))
+$(1)_LIBRARY  := $$($(1)_STREAMS) $$($(1)_HAL) $$($(1)_EMULATOR) $$($(1)_HOST) $$($(1)_IMAGES) $$($(1)_SCENES)
 
 $$(BUILD)/$(1)/hal/%.o: hal/%.c $$(BUILD)/flags | setup
 	@mkdir -p $$(@D)
@@ -130,6 +147,18 @@ $$(BUILD)/$(1)/superframe: $$(BUILD)/$(1)/host/main.o $$($(1)_LIBRARY) $$(BUILD)
 	$$(CC) $$(LDFLAGS_$(1)) -o $$@ $$(filter %.o,$$^) $$(LIBS)
 
 $$(foreach arithmetic,$$(ARITHMETICS) $$(EXAMPLES),$$(eval $$(call image_rules,$(1),$$(arithmetic))))
+$$(foreach real,$$(STREAM_REALS),$$(foreach set,$$(STREAM_SETS),$$(eval $$(call stream_rules,$(1),$$(real),$$(set)))))
+endef
+
+# One stream engine: one arithmetic and one set of instructions, both chosen by the include path.
+define stream_rules
+$$(BUILD)/$(1)/stream/$(2)_$(3)/%.o: %.c $$(BUILD)/flags | setup
+	@mkdir -p $$(@D)
+	$$(CC) $$(WARNINGS) $$(FLOATING) $$(CFLAGS_$(1)) $$(STREAM_FLAGS) $$(FLAGS_$(3)) -Ifirmware/real/$(2) -Ihost/stream/sets/$(3) -Ifirmware/features/full $$(INCLUDE_host) -MMD -MP -c -o $$@ $$<
+
+$$(BUILD)/$(1)/stream_$(2)_$(3).o: $$(STREAM_SOURCES:%.c=$$(BUILD)/$(1)/stream/$(2)_$(3)/%.o) $$(BUILD)/sources
+	$$(CC) -r -nostdlib -o $$@ $$(filter %.o,$$^)
+	$$(OBJCOPY) --keep-global-symbol=stream_$(2)_$(3) $$@
 endef
 
 # One image of the firmware: one arithmetic, chosen by the include path; one symbol leaves it.

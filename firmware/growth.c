@@ -23,6 +23,12 @@ static void report_end(const struct tree *tree, enum branch_kind kind, uint8_t c
     }
 }
 
+/* Parts are rounded to steps of 2^-16 level before they are added: their order does not matter then,
+ * and whoever follows the branches in another one gets the same picture, bit for bit. */
+static void add_part(struct tree *tree, struct colours part) {
+    tree->sum = colours_add(tree->sum, colours_in_steps(part));
+}
+
 /* The worth of a branch of that weight. */
 static void cut_worth(struct tree *tree, struct energies weight) {
     const struct estimate *estimate = tree->scene->estimate;
@@ -30,7 +36,7 @@ static void cut_worth(struct tree *tree, struct energies weight) {
         const struct colours mean = {colour_of_steps(estimate->mean[0]),
                                      colour_of_steps(estimate->mean[1]),
                                      colour_of_steps(estimate->mean[2])};
-        tree->sum = colours_add(tree->sum, colours_weighed(mean, weight));
+        add_part(tree, colours_weighed(mean, weight));
     }
 }
 
@@ -227,7 +233,7 @@ static void add_intensity(struct tree *tree, const struct branch *branch,
         tree->lesson->worth[1] += colour_steps(part.green);
         tree->lesson->worth[2] += colour_steps(part.blue);
     } else {
-        tree->sum = colours_add(tree->sum, part);
+        add_part(tree, part);
     }
 }
 

@@ -1,31 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Mirror direction, Snell's law and Fresnel's reflectance, in cosines throughout. */
+/* Snell's law, in cosines throughout, and w(theta). */
 #include "optics.h"
-
-real_unit incidence_cosine(struct direction d, struct direction normal) {
-    real_unit cosine = unit_negate(direction_dot(d, normal));
-    if (unit_is_negative(cosine)) {
-        return REAL_UNIT(0.0);
-    }
-    return unit_less(REAL_UNIT(1.0), cosine) ? REAL_UNIT(1.0) : cosine;
-}
-
-struct direction mirror_direction(struct direction d, real_unit cosine, struct direction normal) {
-    struct direction mirrored = {unit_mirrored(d.x, cosine, normal.x),
-                                 unit_mirrored(d.y, cosine, normal.y),
-                                 unit_mirrored(d.z, cosine, normal.z)};
-    return mirrored;
-}
-
-real_energy fresnel_reflectance(real_unit incident, real_unit refracted, real_index n) {
-    real_index ci = index_of_unit(incident);
-    real_index cr = index_of_unit(refracted);
-    real_index n_ci = index_scaled(n, incident);
-    real_index n_cr = index_scaled(n, refracted);
-    real_energy s = energy_ratio(index_subtract(ci, n_cr), index_add(ci, n_cr));
-    real_energy p = energy_ratio(index_subtract(n_ci, cr), index_add(n_ci, cr));
-    return energy_mean_square(s, p);
-}
 
 struct passage optics_passage(const struct material *before, const struct material *after,
                               uint8_t channel, struct direction d, real_unit cosine,

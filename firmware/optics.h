@@ -13,11 +13,26 @@ struct passage {
 };
 
 /* d + 2 c n, c being the cosine of the angle of incidence. */
-struct direction mirror_direction(struct direction d, real_unit cosine, struct direction normal);
+static inline struct direction mirror_direction(struct direction d, real_unit cosine,
+                                                struct direction normal) {
+    struct direction mirrored = {unit_mirrored(d.x, cosine, normal.x),
+                                 unit_mirrored(d.y, cosine, normal.y),
+                                 unit_mirrored(d.z, cosine, normal.z)};
+    return mirrored;
+}
 
 /* Fresnel's reflectance for unpolarised light, in the cosines of incidence and refraction;
  * n = sin p / sin q. Eq. (1), Ks. */
-real_energy fresnel_reflectance(real_unit incident, real_unit refracted, real_index n);
+static inline real_energy fresnel_reflectance(real_unit incident, real_unit refracted,
+                                              real_index n) {
+    real_index ci = index_of_unit(incident);
+    real_index cr = index_of_unit(refracted);
+    real_index n_ci = index_scaled(n, incident);
+    real_index n_cr = index_scaled(n, refracted);
+    real_energy s = energy_ratio(index_subtract(ci, n_cr), index_add(ci, n_cr));
+    real_energy p = energy_ratio(index_subtract(n_ci, cr), index_add(n_ci, cr));
+    return energy_mean_square(s, p);
+}
 
 /* A ray at a boundary between two transparent materials, for the index of one channel (0, 1, 2:
  * red, green, blue). The normal is turned towards the ray; cosine is that of the angle of
@@ -31,6 +46,10 @@ real_energy specular_at(const struct scene *scene, const struct material *materi
                         real_unit cosine);
 
 /* The cosine of the angle of incidence, 0 where rounding has made it negative. */
-real_unit incidence_cosine(struct direction d, struct direction normal);
+static inline real_unit incidence_cosine(struct direction d, struct direction normal) {
+    real_unit cosine = unit_negate(direction_dot(d, normal));
+    real_unit upward = unit_is_negative(cosine) ? REAL_UNIT(0.0) : cosine;
+    return unit_less(REAL_UNIT(1.0), upward) ? REAL_UNIT(1.0) : upward;
+}
 
 #endif

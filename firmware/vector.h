@@ -70,6 +70,14 @@ static inline struct colours colours_weighed(struct colours a, struct energies s
     return part;
 }
 
+/* Rounded to steps of 2^-16 level: up to 256 levels, sums of such are exact. */
+static inline struct colours colours_in_steps(struct colours a) {
+    struct colours rounded = {colour_of_steps(colour_steps(a.red)),
+                              colour_of_steps(colour_steps(a.green)),
+                              colour_of_steps(colour_steps(a.blue))};
+    return rounded;
+}
+
 /* All primaries by one share. */
 static inline struct colours colours_scaled(struct colours a, real_energy share) {
     struct energies same = {share, share, share};

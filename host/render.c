@@ -7,10 +7,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "band.h"
 #include "bus.h"
 #include "stopwatch.h"
 
-enum { ROWS_AHEAD = 4 }; /* of the drawing, for each worker: so that none waits for a slow row */
+enum { BANDS_AHEAD = 3 }; /* of the drawing, for each worker: so that none waits for a slow one */
 
 /* A place for one row of the window. */
 struct row_slot {
@@ -28,7 +29,7 @@ struct renderer {
 
     pthread_mutex_t mutex; /* guards what follows, and is_ready of the slots */
     pthread_cond_t row_is_ready, window_moved;
-    unsigned next;  /* the row that the next idle worker takes */
+    unsigned next;  /* the row where the next idle worker's band begins */
     unsigned drawn; /* rows before it are drawn: the window begins here */
     bool is_over;
 
@@ -36,6 +37,8 @@ struct renderer {
     struct row_slot *slots;
     uint8_t *pixels; /* of all slots */
 
+    struct band band;    /* of one job */
+    unsigned band_last;  /* its rows up to this one are in `pixels` */
     uint8_t *kept; /* all rows from job->first_row on, to be drawn again; NULL: drawn once */
 };
 
@@ -87,47 +90,76 @@ static bool repeat_row(void *context, uint16_t y, uint8_t *rgb) {
     return bus_bound_status() == BUS_OK;
 }
 
-/* The row_source of one job: the drawing thread computes. */
+/* How many rows the band has that begins there. */
+static unsigned band_rows(const struct renderer *renderer, unsigned first) {
+    unsigned left = renderer->job->last_row - first;
+    return left < BAND_ROWS ? left : BAND_ROWS;
+}
+
+/* The place in `pixels` of a row of one job's band. */
+static uint8_t *band_row(const struct renderer *renderer, unsigned y) {
+    return renderer->pixels + (y - renderer->job->first_row) % BAND_ROWS * row_bytes(renderer);
+}
+
+/* The row_source of one job: the drawing thread computes, a band when its first row is asked for. */
 static bool compute_row(void *context, uint16_t y, uint8_t *rgb) {
     struct renderer *renderer = context;
     struct render_counts counts = {0};
     if (must_stop(renderer)) {
         return false;
     }
-    renderer->job->arithmetic->image->row(renderer->scene, y, rgb, &counts);
+    if ((y - renderer->job->first_row) % BAND_ROWS == 0) {
+        band_render(&renderer->band, y, band_rows(renderer, y), row_bytes(renderer),
+                    renderer->pixels, &counts);
+    }
+    memcpy(rgb, band_row(renderer, y), row_bytes(renderer));
     keep_row(renderer, y, rgb);
     add_row(renderer, &counts);
     return true;
 }
 
-/* Gives the next row of the window to a worker; false when none is left. */
-static bool take_row(struct renderer *renderer, unsigned *y) {
+/* Gives the next band of the window to a worker; false when none is left. */
+static bool take_band(struct renderer *renderer, unsigned *first) {
     (void)pthread_mutex_lock(&renderer->mutex);
     while (!renderer->is_over && renderer->next < renderer->job->last_row &&
-           renderer->next >= renderer->drawn + renderer->window) {
+           renderer->next + band_rows(renderer, renderer->next) >
+               renderer->drawn + renderer->window) {
         (void)pthread_cond_wait(&renderer->window_moved, &renderer->mutex);
     }
-    bool has_row = !renderer->is_over && renderer->next < renderer->job->last_row;
-    if (has_row) {
-        *y = renderer->next++;
+    bool has_band = !renderer->is_over && renderer->next < renderer->job->last_row;
+    if (has_band) {
+        *first = renderer->next;
+        renderer->next += band_rows(renderer, renderer->next);
     }
     (void)pthread_mutex_unlock(&renderer->mutex);
-    return has_row;
+    return has_band;
+}
+
+/* The slot of a row; those of a band lie side by side. */
+static struct row_slot *slot_of(const struct renderer *renderer, unsigned y) {
+    return &renderer->slots[(y - renderer->job->first_row) % renderer->window];
 }
 
 static void *work(void *context) {
     struct renderer *renderer = context;
-    unsigned y;
-    while (take_row(renderer, &y)) {
-        struct row_slot *slot = &renderer->slots[y % renderer->window];
-        memset(&slot->counts, 0, sizeof slot->counts);
-        renderer->job->arithmetic->image->row(renderer->scene, (uint16_t)y, slot->rgb,
-                                              &slot->counts);
+    struct band band;
+    unsigned first;
+    band_start(&band, renderer->job->arithmetic, renderer->scene);
+    while (take_band(renderer, &first)) {
+        unsigned rows = band_rows(renderer, first);
+        struct row_slot *slot = slot_of(renderer, first);
+        for (unsigned i = 0; i < rows; i++) {
+            memset(&slot[i].counts, 0, sizeof slot[i].counts);
+        }
+        band_render(&band, first, rows, row_bytes(renderer), slot->rgb, &slot->counts);
         (void)pthread_mutex_lock(&renderer->mutex);
-        slot->is_ready = true;
+        for (unsigned i = 0; i < rows; i++) {
+            slot[i].is_ready = true;
+        }
         (void)pthread_cond_signal(&renderer->row_is_ready);
         (void)pthread_mutex_unlock(&renderer->mutex);
     }
+    band_end(&band);
     return NULL;
 }
 
@@ -135,7 +167,7 @@ static void *work(void *context) {
  * for each row once, from the first to the last. */
 static bool fetch_row(void *context, uint16_t y, uint8_t *rgb) {
     struct renderer *renderer = context;
-    struct row_slot *slot = &renderer->slots[y % renderer->window];
+    struct row_slot *slot = slot_of(renderer, y);
     if (must_stop(renderer)) {
         return false;
     }
@@ -180,6 +212,17 @@ static void draw(struct renderer *renderer, row_source *source) {
     }
 }
 
+static bool draw_alone(struct renderer *renderer) {
+    renderer->pixels = malloc(BAND_ROWS * row_bytes(renderer));
+    if (renderer->pixels == NULL) {
+        return false;
+    }
+    band_start(&renderer->band, renderer->job->arithmetic, renderer->scene);
+    draw(renderer, compute_row);
+    band_end(&renderer->band);
+    return true;
+}
+
 /* Starts up to job->jobs workers; returns how many there are. Signals are for the drawing thread:
  * it is the one that reads the flag. */
 static unsigned start_workers(struct renderer *renderer, pthread_t *workers) {
@@ -222,7 +265,7 @@ static bool draw_with_workers(struct renderer *renderer) {
 }
 
 static bool make_window(struct renderer *renderer) {
-    renderer->window = renderer->job->jobs * ROWS_AHEAD;
+    renderer->window = renderer->job->jobs * BANDS_AHEAD * BAND_ROWS;
     renderer->next = renderer->drawn = renderer->job->first_row;
     renderer->slots = calloc(renderer->window, sizeof *renderer->slots);
     renderer->pixels = malloc(renderer->window * row_bytes(renderer));
@@ -269,7 +312,7 @@ bool render(const struct render_job *job, struct render_totals *totals, struct s
     learn(&renderer, scene);
     bool is_done = make_kept_rows(&renderer);
     if (is_done && job->jobs <= 1) {
-        draw(&renderer, compute_row);
+        is_done = draw_alone(&renderer);
     } else if (is_done) {
         is_done = make_window(&renderer) && draw_with_workers(&renderer);
     }

@@ -1,0 +1,124 @@
+/* SPDX-License-Identifier: MIT */
+/* Mirrored and refracted rays, their weights, and which of them are followed. */
+#include "children.h"
+
+#include "optics.h"
+
+/* A boundary's two ways on, for each lane. */
+struct passage_lanes {
+    struct direction_lanes refracted;
+    real_energy reflectance[LANES], transmittance[LANES];
+};
+
+/* What the media on both sides say. */
+struct border_lanes {
+    real_index eta[LANES], n[LANES]; /* n1 / n2 and n2 / n1, seen from the arriving ray */
+    real_energy specular[LANES];     /* of an opaque surface */
+    uint32_t bends[LANES];           /* 1: the indices differ */
+    uint32_t clear[LANES];           /* 1: the surface is transparent */
+};
+
+static void find_borders(const struct scene *scene, const struct hit_lanes *restrict hit,
+                         struct border_lanes *restrict border) {
+    for (int i = 0; i < LANES; i++) {
+        const struct material *before = &scene->materials[hit->material_before[i]];
+        const struct material *after = &scene->materials[hit->material_after[i]];
+        const struct material *own = &scene->materials[hit->material[i]];
+        border->eta[i] = index_product(before->ior[0], after->inverse_ior[0]);
+        border->n[i] = index_product(after->ior[0], before->inverse_ior[0]);
+        border->specular[i] = own->specular;
+        border->clear[i] = own->transparent ? 1 : 0;
+        border->bends[i] = before->optical != after->optical ? 1 : 0;
+    }
+}
+
+/* optics_passage() of firmware/optics.c. */
+static void find_passages(const struct direction_lanes *restrict direction,
+                          const struct hit_lanes *restrict hit,
+                          const struct border_lanes *restrict border,
+                          struct passage_lanes *restrict passage) {
+    const real_energy none = REAL_ENERGY(0.0), all = REAL_ENERGY(1.0);
+    for (int i = 0; i < LANES; i++) {
+        const struct direction d = {direction->x[i], direction->y[i], direction->z[i]};
+        const struct direction normal = {hit->normal.x[i], hit->normal.y[i], hit->normal.z[i]};
+        real_index eta = border->eta[i], n = border->n[i];
+        real_unit cosine = hit->cosine[i], refracted = REAL_UNIT(0.0);
+        bool passes = unit_refracted_cosine(cosine, eta, &refracted);
+        bool bends = border->bends[i] != 0;
+        bool clear = border->clear[i] != 0;
+        real_index bend = index_bend(eta, cosine, refracted);
+        real_energy reflectance = fresnel_reflectance(cosine, refracted, n);
+        reflectance = passes ? reflectance : all;
+        reflectance = bends ? reflectance : none;
+        real_energy transmittance = passes ? energy_complement(reflectance) : none;
+        transmittance = bends ? transmittance : all;
+        passage->reflectance[i] = clear ? reflectance : border->specular[i];
+        passage->transmittance[i] = clear ? transmittance : none;
+        passage->refracted.x[i] = bends ? unit_bent(d.x, eta, bend, normal.x) : d.x;
+        passage->refracted.y[i] = bends ? unit_bent(d.y, eta, bend, normal.y) : d.y;
+        passage->refracted.z[i] = bends ? unit_bent(d.z, eta, bend, normal.z) : d.z;
+    }
+}
+
+/* The weights of one kind of children: which of them are followed, and what is cut of the others
+ * (0 where nothing is). */
+static void weigh(const struct scene *scene, const struct ray_lanes *restrict rays,
+                  const struct hit_lanes *restrict hit, const real_energy share[restrict LANES],
+                  struct ray_lanes *restrict child, uint32_t follow[restrict LANES],
+                  struct energy_lanes *restrict cut) {
+    const uint32_t depth = scene->depth;
+    const real_energy threshold = scene->threshold, none = REAL_ENERGY(0.0);
+    for (int i = 0; i < LANES; i++) {
+        const struct energies before = {rays->weight.red[i], rays->weight.green[i],
+                                        rays->weight.blue[i]};
+        struct energies weight = energies_scaled(before, share[i]);
+        real_energy largest = energies_largest(weight);
+        bool goes_on =
+            !((path_events(rays->path[i]) >= depth) | energy_less(largest, threshold));
+        bool is = (hit->is[i] != 0) & !energy_is_zero(largest);
+        child->weight.red[i] = weight.red;
+        child->weight.green[i] = weight.green;
+        child->weight.blue[i] = weight.blue;
+        cut->red[i] = is & !goes_on ? weight.red : none;
+        cut->green[i] = is & !goes_on ? weight.green : none;
+        cut->blue[i] = is & !goes_on ? weight.blue : none;
+        follow[i] = is & goes_on ? 1 : 0;
+    }
+}
+
+/* Where the children of one kind go on. */
+static void set_out(const struct ray_lanes *restrict rays, const struct hit_lanes *restrict hit,
+                    const uint32_t object[restrict LANES], struct ray_lanes *restrict child) {
+    child->origin = hit->where;
+    for (int i = 0; i < LANES; i++) {
+        child->from[i] = LENGTH_EPSILON;
+        child->path[i] = path_of(hit->surface[i], object[i], path_events(rays->path[i]) + 1);
+        child->target[i] = rays->target[i] & ~TARGET_CONTINUED;
+    }
+}
+
+void children_grow(const struct scene *scene, const struct ray_lanes *rays,
+                   const struct hit_lanes *hit, struct queue *queue, struct energy_lanes cut[2]) {
+    struct border_lanes border;
+    struct passage_lanes passage;
+    struct ray_lanes child;
+    uint32_t follow[LANES];
+    find_borders(scene, hit, &border);
+    find_passages(&rays->direction, hit, &border, &passage);
+
+    set_out(rays, hit, hit->before, &child);
+    child.direction = hit->mirrored;
+    weigh(scene, rays, hit, passage.reflectance, &child, follow, &cut[0]);
+    for (int i = 0; i < LANES; i++) {
+        child.inside[i] = hit->inside_before[i];
+    }
+    queue_push(queue, &child, follow);
+
+    set_out(rays, hit, hit->after, &child);
+    child.direction = passage.refracted;
+    weigh(scene, rays, hit, passage.transmittance, &child, follow, &cut[1]);
+    for (int i = 0; i < LANES; i++) {
+        child.inside[i] = hit->inside_after[i];
+    }
+    queue_push(queue, &child, follow);
+}

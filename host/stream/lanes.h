@@ -1,0 +1,61 @@
+/* SPDX-License-Identifier: MIT */
+/* Rays side by side: one array a quantity, one lane a ray, so that a compiler's vectors fit. */
+#ifndef SUPERFRAME_LANES_H
+#define SUPERFRAME_LANES_H
+
+#include "scene.h"
+
+/* Loops over lanes all run from 0 to LANES: a constant that vectors of any width divide. Small
+ * enough for what a step works on to stay in the nearest cache. */
+enum { LANES = 64 };
+
+/* The sets of a stream's rays are single words: a scene of more primitives goes the other way. */
+enum { STREAM_PRIMITIVES_MOST = 32 };
+
+struct point_lanes {
+    real_length x[LANES], y[LANES], z[LANES];
+};
+
+struct direction_lanes {
+    real_unit x[LANES], y[LANES], z[LANES];
+};
+
+struct energy_lanes {
+    real_energy red[LANES], green[LANES], blue[LANES];
+};
+
+struct colour_lanes {
+    real_colour red[LANES], green[LANES], blue[LANES];
+};
+
+/* Rays on their way; what each member means, struct branch and struct ray say. */
+struct ray_lanes {
+    struct point_lanes origin;
+    struct direction_lanes direction;
+    struct energy_lanes weight;
+    real_length from[LANES]; /* where the search for the next crossing begins */
+    uint32_t inside[LANES];  /* a set of primitives */
+    uint32_t path[LANES];    /* surface that it starts on | object it runs in << 16 | events << 24 */
+    uint32_t target[LANES];  /* the pixel that it is for, in the band | CONTINUED */
+};
+
+/* Set for a ray behind a crossing where the material did not change: it has been counted. */
+#define TARGET_CONTINUED UINT32_C(0x80000000)
+
+static inline uint32_t path_of(uint32_t surface, uint32_t object, uint32_t events) {
+    return surface | object << 16 | events << 24;
+}
+
+static inline uint32_t path_surface(uint32_t path) {
+    return path & 0xFFFF;
+}
+
+static inline uint32_t path_object(uint32_t path) {
+    return path >> 16 & 0xFF;
+}
+
+static inline uint32_t path_events(uint32_t path) {
+    return path >> 24;
+}
+
+#endif

@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: MIT */
+/* The next crossing of each lane's ray: firmware/ray.c for many rays at once. */
+#ifndef SUPERFRAME_SEARCH_H
+#define SUPERFRAME_SEARCH_H
+
+#include "lanes.h"
+
+/* Rays in the coordinates of a frame; see struct local_ray. */
+struct local_lanes {
+    struct point_lanes origin;
+    struct direction_lanes direction;
+    real_slope slope[3][LANES];
+    uint32_t level[3][LANES], falling[3][LANES]; /* 1: the component is zero, is negative */
+};
+
+/* What the search goes by, and what it has found. */
+struct search_lanes {
+    const struct scene *scene;
+    bool shadows; /* only what can keep light off is looked at */
+    struct local_lanes world;
+    uint32_t surface[LANES]; /* that the ray starts on, or SURFACE_NONE */
+    uint32_t touch[LANES];   /* the primitives that it bounds */
+    uint32_t inside[LANES];  /* the primitives that the ray is inside of */
+    real_length from[LANES];
+    uint32_t active[LANES]; /* 0: an idle lane, which finds nothing */
+
+    /* The nearest crossing. */
+    real_length t[LANES];
+    uint32_t place[LANES]; /* its surface and face (stretch.h), or PLACE_NONE */
+    uint32_t primitive[LANES];
+    uint32_t leaving[LANES]; /* 1: the primitive is left, not entered */
+    uint32_t toggled[LANES]; /* all primitives that are crossed there */
+};
+
+/* Fills in what follows from the world's origins and directions and from `surface`. */
+void search_begin(struct search_lanes *search);
+
+/* Finds each active lane's nearest crossing at or after `from`. Adds to the number of tests. */
+void search_next(struct search_lanes *search, uint32_t *solid_tests);
+
+#endif

@@ -1,0 +1,206 @@
+/* SPDX-License-Identifier: MIT */
+/* Where rays cross boxes, balls, polyhedra and quadrics: firmware/solids.c for many rays at once. */
+#include "search_solids.h"
+
+#include "solids.h"
+
+void search_box(struct search_lanes *restrict search, uint8_t index,
+                       const struct local_lanes *restrict local,
+                       const uint32_t chosen[restrict LANES]) {
+    const struct scene *scene = search->scene;
+    const struct box *box = &scene->boxes[scene->primitives[index].index];
+    const struct slab x = {box->minimum.x, box->maximum.x, place_of(box->surface[0], 0),
+                           place_of(box->surface[3], 3)};
+    const struct slab y = {box->minimum.y, box->maximum.y, place_of(box->surface[1], 1),
+                           place_of(box->surface[4], 4)};
+    const struct slab z = {box->minimum.z, box->maximum.z, place_of(box->surface[2], 2),
+                           place_of(box->surface[5], 5)};
+    uint32_t bit = (uint32_t)1 << index;
+    for (int i = 0; i < LANES; i++) {
+        bool inside = (search->inside[i] & bit) != 0;
+        bool starts_there = (search->touch[i] & bit) != 0;
+        uint32_t start = search->surface[i];
+        struct stretch s = stretch_everything(x.low_place);
+        s = stretch_slab(s, x, local->origin.x[i], local->slope[0][i], local->level[0][i] != 0,
+                         local->falling[0][i] != 0, start, inside);
+        s = stretch_slab(s, y, local->origin.y[i], local->slope[1][i], local->level[1][i] != 0,
+                         local->falling[1][i] != 0, start, inside);
+        s = stretch_slab(s, z, local->origin.z[i], local->slope[2][i], local->level[2][i] != 0,
+                         local->falling[2][i] != 0, start, inside);
+        s.hit = s.hit & length_less(s.in, s.out);
+        search_consider(search, i, index, meeting_of(s, search->from[i], inside, starts_there), inside,
+                 chosen[i] != 0);
+    }
+}
+
+void search_ball(struct search_lanes *restrict search, uint8_t index,
+                 const uint32_t chosen[restrict LANES]) {
+    const struct scene *scene = search->scene;
+    const struct ball ball = scene->balls[scene->primitives[index].index];
+    uint32_t bit = (uint32_t)1 << index, place = place_of(ball.surface, 0);
+    for (int i = 0; i < LANES; i++) {
+        bool inside = (search->inside[i] & bit) != 0;
+        bool starts_there = (search->touch[i] & bit) != 0;
+        const struct point origin = {search->world.origin.x[i], search->world.origin.y[i],
+                                     search->world.origin.z[i]};
+        const struct direction direction = {search->world.direction.x[i],
+                                            search->world.direction.y[i],
+                                            search->world.direction.z[i]};
+        struct segment segment = ball_segment(&ball, origin, direction);
+        const struct stretch s = {segment.in, segment.out, place, place, segment.hit};
+        search_consider(search, i, index, meeting_of(s, search->from[i], inside, starts_there),
+                        inside, chosen[i] != 0);
+    }
+}
+
+/* Whether what lies exactly in a plane counts as behind it: see plane_is_ahead(). */
+static bool plane_is_upper(const struct plane *plane) {
+    const struct direction *normal = &plane->normal;
+    return unit_is_negative(!unit_is_zero(normal->x)   ? normal->x
+                            : !unit_is_zero(normal->y) ? normal->y
+                                                       : normal->z);
+}
+
+/* One plane of a polyhedron, for a lane: see polyhedron_segment(). */
+static inline struct stretch stretch_plane(struct stretch s, const struct plane plane,
+                                           uint32_t place, bool upper, struct point origin,
+                                           struct direction direction, uint32_t start,
+                                           bool inside) {
+    real_length ahead = length_subtract(plane.offset, point_dot(origin, plane.normal));
+    real_unit along = direction_dot(direction, plane.normal);
+    bool level = unit_is_zero(along), falling = unit_is_negative(along);
+    bool on_it = plane.surface == start;
+    real_length t = length_over(ahead, slope_of(level ? REAL_UNIT(1.0) : along));
+    t = on_it ? REAL_LENGTH(0.0) : t;
+    bool behind = length_less(REAL_LENGTH(0.0), ahead) | (upper & length_is_zero(ahead));
+    bool enters = falling & !level, leaves = !falling & !level & !(on_it & inside);
+    s = stretch_entered(s, enters ? t : length_negate(LENGTH_FAR), place);
+    s = stretch_left(s, leaves ? t : LENGTH_FAR, place);
+    s.hit = s.hit & (behind | !level);
+    return s;
+}
+
+void search_polyhedron(struct search_lanes *restrict search, uint8_t index,
+                       const uint32_t chosen[restrict LANES]) {
+    const struct scene *scene = search->scene;
+    const struct polyhedron *polyhedron = &scene->polyhedra[scene->primitives[index].index];
+    uint32_t bit = (uint32_t)1 << index;
+    real_length in[LANES], out[LANES];
+    uint32_t in_place[LANES], out_place[LANES], hit[LANES];
+    uint32_t place = place_of(scene->planes[polyhedron->first].surface, 0);
+    for (int i = 0; i < LANES; i++) {
+        in[i] = length_negate(LENGTH_FAR);
+        out[i] = LENGTH_FAR;
+        in_place[i] = out_place[i] = place;
+        hit[i] = 1;
+    }
+    for (uint32_t face = 0; face < polyhedron->count; face++) {
+        const struct plane plane = scene->planes[polyhedron->first + face];
+        bool upper = plane_is_upper(&plane);
+        place = place_of(plane.surface, face);
+        for (int i = 0; i < LANES; i++) {
+            const struct point origin = {search->world.origin.x[i], search->world.origin.y[i],
+                                         search->world.origin.z[i]};
+            const struct direction direction = {search->world.direction.x[i],
+                                                search->world.direction.y[i],
+                                                search->world.direction.z[i]};
+            struct stretch s = {in[i], out[i], in_place[i], out_place[i], hit[i] != 0};
+            s = stretch_plane(s, plane, place, upper, origin, direction, search->surface[i],
+                              (search->inside[i] & bit) != 0);
+            in[i] = s.in;
+            out[i] = s.out;
+            in_place[i] = s.in_place;
+            out_place[i] = s.out_place;
+            hit[i] = s.hit ? 1 : 0;
+        }
+    }
+    for (int i = 0; i < LANES; i++) {
+        bool inside = (search->inside[i] & bit) != 0;
+        bool starts_there = (search->touch[i] & bit) != 0;
+        const struct stretch s = {in[i], out[i], in_place[i], out_place[i],
+                                  (hit[i] != 0) & length_less(in[i], out[i])};
+        search_consider(search, i, index, meeting_of(s, search->from[i], inside, starts_there),
+                        inside, chosen[i] != 0);
+    }
+}
+
+struct form {
+    real_unit a;
+    real_length b;
+    real_area c;
+    real_length start;
+};
+
+static inline struct form quadric_form(const struct quadric *quadric, struct point origin,
+                                       struct direction d) {
+    struct direction slant = {unit_product(quadric->square.x, d.x),
+                              unit_product(quadric->square.y, d.y),
+                              unit_product(quadric->square.z, d.z)};
+    struct form form;
+    form.start = length_negate(point_dot(origin, d));
+    struct point p = point_along(origin, form.start, d);
+    real_area bend = area_product(p.z, quadric->linear);
+    form.a = direction_dot(slant, d);
+    form.b = length_add(point_dot(p, slant), length_scaled(quadric->linear, d.z));
+    form.c = area_add(area_product(p.x, length_scaled(p.x, quadric->square.x)),
+                      area_product(p.y, length_scaled(p.y, quadric->square.y)));
+    form.c = area_add(form.c, area_product(p.z, length_scaled(p.z, quadric->square.z)));
+    form.c = area_add(area_add(form.c, quadric->constant), area_add(bend, bend));
+    return form;
+}
+
+static inline real_length length_magnitude(real_length a) {
+    return length_less(a, REAL_LENGTH(0.0)) ? length_negate(a) : a;
+}
+
+/* The two stretches of one lane in a quadric, in order: see quadric_segments(). Where there is only
+ * one, the second is none. */
+static inline void quadric_stretches(const struct quadric quadric, const struct local_lanes *local,
+                                     int i, bool starts_there, uint32_t place,
+                                     struct stretch *first, struct stretch *second) {
+    const struct point origin = {local->origin.x[i], local->origin.y[i], local->origin.z[i]};
+    const struct direction direction = {local->direction.x[i], local->direction.y[i],
+                                        local->direction.z[i]};
+    const real_length far_back = length_negate(LENGTH_FAR);
+    struct form form = quadric_form(&quadric, origin, direction);
+    real_area square = area_subtract(area_product(form.b, form.b), area_scaled(form.c, form.a));
+    bool opens = unit_is_negative(form.a), falls = length_less(form.b, REAL_LENGTH(0.0));
+    real_length root = length_root(square);
+    real_length q = falls ? length_subtract(root, form.b) : length_negate(length_add(root, form.b));
+    bool no_root = area_is_negative(square), no_q = length_is_zero(q);
+    real_length near =
+        length_add(form.start, length_quotient(form.c, no_q ? REAL_LENGTH(1.0) : q));
+    bool flat = unit_is_zero(form.a);
+    real_length over = length_over(q, slope_of(flat ? REAL_UNIT(1.0) : form.a));
+    bool ahead = length_less(q, REAL_LENGTH(0.0)) == opens;
+    real_length far = flat ? (ahead ? LENGTH_FAR : far_back) : length_add(form.start, over);
+    bool far_is_nearest = length_less(length_magnitude(far), length_magnitude(near));
+    far = starts_there & far_is_nearest ? REAL_LENGTH(0.0) : far;
+    near = starts_there & !far_is_nearest ? REAL_LENGTH(0.0) : near;
+    bool ordered = length_less(near, far);
+    real_length low = ordered ? near : far, high = ordered ? far : near;
+    bool whole = no_root | no_q, full = opens | (!no_root & area_is_negative(form.c));
+    real_length in = whole ? (full ? far_back : form.start) : opens ? far_back : low;
+    real_length out = whole ? (full ? LENGTH_FAR : form.start) : opens ? low : high;
+    const struct stretch a = {in, out, place, place, full | !whole};
+    const struct stretch b = {high, LENGTH_FAR, place, place, opens & !whole};
+    *first = a;
+    *second = b;
+}
+
+void search_quadric(struct search_lanes *restrict search, uint8_t index,
+                    const struct local_lanes *restrict local,
+                    const uint32_t chosen[restrict LANES]) {
+    const struct scene *scene = search->scene;
+    const struct quadric quadric = scene->quadrics[scene->primitives[index].index];
+    uint32_t bit = (uint32_t)1 << index, place = place_of(quadric.surface, 0);
+    for (int i = 0; i < LANES; i++) {
+        bool inside = (search->inside[i] & bit) != 0;
+        bool starts_there = (search->touch[i] & bit) != 0;
+        struct stretch first, second;
+        quadric_stretches(quadric, local, i, starts_there, place, &first, &second);
+        struct meeting found =
+            meeting_of_two(first, second, search->from[i], inside, starts_there);
+        search_consider(search, i, index, found, inside, chosen[i] != 0);
+    }
+}

@@ -1,0 +1,14 @@
+/* SPDX-License-Identifier: MIT */
+/* Eq. (1) for all lanes: firmware/shade.c for many rays at once. */
+#ifndef SUPERFRAME_SHADING_H
+#define SUPERFRAME_SHADING_H
+
+#include "hits.h"
+#include "image.h"
+
+/* The intensity that each boundary sends along its ray. scratch is a search to use for shadows. */
+void shading_local(const struct scene *scene, const struct direction_lanes *direction,
+                   const struct hit_lanes *hit, struct colour_lanes *local,
+                   struct search_lanes *scratch, struct render_counts *counts);
+
+#endif

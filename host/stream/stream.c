@@ -1,0 +1,299 @@
+/* SPDX-License-Identifier: MIT */
+/* A band of rows by streams of rays: eye rays go in, what arrives at the eye is summed by pixel. */
+#include "stream_engine.h"
+
+#include "children.h"
+#include "instruction_set.h"
+#include "media.h"
+#include "optics.h"
+#include "shading.h"
+#include "stretch.h"
+
+#define STREAM_TEXT(name)         STREAM_TEXT_(name)
+#define STREAM_TEXT_(name)        #name
+#define STREAM_SYMBOL(real, set)  STREAM_SYMBOL_(real, set)
+#define STREAM_SYMBOL_(real, set) stream_##real##_##set
+
+enum { BAND_PIXELS = STREAM_ROWS_MOST * FEATURE_WIDTH };
+
+/* What a pixel has so far. */
+struct pixel_sum {
+    int32_t steps[3]; /* of 2^-16 level */
+    uint32_t rays;
+};
+
+struct stream {
+    const struct scene *scene;
+    struct render_counts counts;
+    bool exhausted; /* a pixel's budget of rays has ended */
+    struct ray_lanes rays;
+    struct search_lanes search, shadow_search;
+    struct hit_lanes hit;
+    struct queue queue;
+    struct pixel_sum pixels[BAND_PIXELS];
+};
+
+/* The rays of up to LANES pixels from `first` on, through the eye: see camera_ray(). */
+static void start_eye_rays(struct stream *stream, uint16_t first_row, uint32_t first,
+                           uint32_t count) {
+    const struct scene *scene = stream->scene;
+    const struct camera camera = scene->camera;
+    struct ray_lanes *restrict rays = &stream->rays;
+    int16_t column[LANES], row[LANES];
+    uint32_t wanted[LANES];
+    for (uint32_t i = 0; i < LANES; i++) {
+        uint32_t pixel = first + (i < count ? i : 0);
+        column[i] = (int16_t)(2 * (pixel % scene->width) + 1 - scene->width);
+        row[i] = (int16_t)(2 * (first_row + pixel / scene->width) + 1 - scene->height);
+        wanted[i] = i < count ? 1 : 0;
+        rays->target[i] = pixel;
+    }
+    for (int i = 0; i < LANES; i++) {
+        real_wide x = wide_component(camera.forward.x, camera.column.x, column[i], camera.row.x,
+                                     row[i], camera.shift);
+        real_wide y = wide_component(camera.forward.y, camera.column.y, column[i], camera.row.y,
+                                     row[i], camera.shift);
+        real_wide z = wide_component(camera.forward.z, camera.column.z, column[i], camera.row.z,
+                                     row[i], camera.shift);
+        unit_normalise_wide(x, y, z, &rays->direction.x[i], &rays->direction.y[i],
+                            &rays->direction.z[i]);
+        rays->origin.x[i] = camera.eye.x;
+        rays->origin.y[i] = camera.eye.y;
+        rays->origin.z[i] = camera.eye.z;
+        rays->weight.red[i] = rays->weight.green[i] = rays->weight.blue[i] = REAL_ENERGY(1.0);
+        rays->from[i] = LENGTH_EPSILON;
+        rays->inside[i] = camera.inside.word[0];
+        rays->path[i] = path_of(SURFACE_NONE, camera.object, 0);
+    }
+    queue_push(&stream->queue, rays, wanted);
+}
+
+static void add_steps(int32_t *sum, int32_t steps) {
+    *sum = *sum > INT32_MAX - steps ? INT32_MAX : *sum + steps;
+}
+
+/* Adds what each lane sends to its pixel, times its weight. */
+static void add_intensities(struct stream *stream, const struct colour_lanes *restrict colour,
+                            const struct energy_lanes *restrict weight) {
+    int32_t red[LANES], green[LANES], blue[LANES];
+    for (int i = 0; i < LANES; i++) {
+        red[i] = colour_steps(colour_scaled(colour->red[i], weight->red[i]));
+        green[i] = colour_steps(colour_scaled(colour->green[i], weight->green[i]));
+        blue[i] = colour_steps(colour_scaled(colour->blue[i], weight->blue[i]));
+    }
+    for (int i = 0; i < LANES; i++) {
+        struct pixel_sum *pixel =
+            &stream->pixels[stream->rays.target[i] & ~TARGET_CONTINUED];
+        add_steps(&pixel->steps[0], red[i]);
+        add_steps(&pixel->steps[1], green[i]);
+        add_steps(&pixel->steps[2], blue[i]);
+    }
+}
+
+static void count_rays(struct stream *stream, uint32_t count) {
+    for (uint32_t i = 0; i < count; i++) {
+        uint32_t target = stream->rays.target[i];
+        struct pixel_sum *pixel = &stream->pixels[target & ~TARGET_CONTINUED];
+        uint32_t is_new = target & TARGET_CONTINUED ? 0 : 1;
+        pixel->rays += is_new;
+        stream->counts.rays += is_new;
+        stream->exhausted |= pixel->rays > stream->scene->ray_budget;
+    }
+}
+
+static void find_crossings(struct stream *stream, uint32_t count) {
+    struct search_lanes *search = &stream->search;
+    const struct ray_lanes *rays = &stream->rays;
+    search->scene = stream->scene;
+    search->shadows = false;
+    search->world.origin = rays->origin;
+    search->world.direction = rays->direction;
+    for (uint32_t i = 0; i < LANES; i++) {
+        search->surface[i] = path_surface(rays->path[i]);
+        search->inside[i] = rays->inside[i];
+        search->from[i] = rays->from[i];
+        search->active[i] = i < count ? 1 : 0;
+    }
+    search_begin(search);
+    search_next(search, &stream->counts.solid_tests);
+}
+
+/* Sends the rays on that have crossed no border of materials. */
+static void go_on(struct stream *stream, const uint32_t continuing[LANES]) {
+    struct ray_lanes *rays = &stream->rays;
+    struct ray_lanes next = *rays;
+    for (int i = 0; i < LANES; i++) {
+        uint32_t path = rays->path[i];
+        next.from[i] = stream->search.t[i];
+        next.inside[i] = stream->hit.inside_after[i];
+        next.path[i] = path_of(path_surface(path), stream->hit.after[i], path_events(path));
+        next.target[i] = rays->target[i] | TARGET_CONTINUED;
+    }
+    queue_push(&stream->queue, &next, continuing);
+}
+
+/* Sorts the lanes: at a border of materials, on between borders, or out of the scene. */
+static void sort_lanes(struct stream *stream, uint32_t continuing[LANES], uint32_t gone[LANES]) {
+    struct hit_lanes *hit = &stream->hit;
+    const struct search_lanes *search = &stream->search;
+    for (int i = 0; i < LANES; i++) {
+        hit->inside_after[i] = search->inside[i] ^ search->toggled[i];
+        hit->before[i] = path_object(stream->rays.path[i]);
+    }
+    media_objects(stream->scene, hit->inside_after, hit->after);
+    media_materials(stream->scene, hit->before, hit->material_before);
+    media_materials(stream->scene, hit->after, hit->material_after);
+    uint32_t nodes = 0, leaked = 0;
+    for (int i = 0; i < LANES; i++) {
+        bool found = search->place[i] != PLACE_NONE;
+        bool same = hit->material_before[i] == hit->material_after[i];
+        uint32_t active = search->active[i];
+        hit->is[i] = found & !same ? active : 0;
+        continuing[i] = found & same ? active : 0;
+        gone[i] = found ? 0 : active;
+        nodes += hit->is[i];
+        leaked += hit->before[i] != OBJECT_AIR ? gone[i] : 0;
+    }
+    stream->counts.nodes += nodes;
+    stream->counts.leaked_rays += leaked;
+}
+
+/* Lambert-Bouguer on the way to the boundary: attenuated() of firmware/growth.c. */
+static void attenuate(struct stream *stream) {
+    struct energy_lanes *weight = &stream->rays.weight;
+    for (int i = 0; i < LANES; i++) {
+        const struct material *medium = &stream->scene->materials[stream->hit.material_before[i]];
+        if (stream->hit.is[i] && medium->absorbs) {
+            real_length way = stream->hit.t[i];
+            weight->red[i] = energy_product(weight->red[i],
+                                            energy_transmitted(medium->absorption[0], way));
+            weight->green[i] = energy_product(weight->green[i],
+                                              energy_transmitted(medium->absorption[1], way));
+            weight->blue[i] = energy_product(weight->blue[i],
+                                             energy_transmitted(medium->absorption[2], way));
+        }
+    }
+}
+
+/* What the cut branches are worth: cut_worth() of firmware/growth.c. */
+static void add_estimate(struct stream *stream, const struct energy_lanes *cut) {
+    const struct estimate *estimate = stream->scene->estimate;
+    const struct colours mean = {colour_of_steps(estimate->mean[0]),
+                                 colour_of_steps(estimate->mean[1]),
+                                 colour_of_steps(estimate->mean[2])};
+    struct colour_lanes worth;
+    for (int i = 0; i < LANES; i++) {
+        worth.red[i] = mean.red;
+        worth.green[i] = mean.green;
+        worth.blue[i] = mean.blue;
+    }
+    add_intensities(stream, &worth, cut);
+}
+
+/* What arrives from the scene's background, or from the boundary. */
+static void add_arrivals(struct stream *stream, const struct colour_lanes *local,
+                         const uint32_t gone[LANES]) {
+    const struct colours background = stream->scene->background;
+    const real_energy none = REAL_ENERGY(0.0);
+    struct colour_lanes colour;
+    struct energy_lanes weight;
+    for (int i = 0; i < LANES; i++) {
+        bool is_gone = gone[i] != 0, counts = is_gone | (stream->hit.is[i] != 0);
+        colour.red[i] = is_gone ? background.red : local->red[i];
+        colour.green[i] = is_gone ? background.green : local->green[i];
+        colour.blue[i] = is_gone ? background.blue : local->blue[i];
+        weight.red[i] = counts ? stream->rays.weight.red[i] : none;
+        weight.green[i] = counts ? stream->rays.weight.green[i] : none;
+        weight.blue[i] = counts ? stream->rays.weight.blue[i] : none;
+    }
+    add_intensities(stream, &colour, &weight);
+}
+
+/* Follows the rays of the first `count` lanes to their next crossing. */
+static void step(struct stream *stream, uint32_t count) {
+    uint32_t continuing[LANES], gone[LANES];
+    struct colour_lanes local;
+    struct energy_lanes cut[2];
+    count_rays(stream, count);
+    find_crossings(stream, count);
+    sort_lanes(stream, continuing, gone);
+    go_on(stream, continuing);
+    hits_describe(&stream->search, &stream->hit);
+    attenuate(stream);
+    shading_local(stream->scene, &stream->rays.direction, &stream->hit, &local,
+                  &stream->shadow_search, &stream->counts);
+    add_arrivals(stream, &local, gone);
+    children_grow(stream->scene, &stream->rays, &stream->hit, &stream->queue, cut);
+    if (stream->scene->estimate) {
+        add_estimate(stream, &cut[0]);
+        add_estimate(stream, &cut[1]);
+    }
+}
+
+static void add_counts(struct render_counts *sum, const struct render_counts *counts) {
+    sum->rays += counts->rays;
+    sum->shadow_rays += counts->shadow_rays;
+    sum->nodes += counts->nodes;
+    sum->solid_tests += counts->solid_tests;
+    sum->leaked_rays += counts->leaked_rays;
+}
+
+static bool stream_rows(void *memory, const struct scene *scene, uint16_t first, uint16_t rows,
+                        uint8_t *rgb, struct render_counts *counts) {
+    struct stream *stream = memory;
+    const struct render_counts nothing = {0};
+    const struct pixel_sum black = {{0, 0, 0}, 0};
+    uint32_t pixels = (uint32_t)rows * scene->width, next = 0;
+    stream->scene = scene;
+    stream->counts = nothing;
+    stream->exhausted = false;
+    queue_clear(&stream->queue);
+    for (uint32_t i = 0; i < pixels; i++) {
+        stream->pixels[i] = black;
+    }
+    for (;;) {
+        while (next < pixels && queue_fullest(&stream->queue) < LANES) {
+            uint32_t count = pixels - next < LANES ? pixels - next : LANES;
+            start_eye_rays(stream, first, next, count);
+            next += count;
+        }
+        uint32_t count = queue_pop(&stream->queue, &stream->rays);
+        if (count == 0) {
+            break;
+        }
+        step(stream, count);
+        if (stream->queue.overflowed || stream->exhausted) {
+            return false;
+        }
+    }
+    for (uint32_t i = 0; i < pixels; i++) {
+        for (int primary = 0; primary < 3; primary++) {
+            *rgb++ = colour_level(colour_of_steps(stream->pixels[i].steps[primary]));
+        }
+    }
+    add_counts(counts, &stream->counts);
+    return true;
+}
+
+/* Filters, factors by wavelength, dispersion, w(theta), the simplified model and an accuracy that
+ * is asked for are the image's alone. */
+static bool material_fits(const struct material *material) {
+    return !material->tints && !material->disperses &&
+           material->specular_table == SPECULAR_CONSTANT;
+}
+
+static bool stream_fits(const struct scene *scene) {
+    for (uint8_t i = 0; i < scene->object_count; i++) {
+        if (!material_fits(&scene->materials[scene->objects[i].material])) {
+            return false;
+        }
+    }
+    return scene->primitive_count <= STREAM_PRIMITIVES_MOST && scene->width <= FEATURE_WIDTH &&
+           !scene->simple && !scene->filters && scene->error == 0;
+}
+
+extern const struct stream_engine STREAM_SYMBOL(REAL_NAME, INSTRUCTION_SET);
+
+const struct stream_engine STREAM_SYMBOL(REAL_NAME, INSTRUCTION_SET) = {
+    STREAM_TEXT(REAL_NAME) ", " INSTRUCTION_SET_TEXT, sizeof(struct stream), stream_fits,
+    stream_rows};

@@ -1,0 +1,118 @@
+/* SPDX-License-Identifier: MIT */
+/* Streams of rays give the image's own rows, bit for bit and count for count. */
+#include "scene_fixture.h"
+
+#include "builtin_scenes.h"
+#include "stream_engine.h"
+
+enum { WIDTH_MOST = 128 };
+
+struct rows {
+    uint8_t rgb[STREAM_ROWS_MOST * 3 * WIDTH_MOST];
+    struct render_counts counts;
+};
+
+static struct rows expected, found;
+
+static void same_counts(const char *what, const struct render_counts *a,
+                        const struct render_counts *b) {
+    if (a->rays != b->rays || a->shadow_rays != b->shadow_rays || a->nodes != b->nodes ||
+        a->solid_tests != b->solid_tests || a->leaked_rays != b->leaked_rays) {
+        fail_msg("%s: %u rays, %u shadow rays, %u nodes, %u tests, expected %u, %u, %u, %u", what,
+                 (unsigned)a->rays, (unsigned)a->shadow_rays, (unsigned)a->nodes,
+                 (unsigned)a->solid_tests, (unsigned)b->rays, (unsigned)b->shadow_rays,
+                 (unsigned)b->nodes, (unsigned)b->solid_tests);
+    }
+}
+
+/* All rows of a loaded scene by one engine against the image's: how many bands it gave back. */
+static unsigned compare_rows(const char *name, const struct loaded_scene *loaded,
+                             const struct stream_engine *engine, unsigned width, unsigned height) {
+    char what[128];
+    unsigned given_back = 0;
+    void *memory = calloc(1, engine->memory_bytes);
+    assert_non_null(memory);
+    for (unsigned first = 0; first < height; first += STREAM_ROWS_MOST) {
+        unsigned rows = height - first < STREAM_ROWS_MOST ? height - first : STREAM_ROWS_MOST;
+        memset(&expected, 0, sizeof expected);
+        memset(&found, 0, sizeof found);
+        (void)snprintf(what, sizeof what, "%s by %s, rows from %u", name, engine->name, first);
+        if (!engine->rows(memory, loaded->scene, (uint16_t)first, (uint16_t)rows, found.rgb,
+                          &found.counts)) {
+            assert_int_equal(found.counts.rays, 0);
+            given_back++;
+            continue;
+        }
+        for (unsigned y = 0; y < rows; y++) {
+            loaded->arithmetic->image->row(loaded->scene, (uint16_t)(first + y),
+                                           expected.rgb + (size_t)y * 3 * width, &expected.counts);
+        }
+        for (size_t i = 0; i < (size_t)rows * 3 * width; i++) {
+            if (found.rgb[i] != expected.rgb[i]) {
+                fail_msg("%s: byte %u is %u, expected %u", what, (unsigned)i, found.rgb[i],
+                         expected.rgb[i]);
+            }
+        }
+        same_counts(what, &found.counts, &expected.counts);
+    }
+    free(memory);
+    return given_back;
+}
+
+struct settings {
+    int width, height, depth;
+    double threshold;
+    bool estimates;
+};
+
+static void check_description(const char *name, struct scene_description *description,
+                              const struct settings *settings, unsigned *fitting) {
+    static const char *const arithmetics[] = {"f32", "f64"};
+    description->width = settings->width;
+    description->height = settings->height;
+    description->depth = settings->depth;
+    description->threshold = settings->threshold;
+    description->estimates = settings->estimates;
+    for (size_t i = 0; i < 2; i++) {
+        struct loaded_scene loaded = load_description(description, arithmetics[i]);
+        struct estimate estimate;
+        struct render_counts ignored = {0};
+        const struct stream_engine *engine;
+        loaded.arithmetic->learn(loaded.scene, &estimate, &ignored);
+        for (unsigned j = 0; (engine = stream_engine_get(arithmetics[i], j)) != NULL; j++) {
+            if (engine->fits(loaded.scene)) {
+                assert_int_equal(compare_rows(name, &loaded, engine, (unsigned)settings->width,
+                                              (unsigned)settings->height),
+                                 0);
+                (*fitting)++;
+            }
+        }
+        unload(&loaded);
+    }
+}
+
+static void every_built_in_scene_comes_out_alike(void **state) {
+    (void)state;
+    static const struct settings table[] = {
+        {61, 37, 10, 1.0 / 4096, false}, {7, 3, 1, 1.0 / 256, false},
+        {40, 25, 20, 1.0 / 8192, true},  {1, 1, 64, 1.0 / 4096, true},
+        {96, 17, 5, 0, false},           {33, 9, 0, 1.0 / 4096, true}};
+    unsigned fitting = 0;
+    for (size_t i = 0; i < builtin_scene_count; i++) {
+        for (size_t j = 0; j < sizeof table / sizeof table[0]; j++) {
+            struct scene_error error;
+            struct scene_description *description = load_scene(builtin_scenes[i].name, &error);
+            assert_non_null(description);
+            check_description(builtin_scenes[i].name, description, &table[j], &fitting);
+            scene_description_free(description);
+        }
+    }
+    assert_true(fitting >= 2 * 2 * sizeof table / sizeof table[0]);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_built_in_scene_comes_out_alike),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
