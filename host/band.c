@@ -9,13 +9,18 @@ void band_start(struct band *band, const struct arithmetic *arithmetic,
     band->image = arithmetic->image;
     band->scene = scene;
     band->engine = stream_engine_find(arithmetic->image->name);
+    band->block = NULL;
     band->memory = NULL;
     if (band->engine != NULL && band->engine->fits(scene)) {
-        band->memory = calloc(1, band->engine->memory_bytes);
+        /* Not cleared by hand: most of it is never touched, and so never there. */
+        band->block = calloc(1, band->engine->memory_bytes + STREAM_ALIGNMENT);
     }
-    if (band->memory == NULL) {
+    if (band->block == NULL) {
         band->engine = NULL;
+        return;
     }
+    size_t past = (uintptr_t)band->block % STREAM_ALIGNMENT;
+    band->memory = (char *)band->block + (past == 0 ? 0 : STREAM_ALIGNMENT - past);
 }
 
 void band_render(struct band *band, unsigned first, unsigned rows, size_t row_bytes, uint8_t *rgb,
@@ -30,5 +35,5 @@ void band_render(struct band *band, unsigned first, unsigned rows, size_t row_by
 }
 
 void band_end(struct band *band) {
-    free(band->memory);
+    free(band->block);
 }

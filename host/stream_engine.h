@@ -12,11 +12,14 @@
 /* The rows that are rendered together: enough rays at once to fill the lanes to the end. */
 enum { STREAM_ROWS_MOST = 8 };
 
+/* What the memory of an engine has to be aligned to: a cache line, and the widest vector. */
+enum { STREAM_ALIGNMENT = 64 };
+
 /* One arithmetic for one set of CPU instructions. Rows come out bit for bit, and counted, as from
  * the image's own row(). */
 struct stream_engine {
     const char *name;    /* "f32, AVX2" */
-    size_t memory_bytes; /* what rows() works in: one piece a thread, aligned like malloc's */
+    size_t memory_bytes; /* what rows() works in, all 0 at first: a piece a thread and scene */
 
     /* Whether the scene has only what the engine knows. */
     bool (*fits)(const struct scene *scene);

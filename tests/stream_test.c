@@ -30,8 +30,9 @@ static unsigned compare_rows(const char *name, const struct loaded_scene *loaded
                              const struct stream_engine *engine, unsigned width, unsigned height) {
     char what[128];
     unsigned given_back = 0;
-    void *memory = calloc(1, engine->memory_bytes);
-    assert_non_null(memory);
+    void *memory;
+    assert_int_equal(posix_memalign(&memory, STREAM_ALIGNMENT, engine->memory_bytes), 0);
+    memset(memory, 0, engine->memory_bytes);
     for (unsigned first = 0; first < height; first += STREAM_ROWS_MOST) {
         unsigned rows = height - first < STREAM_ROWS_MOST ? height - first : STREAM_ROWS_MOST;
         memset(&expected, 0, sizeof expected);

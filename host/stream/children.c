@@ -10,28 +10,6 @@ struct passage_lanes {
     real_energy reflectance[LANES], transmittance[LANES];
 };
 
-/* What the media on both sides say. */
-struct border_lanes {
-    real_index eta[LANES], n[LANES]; /* n1 / n2 and n2 / n1, seen from the arriving ray */
-    real_energy specular[LANES];     /* of an opaque surface */
-    uint32_t bends[LANES];           /* 1: the indices differ */
-    uint32_t clear[LANES];           /* 1: the surface is transparent */
-};
-
-static void find_borders(const struct scene *scene, const struct hit_lanes *restrict hit,
-                         struct border_lanes *restrict border) {
-    for (int i = 0; i < LANES; i++) {
-        const struct material *before = &scene->materials[hit->material_before[i]];
-        const struct material *after = &scene->materials[hit->material_after[i]];
-        const struct material *own = &scene->materials[hit->material[i]];
-        border->eta[i] = index_product(before->ior[0], after->inverse_ior[0]);
-        border->n[i] = index_product(after->ior[0], before->inverse_ior[0]);
-        border->specular[i] = own->specular;
-        border->clear[i] = own->transparent ? 1 : 0;
-        border->bends[i] = before->optical != after->optical ? 1 : 0;
-    }
-}
-
 /* optics_passage() of firmware/optics.c. */
 static void find_passages(const struct direction_lanes *restrict direction,
                           const struct hit_lanes *restrict hit,
@@ -98,13 +76,12 @@ static void set_out(const struct ray_lanes *restrict rays, const struct hit_lane
 }
 
 void children_grow(const struct scene *scene, const struct ray_lanes *rays,
-                   const struct hit_lanes *hit, struct queue *queue, struct energy_lanes cut[2]) {
-    struct border_lanes border;
+                   const struct hit_lanes *hit, const struct border_lanes *border,
+                   struct queue *queue, struct energy_lanes cut[2]) {
     struct passage_lanes passage;
     struct ray_lanes child;
     uint32_t follow[LANES];
-    find_borders(scene, hit, &border);
-    find_passages(&rays->direction, hit, &border, &passage);
+    find_passages(&rays->direction, hit, border, &passage);
 
     set_out(rays, hit, hit->before, &child);
     child.direction = hit->mirrored;

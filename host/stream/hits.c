@@ -29,9 +29,9 @@ static void set_box_normals(const struct search_lanes *restrict search,
     const real_unit none = REAL_UNIT(0.0), one = REAL_UNIT(1.0), back = REAL_UNIT(-1.0);
     for (int i = 0; i < LANES; i++) {
         uint32_t face = search->place[i] & 0xFF;
-        bool low = face < 3, leaving = search->leaving[i] != 0;
-        uint32_t axis = low ? face : face - 3;
-        real_unit outward = low ^ leaving ? back : one;
+        uint32_t low = face < 3 ? 1 : 0, leaving = search->crossed[i] & 1;
+        uint32_t axis = face < 3 ? face : face - 3;
+        real_unit outward = (low ^ leaving) != 0 ? back : one;
         normal->x[i] = axis == 0 ? outward : none;
         normal->y[i] = axis == 1 ? outward : none;
         normal->z[i] = axis == 2 ? outward : none;
@@ -45,14 +45,14 @@ static bool lies_straight(const struct primitive *primitive) {
 static void set_other_normals(const struct search_lanes *search, struct hit_lanes *hit) {
     const struct scene *scene = search->scene;
     for (int i = 0; i < LANES; i++) {
-        const struct primitive *primitive = &scene->primitives[search->primitive[i]];
+        const struct primitive *primitive = &scene->primitives[search->crossed[i] >> 1];
         if (!hit->is[i] || lies_straight(primitive)) {
             continue;
         }
         const struct point where = {hit->where.x[i], hit->where.y[i], hit->where.z[i]};
         struct direction normal =
             primitive_normal(scene, primitive, (uint8_t)(search->place[i] & 0xFF), where);
-        normal = search->leaving[i] ? direction_negate(normal) : normal;
+        normal = search->crossed[i] & 1 ? direction_negate(normal) : normal;
         hit->normal.x[i] = normal.x;
         hit->normal.y[i] = normal.y;
         hit->normal.z[i] = normal.z;
@@ -74,21 +74,9 @@ static void set_mirrored(const struct search_lanes *restrict search,
     }
 }
 
-static void set_materials(const struct scene *scene, struct hit_lanes *hit) {
-    for (int i = 0; i < LANES; i++) {
-        uint32_t before = hit->material_before[i], after = hit->material_after[i];
-        bool clear_before = scene->materials[before].transparent;
-        bool clear_after = scene->materials[after].transparent;
-        bool outer = hit->before[i] > hit->after[i];
-        bool mixed = clear_before != clear_after;
-        hit->material[i] = (mixed & !clear_before) | (!mixed & outer) ? before : after;
-    }
-}
-
 void hits_describe(const struct search_lanes *search, struct hit_lanes *hit) {
     set_places(search, hit);
     set_box_normals(search, &hit->normal);
     set_other_normals(search, hit);
     set_mirrored(search, hit);
-    set_materials(search->scene, hit);
 }

@@ -14,7 +14,6 @@ struct hit_lanes {
     uint32_t before[LANES], after[LANES]; /* objects on the near and the far side */
     uint32_t inside_before[LANES], inside_after[LANES];
     uint32_t surface[LANES];
-    uint32_t material[LANES]; /* whose surface it is: surface_material() of firmware/growth.c */
     uint32_t material_before[LANES], material_after[LANES];
     real_unit cosine[LANES]; /* of the angle of incidence */
     struct direction_lanes mirrored;

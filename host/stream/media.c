@@ -69,6 +69,12 @@ void media_shadows(const struct scene *scene, const uint32_t inside[restrict LAN
 void media_materials(const struct scene *scene, const uint32_t object[restrict LANES],
                      uint32_t material[restrict LANES]) {
     for (int i = 0; i < LANES; i++) {
-        material[i] = scene->objects[object[i]].material;
+        material[i] = MATERIAL_AIR;
+    }
+    for (uint32_t number = OBJECT_AIR + 1; number < scene->object_count; number++) {
+        uint32_t its = scene->objects[number].material;
+        for (int i = 0; i < LANES; i++) {
+            material[i] = object[i] == number ? its : material[i];
+        }
     }
 }

@@ -11,47 +11,49 @@ void queue_clear(struct queue *queue) {
     }
 }
 
-static void push_into(struct queue_bin *bin, const struct ray_lanes *rays,
-                      const uint32_t lanes[LANES], uint32_t count) {
-    const real_length *const numbers[QUEUE_NUMBERS] = {
-        rays->origin.x,    rays->origin.y,    rays->origin.z,    rays->direction.x,
-        rays->direction.y, rays->direction.z, rays->weight.red,  rays->weight.green,
-        rays->weight.blue, rays->from};
-    const uint32_t *const words[QUEUE_WORDS] = {rays->inside, rays->path, rays->target};
-    for (int quantity = 0; quantity < QUEUE_NUMBERS; quantity++) {
-        const real_length *restrict from = numbers[quantity];
-        real_length *restrict to = bin->numbers[quantity] + bin->count;
-        for (uint32_t k = 0; k < count; k++) {
-            to[k] = from[lanes[k]];
-        }
+static void push_into(struct queue_bin *restrict bin, const struct ray_lanes *restrict rays,
+                      const uint32_t lanes[restrict LANES], uint32_t count) {
+    uint32_t at = bin->count;
+    for (uint32_t k = 0; k < count; k++, at++) {
+        uint32_t lane = lanes[k];
+        bin->origin_x[at] = rays->origin.x[lane];
+        bin->origin_y[at] = rays->origin.y[lane];
+        bin->origin_z[at] = rays->origin.z[lane];
+        bin->direction_x[at] = rays->direction.x[lane];
+        bin->direction_y[at] = rays->direction.y[lane];
+        bin->direction_z[at] = rays->direction.z[lane];
+        bin->red[at] = rays->weight.red[lane];
+        bin->green[at] = rays->weight.green[lane];
+        bin->blue[at] = rays->weight.blue[lane];
+        bin->from[at] = rays->from[lane];
+        bin->inside[at] = rays->inside[lane];
+        bin->path[at] = rays->path[lane];
+        bin->target[at] = rays->target[lane];
     }
-    for (int quantity = 0; quantity < QUEUE_WORDS; quantity++) {
-        const uint32_t *restrict from = words[quantity];
-        uint32_t *restrict to = bin->words[quantity] + bin->count;
-        for (uint32_t k = 0; k < count; k++) {
-            to[k] = from[lanes[k]];
-        }
-    }
-    bin->count += count;
+    bin->count = at;
 }
 
 void queue_push(struct queue *queue, const struct ray_lanes *rays, const uint32_t wanted[LANES]) {
-    uint32_t lanes[QUEUE_BINS][LANES + 1];
-    uint32_t count[QUEUE_BINS] = {0};
-    for (uint32_t i = 0; i < LANES; i++) {
-        uint32_t bin = path_object(rays->path[i]) % QUEUE_BINS;
-        lanes[bin][count[bin]] = i;
-        count[bin] += wanted[i];
+    uint32_t bit[LANES], lanes[LANES], bins = 0;
+    for (int i = 0; i < LANES; i++) {
+        bit[i] = wanted[i] << path_object(rays->path[i]) % QUEUE_BINS;
+        bins |= bit[i];
     }
-    for (int bin = 0; bin < QUEUE_BINS; bin++) {
-        if (count[bin] == 0) {
+    for (uint32_t number = 0; bins >> number != 0; number++) {
+        struct queue_bin *bin = &queue->bins[number];
+        uint32_t count = 0;
+        if (!(bins >> number & 1)) {
             continue;
         }
-        if (queue->bins[bin].count + count[bin] > QUEUE_ROOM) {
+        for (uint32_t i = 0; i < LANES; i++) {
+            lanes[count] = i;
+            count += bit[i] >> number & 1;
+        }
+        if (bin->count + count > QUEUE_ROOM) {
             queue->overflowed = true;
             continue;
         }
-        push_into(&queue->bins[bin], rays, lanes[bin], count[bin]);
+        push_into(bin, rays, lanes, count);
     }
 }
 
@@ -73,21 +75,31 @@ uint32_t queue_fullest(const struct queue *queue) {
     return most;
 }
 
+/* The roles of numbers are all of one type in the arithmetics that streams are built for. */
+static void take_numbers(real_length *to, const real_length *from, uint32_t count) {
+    memcpy(to, from, count * sizeof *to);
+}
+
+static void take_words(uint32_t *to, const uint32_t *from, uint32_t count) {
+    memcpy(to, from, count * sizeof *to);
+}
+
 uint32_t queue_pop(struct queue *queue, struct ray_lanes *rays) {
     struct queue_bin *bin = fullest_bin(queue);
     uint32_t count = bin->count < LANES ? bin->count : LANES;
     bin->count -= count;
-    real_length *numbers[QUEUE_NUMBERS] = {
-        rays->origin.x,    rays->origin.y,    rays->origin.z,    rays->direction.x,
-        rays->direction.y, rays->direction.z, rays->weight.red,  rays->weight.green,
-        rays->weight.blue, rays->from};
-    uint32_t *words[QUEUE_WORDS] = {rays->inside, rays->path, rays->target};
-    for (int quantity = 0; quantity < QUEUE_NUMBERS; quantity++) {
-        memcpy(numbers[quantity], bin->numbers[quantity] + bin->count,
-               count * sizeof *numbers[quantity]);
-    }
-    for (int quantity = 0; quantity < QUEUE_WORDS; quantity++) {
-        memcpy(words[quantity], bin->words[quantity] + bin->count, count * sizeof *words[quantity]);
-    }
+    take_numbers(rays->origin.x, bin->origin_x + bin->count, count);
+    take_numbers(rays->origin.y, bin->origin_y + bin->count, count);
+    take_numbers(rays->origin.z, bin->origin_z + bin->count, count);
+    take_numbers(rays->direction.x, bin->direction_x + bin->count, count);
+    take_numbers(rays->direction.y, bin->direction_y + bin->count, count);
+    take_numbers(rays->direction.z, bin->direction_z + bin->count, count);
+    take_numbers(rays->weight.red, bin->red + bin->count, count);
+    take_numbers(rays->weight.green, bin->green + bin->count, count);
+    take_numbers(rays->weight.blue, bin->blue + bin->count, count);
+    take_numbers(rays->from, bin->from + bin->count, count);
+    take_words(rays->inside, bin->inside + bin->count, count);
+    take_words(rays->path, bin->path + bin->count, count);
+    take_words(rays->target, bin->target + bin->count, count);
     return count;
 }

@@ -6,17 +6,18 @@
 #include "lanes.h"
 
 /* Rays in one object meet the same primitives: those that wait in one bin are followed together.
- * Objects beyond the number of bins share them. */
-enum { QUEUE_BINS = 8, QUEUE_ROOM = 4096 };
+ * Objects beyond the number of bins share them. The room is no power of two: a cache would keep all
+ * quantities of one ray in the same few lines. */
+enum { QUEUE_BINS = 8, QUEUE_ROOM = 4096 + 80 };
 
-/* A queue's numbers are all of one type: those of the arithmetics that streams are built for are.
- */
-enum { QUEUE_NUMBERS = 10, QUEUE_WORDS = 3 };
-
+/* See struct ray_lanes. */
 struct queue_bin {
     uint32_t count;
-    real_length numbers[QUEUE_NUMBERS][QUEUE_ROOM];
-    uint32_t words[QUEUE_WORDS][QUEUE_ROOM];
+    real_length origin_x[QUEUE_ROOM], origin_y[QUEUE_ROOM], origin_z[QUEUE_ROOM];
+    real_unit direction_x[QUEUE_ROOM], direction_y[QUEUE_ROOM], direction_z[QUEUE_ROOM];
+    real_energy red[QUEUE_ROOM], green[QUEUE_ROOM], blue[QUEUE_ROOM];
+    real_length from[QUEUE_ROOM];
+    uint32_t inside[QUEUE_ROOM], path[QUEUE_ROOM], target[QUEUE_ROOM];
 };
 
 struct queue {

@@ -2,8 +2,10 @@
 /* The next crossing of each lane's ray, primitive by primitive. */
 #include "search_solids.h"
 
-static void set_slopes(struct local_lanes *local) {
+/* Whether a component of some lane's direction is zero. */
+static bool set_slopes(struct local_lanes *local) {
     const real_unit *components[3] = {local->direction.x, local->direction.y, local->direction.z};
+    uint32_t levels = 0;
     for (int axis = 0; axis < 3; axis++) {
         const real_unit *u = components[axis];
         for (int i = 0; i < LANES; i++) {
@@ -11,45 +13,48 @@ static void set_slopes(struct local_lanes *local) {
             local->slope[axis][i] = slope_of(level ? REAL_UNIT(1.0) : u[i]);
             local->level[axis][i] = level ? 1 : 0;
             local->falling[axis][i] = unit_is_negative(u[i]) ? 1 : 0;
+            levels |= local->level[axis][i];
         }
     }
+    return levels != 0;
 }
 
 void search_begin(struct search_lanes *search) {
     const struct scene *scene = search->scene;
-    set_slopes(&search->world);
+    search->any_level = set_slopes(&search->world);
     for (int i = 0; i < LANES; i++) {
         uint32_t surface = search->surface[i];
         search->touch[i] = surface == SURFACE_NONE ? 0 : scene->surfaces[surface].word[0];
     }
 }
 
-/* may_be_next() of firmware/ray.c for all lanes: whether any may. */
-static bool choose_lanes(const struct search_lanes *search, uint8_t index, uint32_t chosen[LANES],
-                         uint32_t *solid_tests) {
+/* may_be_next() of firmware/ray.c for all lanes: those that may leave a primitive, and those that
+ * may enter it. */
+static void choose_lanes(const struct search_lanes *restrict search, uint8_t index,
+                         struct chosen_lanes *restrict chosen) {
     const struct scene *scene = search->scene;
     const struct primitive *primitive = &scene->primitives[index];
-    uint32_t bit = (uint32_t)1 << index;
     bool all = search->shadows;
+    uint32_t bit = (uint32_t)1 << index;
     uint32_t enclosed = all ? 0 : scene->enclosed[index].word[0];
     uint32_t enclosure = all || primitive->enclosure == ENCLOSURE_NONE
                              ? 0
                              : (uint32_t)1 << primitive->enclosure;
     uint32_t barred = primitive->left_for_good ? bit : 0;
-    uint32_t count = 0;
-    if (all && !set_has(&scene->shadow_primitives, index)) {
-        return false;
-    }
+    uint32_t leaving = 0, entering = 0;
     for (int i = 0; i < LANES; i++) {
         uint32_t inside = search->inside[i];
-        bool may_leave = (inside & enclosed) == 0;
-        bool may_enter = ((inside & enclosure) == enclosure) & ((search->touch[i] & barred) == 0);
-        bool may = (inside & bit) != 0 ? may_leave : may_enter;
-        chosen[i] = may ? search->active[i] : 0;
-        count += chosen[i];
+        bool is_inside = (inside & bit) != 0, active = search->active[i] != 0;
+        bool may_leave = active & is_inside & ((inside & enclosed) == 0);
+        bool may_enter = active & !is_inside & ((inside & enclosure) == enclosure) &
+                         ((search->touch[i] & barred) == 0);
+        chosen->leave[i] = may_leave ? 1 : 0;
+        chosen->enter[i] = may_enter ? 1 : 0;
+        leaving += chosen->leave[i];
+        entering += chosen->enter[i];
     }
-    *solid_tests += count;
-    return count > 0;
+    chosen->leaving = leaving;
+    chosen->entering = entering;
 }
 
 /* The rays in a primitive's own frame. */
@@ -71,7 +76,7 @@ static void turn_lanes(struct local_lanes *restrict local, const struct frame *f
 }
 
 static void search_primitive(struct search_lanes *search, uint8_t index,
-                             const uint32_t chosen[LANES]) {
+                             const struct chosen_lanes *chosen) {
     const struct scene *scene = search->scene;
     const struct primitive *primitive = &scene->primitives[index];
     const struct local_lanes *local = &search->world;
@@ -92,22 +97,25 @@ static void search_primitive(struct search_lanes *search, uint8_t index,
         search_quadric(search, index, local, chosen);
         return;
     }
-    if (local == &turned) {
-        set_slopes(&turned);
-    }
-    search_box(search, index, local, chosen);
+    bool any_level = local == &turned ? set_slopes(&turned) : search->any_level;
+    search_box(search, index, local, any_level, chosen);
 }
 
 void search_next(struct search_lanes *search, uint32_t *solid_tests) {
     for (int i = 0; i < LANES; i++) {
         search->t[i] = LENGTH_FAR;
         search->place[i] = PLACE_NONE;
-        search->primitive[i] = search->leaving[i] = search->toggled[i] = 0;
+        search->crossed[i] = search->toggled[i] = 0;
     }
     for (uint8_t index = 0; index < search->scene->primitive_count; index++) {
-        uint32_t chosen[LANES];
-        if (choose_lanes(search, index, chosen, solid_tests)) {
-            search_primitive(search, index, chosen);
+        struct chosen_lanes chosen;
+        if (search->shadows && !set_has(&search->scene->shadow_primitives, index)) {
+            continue;
+        }
+        choose_lanes(search, index, &chosen);
+        if (chosen.leaving + chosen.entering > 0) {
+            *solid_tests += chosen.leaving + chosen.entering;
+            search_primitive(search, index, &chosen);
         }
     }
 }

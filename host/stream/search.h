@@ -15,8 +15,6 @@ struct local_lanes {
 
 /* What the search goes by, and what it has found. */
 struct search_lanes {
-    const struct scene *scene;
-    bool shadows; /* only what can keep light off is looked at */
     struct local_lanes world;
     uint32_t surface[LANES]; /* that the ray starts on, or SURFACE_NONE */
     uint32_t touch[LANES];   /* the primitives that it bounds */
@@ -27,9 +25,13 @@ struct search_lanes {
     /* The nearest crossing. */
     real_length t[LANES];
     uint32_t place[LANES]; /* its surface and face (stretch.h), or PLACE_NONE */
-    uint32_t primitive[LANES];
-    uint32_t leaving[LANES]; /* 1: the primitive is left, not entered */
+    uint32_t crossed[LANES]; /* the primitive << 1 | 1 where it is left, not entered */
     uint32_t toggled[LANES]; /* all primitives that are crossed there */
+
+    /* After the arrays, so that these begin where vectors like to. */
+    const struct scene *scene;
+    bool shadows;   /* only what can keep light off is looked at */
+    bool any_level; /* in some lane a component of the direction is zero */
 };
 
 /* Fills in what follows from the world's origins and directions and from `surface`. */

@@ -4,52 +4,120 @@
 
 #include "solids.h"
 
-void search_box(struct search_lanes *restrict search, uint8_t index,
-                       const struct local_lanes *restrict local,
-                       const uint32_t chosen[restrict LANES]) {
-    const struct scene *scene = search->scene;
-    const struct box *box = &scene->boxes[scene->primitives[index].index];
-    const struct slab x = {box->minimum.x, box->maximum.x, place_of(box->surface[0], 0),
-                           place_of(box->surface[3], 3)};
-    const struct slab y = {box->minimum.y, box->maximum.y, place_of(box->surface[1], 1),
-                           place_of(box->surface[4], 4)};
-    const struct slab z = {box->minimum.z, box->maximum.z, place_of(box->surface[2], 2),
-                           place_of(box->surface[5], 5)};
+/* The slabs of a box. */
+struct slabs {
+    struct slab x, y, z;
+};
+
+static struct slabs slabs_of(const struct box *box) {
+    const uint16_t *surface = box->surface;
+    const struct slabs slabs = {
+        {box->minimum.x, box->maximum.x, place_of(surface[0], 0), place_of(surface[3], 3)},
+        {box->minimum.y, box->maximum.y, place_of(surface[1], 1), place_of(surface[4], 4)},
+        {box->minimum.z, box->maximum.z, place_of(surface[2], 2), place_of(surface[5], 5)}};
+    return slabs;
+}
+
+/* Where one lane leaves or enters a box; inside and may_be_level are constants at each call. */
+static inline struct meeting box_meeting(const struct search_lanes *search, int i, uint32_t bit,
+                                         const struct slabs *slabs,
+                                         const struct local_lanes *local, bool inside,
+                                         bool may_be_level) {
+    uint32_t start = search->surface[i];
+    struct stretch s = stretch_everything(slabs->x.low_place);
+    s = stretch_slab(s, slabs->x, local->origin.x[i], local->slope[0][i], local->level[0][i] != 0,
+                     local->falling[0][i] != 0, start, inside, may_be_level);
+    s = stretch_slab(s, slabs->y, local->origin.y[i], local->slope[1][i], local->level[1][i] != 0,
+                     local->falling[1][i] != 0, start, inside, may_be_level);
+    s = stretch_slab(s, slabs->z, local->origin.z[i], local->slope[2][i], local->level[2][i] != 0,
+                     local->falling[2][i] != 0, start, inside, may_be_level);
+    s.hit = s.hit & length_less(s.in, s.out);
+    return meeting_of(s, search->from[i], inside, (search->touch[i] & bit) != 0);
+}
+
+static void leave_box(struct search_lanes *restrict search, uint8_t index,
+                      const struct slabs slabs, const struct local_lanes *restrict local,
+                      const uint32_t chosen[restrict LANES]) {
     uint32_t bit = (uint32_t)1 << index;
     for (int i = 0; i < LANES; i++) {
-        bool inside = (search->inside[i] & bit) != 0;
-        bool starts_there = (search->touch[i] & bit) != 0;
-        uint32_t start = search->surface[i];
-        struct stretch s = stretch_everything(x.low_place);
-        s = stretch_slab(s, x, local->origin.x[i], local->slope[0][i], local->level[0][i] != 0,
-                         local->falling[0][i] != 0, start, inside);
-        s = stretch_slab(s, y, local->origin.y[i], local->slope[1][i], local->level[1][i] != 0,
-                         local->falling[1][i] != 0, start, inside);
-        s = stretch_slab(s, z, local->origin.z[i], local->slope[2][i], local->level[2][i] != 0,
-                         local->falling[2][i] != 0, start, inside);
-        s.hit = s.hit & length_less(s.in, s.out);
-        search_consider(search, i, index, meeting_of(s, search->from[i], inside, starts_there), inside,
-                 chosen[i] != 0);
+        struct meeting found = box_meeting(search, i, bit, &slabs, local, true, true);
+        search_consider(search, i, index, found, true, chosen[i] != 0);
     }
 }
 
-void search_ball(struct search_lanes *restrict search, uint8_t index,
-                 const uint32_t chosen[restrict LANES]) {
+static void enter_box(struct search_lanes *restrict search, uint8_t index,
+                      const struct slabs slabs, const struct local_lanes *restrict local,
+                      const uint32_t chosen[restrict LANES]) {
+    uint32_t bit = (uint32_t)1 << index;
+    for (int i = 0; i < LANES; i++) {
+        struct meeting found = box_meeting(search, i, bit, &slabs, local, false, false);
+        search_consider(search, i, index, found, false, chosen[i] != 0);
+    }
+}
+
+/* The same, where a ray may run along a face. */
+static void enter_box_level(struct search_lanes *restrict search, uint8_t index,
+                            const struct slabs slabs, const struct local_lanes *restrict local,
+                            const uint32_t chosen[restrict LANES]) {
+    uint32_t bit = (uint32_t)1 << index;
+    for (int i = 0; i < LANES; i++) {
+        struct meeting found = box_meeting(search, i, bit, &slabs, local, false, true);
+        search_consider(search, i, index, found, false, chosen[i] != 0);
+    }
+}
+
+void search_box(struct search_lanes *search, uint8_t index, const struct local_lanes *local,
+                bool any_level, const struct chosen_lanes *chosen) {
+    const struct scene *scene = search->scene;
+    const struct slabs slabs = slabs_of(&scene->boxes[scene->primitives[index].index]);
+    if (chosen->leaving > 0) {
+        leave_box(search, index, slabs, local, chosen->leave);
+    }
+    if (chosen->entering > 0 && any_level) {
+        enter_box_level(search, index, slabs, local, chosen->enter);
+    } else if (chosen->entering > 0) {
+        enter_box(search, index, slabs, local, chosen->enter);
+    }
+}
+
+static inline struct meeting ball_meeting(const struct search_lanes *search, int i, uint32_t bit,
+                                          const struct ball *ball, bool inside) {
+    uint32_t place = place_of(ball->surface, 0);
+    const struct point origin = {search->world.origin.x[i], search->world.origin.y[i],
+                                 search->world.origin.z[i]};
+    const struct direction direction = {search->world.direction.x[i], search->world.direction.y[i],
+                                        search->world.direction.z[i]};
+    struct segment segment = ball_segment(ball, origin, direction);
+    const struct stretch s = {segment.in, segment.out, place, place, segment.hit};
+    return meeting_of(s, search->from[i], inside, (search->touch[i] & bit) != 0);
+}
+
+static void leave_ball(struct search_lanes *restrict search, uint8_t index, const struct ball ball,
+                       const uint32_t chosen[restrict LANES]) {
+    uint32_t bit = (uint32_t)1 << index;
+    for (int i = 0; i < LANES; i++) {
+        struct meeting found = ball_meeting(search, i, bit, &ball, true);
+        search_consider(search, i, index, found, true, chosen[i] != 0);
+    }
+}
+
+static void enter_ball(struct search_lanes *restrict search, uint8_t index, const struct ball ball,
+                       const uint32_t chosen[restrict LANES]) {
+    uint32_t bit = (uint32_t)1 << index;
+    for (int i = 0; i < LANES; i++) {
+        struct meeting found = ball_meeting(search, i, bit, &ball, false);
+        search_consider(search, i, index, found, false, chosen[i] != 0);
+    }
+}
+
+void search_ball(struct search_lanes *search, uint8_t index, const struct chosen_lanes *chosen) {
     const struct scene *scene = search->scene;
     const struct ball ball = scene->balls[scene->primitives[index].index];
-    uint32_t bit = (uint32_t)1 << index, place = place_of(ball.surface, 0);
-    for (int i = 0; i < LANES; i++) {
-        bool inside = (search->inside[i] & bit) != 0;
-        bool starts_there = (search->touch[i] & bit) != 0;
-        const struct point origin = {search->world.origin.x[i], search->world.origin.y[i],
-                                     search->world.origin.z[i]};
-        const struct direction direction = {search->world.direction.x[i],
-                                            search->world.direction.y[i],
-                                            search->world.direction.z[i]};
-        struct segment segment = ball_segment(&ball, origin, direction);
-        const struct stretch s = {segment.in, segment.out, place, place, segment.hit};
-        search_consider(search, i, index, meeting_of(s, search->from[i], inside, starts_there),
-                        inside, chosen[i] != 0);
+    if (chosen->leaving > 0) {
+        leave_ball(search, index, ball, chosen->leave);
+    }
+    if (chosen->entering > 0) {
+        enter_ball(search, index, ball, chosen->enter);
     }
 }
 
@@ -80,8 +148,8 @@ static inline struct stretch stretch_plane(struct stretch s, const struct plane 
     return s;
 }
 
-void search_polyhedron(struct search_lanes *restrict search, uint8_t index,
-                       const uint32_t chosen[restrict LANES]) {
+static void cross_polyhedron(struct search_lanes *restrict search, uint8_t index,
+                             const uint32_t chosen[restrict LANES], bool inside) {
     const struct scene *scene = search->scene;
     const struct polyhedron *polyhedron = &scene->polyhedra[scene->primitives[index].index];
     uint32_t bit = (uint32_t)1 << index;
@@ -106,7 +174,7 @@ void search_polyhedron(struct search_lanes *restrict search, uint8_t index,
                                                 search->world.direction.z[i]};
             struct stretch s = {in[i], out[i], in_place[i], out_place[i], hit[i] != 0};
             s = stretch_plane(s, plane, place, upper, origin, direction, search->surface[i],
-                              (search->inside[i] & bit) != 0);
+                              inside);
             in[i] = s.in;
             out[i] = s.out;
             in_place[i] = s.in_place;
@@ -115,12 +183,21 @@ void search_polyhedron(struct search_lanes *restrict search, uint8_t index,
         }
     }
     for (int i = 0; i < LANES; i++) {
-        bool inside = (search->inside[i] & bit) != 0;
-        bool starts_there = (search->touch[i] & bit) != 0;
         const struct stretch s = {in[i], out[i], in_place[i], out_place[i],
                                   (hit[i] != 0) & length_less(in[i], out[i])};
-        search_consider(search, i, index, meeting_of(s, search->from[i], inside, starts_there),
-                        inside, chosen[i] != 0);
+        struct meeting found =
+            meeting_of(s, search->from[i], inside, (search->touch[i] & bit) != 0);
+        search_consider(search, i, index, found, inside, chosen[i] != 0);
+    }
+}
+
+void search_polyhedron(struct search_lanes *search, uint8_t index,
+                       const struct chosen_lanes *chosen) {
+    if (chosen->leaving > 0) {
+        cross_polyhedron(search, index, chosen->leave, true);
+    }
+    if (chosen->entering > 0) {
+        cross_polyhedron(search, index, chosen->enter, false);
     }
 }
 
@@ -155,14 +232,15 @@ static inline real_length length_magnitude(real_length a) {
 
 /* The two stretches of one lane in a quadric, in order: see quadric_segments(). Where there is only
  * one, the second is none. */
-static inline void quadric_stretches(const struct quadric quadric, const struct local_lanes *local,
-                                     int i, bool starts_there, uint32_t place,
+static inline void quadric_stretches(const struct quadric *quadric,
+                                     const struct local_lanes *local, int i, bool starts_there,
                                      struct stretch *first, struct stretch *second) {
+    uint32_t place = place_of(quadric->surface, 0);
     const struct point origin = {local->origin.x[i], local->origin.y[i], local->origin.z[i]};
     const struct direction direction = {local->direction.x[i], local->direction.y[i],
                                         local->direction.z[i]};
     const real_length far_back = length_negate(LENGTH_FAR);
-    struct form form = quadric_form(&quadric, origin, direction);
+    struct form form = quadric_form(quadric, origin, direction);
     real_area square = area_subtract(area_product(form.b, form.b), area_scaled(form.c, form.a));
     bool opens = unit_is_negative(form.a), falls = length_less(form.b, REAL_LENGTH(0.0));
     real_length root = length_root(square);
@@ -188,19 +266,43 @@ static inline void quadric_stretches(const struct quadric quadric, const struct 
     *second = b;
 }
 
-void search_quadric(struct search_lanes *restrict search, uint8_t index,
-                    const struct local_lanes *restrict local,
-                    const uint32_t chosen[restrict LANES]) {
+static inline struct meeting quadric_meeting(const struct search_lanes *search, int i,
+                                             uint32_t bit, const struct quadric *quadric,
+                                             const struct local_lanes *local, bool inside) {
+    bool starts_there = (search->touch[i] & bit) != 0;
+    struct stretch first, second;
+    quadric_stretches(quadric, local, i, starts_there, &first, &second);
+    return meeting_of_two(first, second, search->from[i], inside, starts_there);
+}
+
+static void leave_quadric(struct search_lanes *restrict search, uint8_t index,
+                          const struct quadric quadric, const struct local_lanes *restrict local,
+                          const uint32_t chosen[restrict LANES]) {
+    uint32_t bit = (uint32_t)1 << index;
+    for (int i = 0; i < LANES; i++) {
+        struct meeting found = quadric_meeting(search, i, bit, &quadric, local, true);
+        search_consider(search, i, index, found, true, chosen[i] != 0);
+    }
+}
+
+static void enter_quadric(struct search_lanes *restrict search, uint8_t index,
+                          const struct quadric quadric, const struct local_lanes *restrict local,
+                          const uint32_t chosen[restrict LANES]) {
+    uint32_t bit = (uint32_t)1 << index;
+    for (int i = 0; i < LANES; i++) {
+        struct meeting found = quadric_meeting(search, i, bit, &quadric, local, false);
+        search_consider(search, i, index, found, false, chosen[i] != 0);
+    }
+}
+
+void search_quadric(struct search_lanes *search, uint8_t index, const struct local_lanes *local,
+                    const struct chosen_lanes *chosen) {
     const struct scene *scene = search->scene;
     const struct quadric quadric = scene->quadrics[scene->primitives[index].index];
-    uint32_t bit = (uint32_t)1 << index, place = place_of(quadric.surface, 0);
-    for (int i = 0; i < LANES; i++) {
-        bool inside = (search->inside[i] & bit) != 0;
-        bool starts_there = (search->touch[i] & bit) != 0;
-        struct stretch first, second;
-        quadric_stretches(quadric, local, i, starts_there, place, &first, &second);
-        struct meeting found =
-            meeting_of_two(first, second, search->from[i], inside, starts_there);
-        search_consider(search, i, index, found, inside, chosen[i] != 0);
+    if (chosen->leaving > 0) {
+        leave_quadric(search, index, quadric, local, chosen->leave);
+    }
+    if (chosen->entering > 0) {
+        enter_quadric(search, index, quadric, local, chosen->enter);
     }
 }

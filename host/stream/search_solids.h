@@ -6,33 +6,40 @@
 #include "search.h"
 #include "stretch.h"
 
+/* The lanes that may leave a primitive and those that may enter it, as 1 or 0, and their numbers.
+ * Rays of one object are mostly all on one side: each step knows one side alone. */
+struct chosen_lanes {
+    uint32_t leave[LANES], enter[LANES];
+    uint32_t leaving, entering;
+};
+
 /* Each puts the crossings of the chosen lanes with primitive `index` beside the best so far. local
  * holds the rays in the primitive's frame. */
 void search_box(struct search_lanes *search, uint8_t index, const struct local_lanes *local,
-                const uint32_t chosen[LANES]);
-void search_ball(struct search_lanes *search, uint8_t index, const uint32_t chosen[LANES]);
-void search_polyhedron(struct search_lanes *search, uint8_t index, const uint32_t chosen[LANES]);
+                bool any_level, const struct chosen_lanes *chosen);
+void search_ball(struct search_lanes *search, uint8_t index, const struct chosen_lanes *chosen);
+void search_polyhedron(struct search_lanes *search, uint8_t index,
+                       const struct chosen_lanes *chosen);
 void search_quadric(struct search_lanes *search, uint8_t index, const struct local_lanes *local,
-                    const uint32_t chosen[LANES]);
+                    const struct chosen_lanes *chosen);
 
 /* Puts one lane's crossing with a primitive beside the best so far: what next_crossing() of
  * firmware/ray.c does. */
 static inline void search_consider(struct search_lanes *restrict search, int i, uint32_t index,
-                            struct meeting found, bool inside, bool chosen) {
+                                   struct meeting found, bool leaving, bool chosen) {
     uint32_t bit = (uint32_t)1 << index;
     real_length best = search->t[i];
     uint32_t place = search->place[i], toggled = search->toggled[i];
     bool valid = chosen & found.valid & length_less(found.t, LENGTH_FAR);
-    bool same = (found.place ^ place) < 256;
+    bool same = (found.place ^ place) >> 8 == 0;
     bool near = length_less(found.t, length_add(best, LENGTH_NOISE)) &
                 length_less(best, length_add(found.t, LENGTH_NOISE));
     bool coincide = valid & same & near;
-    bool precedes = length_less(found.t, best) | (inside & !length_less(best, found.t));
+    bool precedes = leaving ? !length_less(best, found.t) : length_less(found.t, best);
     bool better = valid & !(same & near) & precedes;
     search->t[i] = better ? found.t : best;
     search->place[i] = better ? found.place : place;
-    search->primitive[i] = better ? index : search->primitive[i];
-    search->leaving[i] = better ? (inside ? 1 : 0) : search->leaving[i];
+    search->crossed[i] = better ? index << 1 | (leaving ? 1U : 0U) : search->crossed[i];
     search->toggled[i] = better ? bit : toggled | (coincide ? bit : 0);
 }
 

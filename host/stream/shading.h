@@ -3,12 +3,13 @@
 #ifndef SUPERFRAME_SHADING_H
 #define SUPERFRAME_SHADING_H
 
-#include "hits.h"
+#include "borders.h"
 #include "image.h"
 
 /* The intensity that each boundary sends along its ray. scratch is a search to use for shadows. */
 void shading_local(const struct scene *scene, const struct direction_lanes *direction,
-                   const struct hit_lanes *hit, struct colour_lanes *local,
-                   struct search_lanes *scratch, struct render_counts *counts);
+                   const struct hit_lanes *hit, const struct border_lanes *border,
+                   struct colour_lanes *local, struct search_lanes *scratch,
+                   struct render_counts *counts);
 
 #endif

@@ -23,12 +23,13 @@ struct pixel_sum {
 };
 
 struct stream {
+    struct ray_lanes rays;
+    struct hit_lanes hit;
+    struct search_lanes search, shadow_search;
     const struct scene *scene;
     struct render_counts counts;
+    bool absorbs;   /* a material of the scene does */
     bool exhausted; /* a pixel's budget of rays has ended */
-    struct ray_lanes rays;
-    struct search_lanes search, shadow_search;
-    struct hit_lanes hit;
     struct queue queue;
     struct pixel_sum pixels[BAND_PIXELS];
 };
@@ -209,25 +210,47 @@ static void add_arrivals(struct stream *stream, const struct colour_lanes *local
     add_intensities(stream, &colour, &weight);
 }
 
+static bool any_lane(const uint32_t lanes[LANES]) {
+    uint32_t any = 0;
+    for (int i = 0; i < LANES; i++) {
+        any |= lanes[i];
+    }
+    return any != 0;
+}
+
 /* Follows the rays of the first `count` lanes to their next crossing. */
 static void step(struct stream *stream, uint32_t count) {
     uint32_t continuing[LANES], gone[LANES];
+    struct border_lanes border;
     struct colour_lanes local;
     struct energy_lanes cut[2];
     count_rays(stream, count);
     find_crossings(stream, count);
     sort_lanes(stream, continuing, gone);
-    go_on(stream, continuing);
+    if (any_lane(continuing)) {
+        go_on(stream, continuing);
+    }
     hits_describe(&stream->search, &stream->hit);
-    attenuate(stream);
-    shading_local(stream->scene, &stream->rays.direction, &stream->hit, &local,
+    if (stream->absorbs) {
+        attenuate(stream);
+    }
+    borders_find(stream->scene, &stream->hit, &border);
+    shading_local(stream->scene, &stream->rays.direction, &stream->hit, &border, &local,
                   &stream->shadow_search, &stream->counts);
     add_arrivals(stream, &local, gone);
-    children_grow(stream->scene, &stream->rays, &stream->hit, &stream->queue, cut);
+    children_grow(stream->scene, &stream->rays, &stream->hit, &border, &stream->queue, cut);
     if (stream->scene->estimate) {
         add_estimate(stream, &cut[0]);
         add_estimate(stream, &cut[1]);
     }
+}
+
+static bool scene_absorbs(const struct scene *scene) {
+    bool absorbs = false;
+    for (uint8_t i = 0; i < scene->object_count; i++) {
+        absorbs |= scene->materials[scene->objects[i].material].absorbs;
+    }
+    return absorbs;
 }
 
 static void add_counts(struct render_counts *sum, const struct render_counts *counts) {
@@ -246,6 +269,7 @@ static bool stream_rows(void *memory, const struct scene *scene, uint16_t first,
     uint32_t pixels = (uint32_t)rows * scene->width, next = 0;
     stream->scene = scene;
     stream->counts = nothing;
+    stream->absorbs = scene_absorbs(scene);
     stream->exhausted = false;
     queue_clear(&stream->queue);
     for (uint32_t i = 0; i < pixels; i++) {

@@ -62,30 +62,24 @@ static inline struct meeting meeting_entering(struct stretch s, real_length from
     return meeting;
 }
 
+/* inside is a constant at each call. */
 static inline struct meeting meeting_of(struct stretch s, real_length from, bool inside,
                                         bool starts_there) {
-    struct meeting leaving = meeting_leaving(s, from);
-    struct meeting entering = meeting_entering(s, from, starts_there);
-    struct meeting meeting = {inside ? leaving.t : entering.t,
-                              inside ? leaving.place : entering.place, inside | entering.valid};
-    return meeting;
+    return inside ? meeting_leaving(s, from) : meeting_entering(s, from, starts_there);
 }
 
-/* Of two stretches in order: the ray leaves the one that it is in, and enters the first that is
+/* Of two stretches in order: the ray leaves the one that it is in, or enters the first that is
  * ahead. */
 static inline struct meeting meeting_of_two(struct stretch a, struct stretch b, real_length from,
                                             bool inside, bool starts_there) {
     bool second = b.hit & !length_less(from, a.out) &
                   !length_less(length_subtract(from, a.out), length_subtract(b.in, from));
-    struct meeting first_left = meeting_leaving(a, from), second_left = meeting_leaving(b, from);
-    struct meeting first = meeting_entering(a, from, starts_there);
-    struct meeting last = meeting_entering(b, from, starts_there);
-    real_length left = second ? second_left.t : first_left.t;
-    uint32_t left_place = second ? second_left.place : first_left.place;
-    real_length entered = first.valid ? first.t : last.t;
-    uint32_t entered_place = first.valid ? first.place : last.place;
-    const struct meeting meeting = {inside ? left : entered, inside ? left_place : entered_place,
-                                    inside | first.valid | last.valid};
+    struct meeting first = meeting_of(a, from, inside, starts_there);
+    struct meeting last = meeting_of(b, from, inside, starts_there);
+    bool is_first = (inside & !second) | (!inside & first.valid);
+    const struct meeting meeting = {is_first ? first.t : last.t,
+                                    is_first ? first.place : last.place,
+                                    first.valid | last.valid};
     return meeting;
 }
 
@@ -95,25 +89,27 @@ struct slab {
     uint32_t low_place, high_place;
 };
 
-static inline struct stretch stretch_slab(struct stretch s, const struct slab slab,
+/* inside and may_be_level are constants at each call: a ray that is inside is asked only where it
+ * leaves, and mostly no ray of a chunk runs level. */
+static inline struct stretch stretch_slab(struct stretch s, struct slab slab,
                                           real_length origin, real_slope slope, bool level,
-                                          bool falling, uint32_t start, bool inside) {
-    real_length to_low = length_over(length_subtract(slab.low, origin), slope);
-    real_length to_high = length_over(length_subtract(slab.high, origin), slope);
+                                          bool falling, uint32_t start, bool inside,
+                                          bool may_be_level) {
+    real_length ahead_in = length_subtract(falling ? slab.high : slab.low, origin);
+    real_length ahead_out = length_subtract(falling ? slab.low : slab.high, origin);
     uint32_t in_place = falling ? slab.high_place : slab.low_place;
     uint32_t out_place = falling ? slab.low_place : slab.high_place;
-    bool on_in = in_place >> 8 == start, on_out = out_place >> 8 == start;
-    real_length near = falling ? to_high : to_low, far = falling ? to_low : to_high;
-    real_length zero = REAL_LENGTH(0.0);
-    near = on_in ? zero : near;
-    far = on_out ? (inside ? LENGTH_FAR : zero) : far;
-    near = level ? length_negate(LENGTH_FAR) : near;
-    far = level ? LENGTH_FAR : far;
-    bool within = !length_less(origin, slab.low) & length_less(origin, slab.high);
-    s = stretch_left(s, far, out_place);
-    s = stretch_entered(s, near, in_place);
-    s.hit = s.hit & (within | !level);
-    return s;
+    real_length in = length_over(ahead_in, slope), out = length_over(ahead_out, slope);
+    in = in_place >> 8 == start ? REAL_LENGTH(0.0) : in;
+    out = out_place >> 8 == start ? (inside ? LENGTH_FAR : REAL_LENGTH(0.0)) : out;
+    if (may_be_level) {
+        bool within = !length_less(origin, slab.low) & length_less(origin, slab.high);
+        in = level ? length_negate(LENGTH_FAR) : in;
+        out = level ? LENGTH_FAR : out;
+        s.hit = s.hit & (within | !level);
+    }
+    s = stretch_left(s, out, out_place);
+    return inside ? s : stretch_entered(s, in, in_place);
 }
 
 #endif

@@ -1,0 +1,138 @@
+/* SPDX-License-Identifier: MIT */
+/* The finish and the optics of boundaries: one pair of objects after the other. */
+#include "borders.h"
+
+#include <string.h>
+
+#include "optics.h"
+
+static void turn_points(struct point_lanes *restrict turned, const struct frame *frame,
+                        const struct point_lanes *restrict world) {
+    const struct frame f = *frame;
+    for (int i = 0; i < LANES; i++) {
+        const struct point there = {world->x[i], world->y[i], world->z[i]};
+        struct point q = point_subtract(there, f.origin);
+        turned->x[i] = point_dot(q, f.axis[0]);
+        turned->y[i] = point_dot(q, f.axis[1]);
+        turned->z[i] = point_dot(q, f.axis[2]);
+    }
+}
+
+/* 1 where the pattern has its other colour: colour_at() of firmware/shade.c. */
+static void find_cells(const struct scene *scene, const struct pattern *source,
+                       const struct point_lanes *restrict where, uint32_t odd[restrict LANES]) {
+    const struct pattern pattern = *source;
+    const bool along_x = pattern.axes & 1, along_y = pattern.axes & 2, along_z = pattern.axes & 4;
+    const struct point size = {along_x ? pattern.size.x : REAL_LENGTH(1.0),
+                               along_y ? pattern.size.y : REAL_LENGTH(1.0),
+                               along_z ? pattern.size.z : REAL_LENGTH(1.0)};
+    struct point_lanes turned;
+    const struct point_lanes *place = where;
+    if (pattern.frame != FRAME_WORLD) {
+        turn_points(&turned, &scene->frames[pattern.frame], where);
+        place = &turned;
+    }
+    for (int i = 0; i < LANES; i++) {
+        struct point p = {place->x[i], place->y[i], place->z[i]};
+        p = point_subtract(p, pattern.origin);
+        odd[i] = (along_x & length_cell_is_odd(p.x, size.x)) ^
+                         (along_y & length_cell_is_odd(p.y, size.y)) ^
+                         (along_z & length_cell_is_odd(p.z, size.z))
+                     ? 1
+                     : 0;
+    }
+}
+
+/* What is the same wherever two objects meet. */
+struct meeting_place {
+    struct colours own, own_ambient;     /* Ic and the ambient term */
+    struct colours other, other_ambient; /* of the pattern's odd cells */
+    const struct pattern *pattern;       /* NULL: none */
+    real_energy diffuse, specular;
+    uint32_t gloss;
+    real_index eta, n;
+    bool bends, clear;
+};
+
+static struct colours ambient_of(const struct material *material, struct colours colour) {
+    return colours_add(material->ambient, colours_scaled(colour, material->ambient_share));
+}
+
+static struct meeting_place meeting_place(const struct scene *scene, uint32_t before,
+                                          uint32_t after) {
+    const struct material *near = &scene->materials[scene->objects[before].material];
+    const struct material *far = &scene->materials[scene->objects[after].material];
+    /* Whose surface it is: surface_material() of firmware/growth.c. */
+    bool near_owns = near->transparent != far->transparent ? far->transparent : before > after;
+    const struct material *owner = near_owns ? near : far;
+    const struct pattern *pattern =
+        owner->pattern == PATTERN_NONE ? 0 : &scene->patterns[owner->pattern];
+    struct colours other = pattern ? pattern->colour : owner->colour;
+    const struct meeting_place place = {owner->colour,
+                                        ambient_of(owner, owner->colour),
+                                        other,
+                                        ambient_of(owner, other),
+                                        pattern,
+                                        owner->diffuse,
+                                        owner->specular,
+                                        owner->gloss,
+                                        index_product(near->ior[0], far->inverse_ior[0]),
+                                        index_product(far->ior[0], near->inverse_ior[0]),
+                                        near->optical != far->optical,
+                                        owner->transparent};
+    return place;
+}
+
+static void apply_place(const struct meeting_place place, const uint32_t here[restrict LANES],
+                        const uint32_t odd[restrict LANES],
+                        struct border_lanes *restrict border) {
+    for (int i = 0; i < LANES; i++) {
+        bool is = here[i] != 0, is_odd = odd[i] != 0;
+        struct colours colour = {is_odd ? place.other.red : place.own.red,
+                                 is_odd ? place.other.green : place.own.green,
+                                 is_odd ? place.other.blue : place.own.blue};
+        struct colours ambient = {is_odd ? place.other_ambient.red : place.own_ambient.red,
+                                  is_odd ? place.other_ambient.green : place.own_ambient.green,
+                                  is_odd ? place.other_ambient.blue : place.own_ambient.blue};
+        border->colour.red[i] = is ? colour.red : border->colour.red[i];
+        border->colour.green[i] = is ? colour.green : border->colour.green[i];
+        border->colour.blue[i] = is ? colour.blue : border->colour.blue[i];
+        border->ambient.red[i] = is ? ambient.red : border->ambient.red[i];
+        border->ambient.green[i] = is ? ambient.green : border->ambient.green[i];
+        border->ambient.blue[i] = is ? ambient.blue : border->ambient.blue[i];
+        border->diffuse[i] = is ? place.diffuse : border->diffuse[i];
+        border->specular[i] = is ? place.specular : border->specular[i];
+        border->gloss[i] = is ? place.gloss : border->gloss[i];
+        border->eta[i] = is ? place.eta : border->eta[i];
+        border->n[i] = is ? place.n : border->n[i];
+        border->bends[i] = is ? place.bends : border->bends[i];
+        border->clear[i] = is ? place.clear : border->clear[i];
+    }
+}
+
+void borders_find(const struct scene *scene, const struct hit_lanes *restrict hit,
+                  struct border_lanes *restrict border) {
+    uint32_t left[LANES], here[LANES], odd[LANES];
+    memset(border, 0, sizeof *border);
+    for (int i = 0; i < LANES; i++) {
+        left[i] = hit->is[i];
+    }
+    for (int first = 0; first < LANES; first++) {
+        if (left[first] == 0) {
+            continue;
+        }
+        uint32_t before = hit->before[first], after = hit->after[first];
+        struct meeting_place place = meeting_place(scene, before, after);
+        for (int i = 0; i < LANES; i++) {
+            bool same = (hit->before[i] == before) & (hit->after[i] == after);
+            here[i] = same ? left[i] : 0;
+            left[i] = same ? 0 : left[i];
+            odd[i] = 0;
+        }
+        if (place.pattern) {
+            find_cells(scene, place.pattern, &hit->where, odd);
+        }
+        apply_place(place, here, odd, border);
+        border->gloss_most = place.gloss > border->gloss_most ? place.gloss : border->gloss_most;
+    }
+}
