@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "affine.h"
 #include "export_pov_internal.h"
 
 /* How far an object's bounding box stands off it, in scaled units: rounding can't cut it. */
@@ -45,12 +46,45 @@ static void write_polyhedron(FILE *out, const struct compiled_scene *scene,
     indent(out, level);
 }
 
-static void write_quadric(FILE *out, const struct compiled_quadric *quadric) {
+static void write_curve(FILE *out, const struct compiled_quadric *quadric) {
     (void)fputs("quadric { ", out);
     export_pov_vector(out, quadric->square[0], quadric->square[1], quadric->square[2]);
     (void)fputs(", <0, 0, 0>, ", out);
     export_pov_vector(out, 0, 0, 2 * quadric->linear);
     (void)fprintf(out, ", %.17g", quadric->constant);
+}
+
+/* The faces that cut it are planes in the frame, the curve stands where its centre is there. */
+static void write_quadric(FILE *out, const struct compiled_scene *scene,
+                          const struct compiled_primitive *primitive, int level) {
+    static const char *const axes[3] = {"x", "y", "z"};
+    const struct compiled_quadric *quadric = &scene->quadrics[primitive->index];
+    double centre[3];
+    for (int i = 0; i < 3; i++) {
+        centre[i] = quadric->centre[i];
+        if (primitive->frame != WORLD_FRAME) {
+            centre[i] = vector_dot(quadric->centre, scene->frames[primitive->frame].axis[i]);
+        }
+    }
+    if (quadric->cuts != 0) {
+        (void)fputs("intersection {\n", out);
+        for (int i = 0; i < 6; i++) {
+            const struct compiled_box *box = &scene->boxes[quadric->box];
+            if ((quadric->cuts >> i % 3 & 1) != 0) {
+                indent(out, level + 1);
+                (void)fprintf(out, "plane { %s%s, %.17g }\n", i < 3 ? "-" : "", axes[i % 3],
+                              i < 3 ? -box->minimum[i] : box->maximum[i - 3]);
+            }
+        }
+        indent(out, level + 1);
+    }
+    write_curve(out, quadric);
+    (void)fputs(" translate ", out);
+    export_pov_vector(out, centre[0], centre[1], centre[2]);
+    if (quadric->cuts != 0) {
+        (void)fputs(" }\n", out);
+        indent(out, level);
+    }
 }
 
 /* From a frame's coordinates to the world's: point = origin + sum of local_i axis_i. */
@@ -82,7 +116,7 @@ static void write_primitive(FILE *out, const struct compiled_scene *scene, uint8
         write_polyhedron(out, scene, &scene->polyhedra[primitive->index], level);
         break;
     case KIND_QUADRIC:
-        write_quadric(out, &scene->quadrics[primitive->index]);
+        write_quadric(out, scene, primitive, level);
         break;
     default:
         write_box(out, &scene->boxes[primitive->index]);
