@@ -66,9 +66,9 @@ struct polyhedron {
     uint8_t count;
 };
 
-/* square . (x^2, y^2, z^2) + 2 linear z + constant < 0, x y z being counted from the centre along the
- * frame's axes; the largest of |square| is 1. A box in the same frame may cut it: one primitive. Its
- * faces are the box's and then QUADRIC_FACE, the curved one. */
+/* square . (x^2, y^2, z^2) + 2 linear z + constant < 0, x y z being counted from the centre along
+ * the frame's axes; the largest of |square| is 1. A box in the same frame may cut it: one
+ * primitive. Its faces are the box's and then QUADRIC_FACE, the curved one. */
 struct quadric {
     struct point centre;
     struct direction square; /* not of length 1 */

@@ -140,9 +140,6 @@ void quadric_extent(const struct compiled_scene *scene, const struct compiled_qu
 double quadric_ball(const struct compiled_quadric *quadric, const double low[3],
                     const double high[3]);
 
-/* An axis of a frame, or of the world. */
-const double *compiled_axis(const struct compiled_scene *scene, uint8_t frame, int axis);
-
 /* Whether a set has a primitive, and putting it in. */
 bool compiled_set_has(const struct compiled_set *set, int primitive);
 void compiled_set_include(struct compiled_set *set, int primitive);

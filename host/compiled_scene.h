@@ -194,6 +194,9 @@ enum compiled_show { COMPILED_FULL, COMPILED_BITS, COMPILED_DITHER, COMPILED_EXP
 struct compiled_scene *scene_compile(const struct scene_description *description,
                                      struct scene_error *error);
 
+/* An axis of a frame, or of the world. */
+const double *compiled_axis(const struct compiled_scene *scene, uint8_t frame, int axis);
+
 /* Whether a point, in scaled coordinates, is strictly inside a primitive. */
 bool compiled_primitive_holds(const struct compiled_scene *scene, uint8_t index,
                               const double point[3]);

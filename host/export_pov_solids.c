@@ -3,7 +3,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "affine.h"
 #include "export_pov_internal.h"
 
 /* How far an object's bounding box stands off it, in scaled units: rounding can't cut it. */
@@ -54,50 +53,55 @@ static void write_curve(FILE *out, const struct compiled_quadric *quadric) {
     (void)fprintf(out, ", %.17g", quadric->constant);
 }
 
-/* The faces that cut it are planes in the frame, the curve stands where its centre is there. */
-static void write_quadric(FILE *out, const struct compiled_scene *scene,
-                          const struct compiled_primitive *primitive, int level) {
-    static const char *const axes[3] = {"x", "y", "z"};
-    const struct compiled_quadric *quadric = &scene->quadrics[primitive->index];
-    double centre[3];
-    for (int i = 0; i < 3; i++) {
-        centre[i] = quadric->centre[i];
-        if (primitive->frame != WORLD_FRAME) {
-            centre[i] = vector_dot(quadric->centre, scene->frames[primitive->frame].axis[i]);
-        }
-    }
-    if (quadric->cuts != 0) {
-        (void)fputs("intersection {\n", out);
-        for (int i = 0; i < 6; i++) {
-            const struct compiled_box *box = &scene->boxes[quadric->box];
-            if ((quadric->cuts >> i % 3 & 1) != 0) {
-                indent(out, level + 1);
-                (void)fprintf(out, "plane { %s%s, %.17g }\n", i < 3 ? "-" : "", axes[i % 3],
-                              i < 3 ? -box->minimum[i] : box->maximum[i - 3]);
-            }
-        }
-        indent(out, level + 1);
-    }
-    write_curve(out, quadric);
-    (void)fputs(" translate ", out);
-    export_pov_vector(out, centre[0], centre[1], centre[2]);
-    if (quadric->cuts != 0) {
-        (void)fputs(" }\n", out);
-        indent(out, level);
-    }
-}
-
 /* From a frame's coordinates to the world's: point = origin + sum of local_i axis_i. */
-static void write_frame(FILE *out, const struct compiled_frame *frame, int level) {
+static void write_frame(FILE *out, const struct compiled_scene *scene, uint8_t frame,
+                        const double origin[3], int level) {
     (void)fputc('\n', out);
     indent(out, level + 1);
     (void)fputs("matrix <", out);
     for (int i = 0; i < 3; i++) {
-        (void)fprintf(out, "%.17g, %.17g, %.17g, ", frame->axis[i][0], frame->axis[i][1],
-                      frame->axis[i][2]);
+        const double *axis = compiled_axis(scene, frame, i);
+        (void)fprintf(out, "%.17g, %.17g, %.17g, ", axis[0], axis[1], axis[2]);
     }
-    (void)fprintf(out, "%.17g, %.17g, %.17g>", frame->origin[0], frame->origin[1],
-                  frame->origin[2]);
+    (void)fprintf(out, "%.17g, %.17g, %.17g>", origin[0], origin[1], origin[2]);
+}
+
+/* The planes that cut a quadric, as a solid of their own: POV-Ray 3.7 works out bounds for a
+ * quadric from planes beside it, and errs with hyperboloids. */
+static void write_cuts(FILE *out, const struct compiled_scene *scene,
+                       const struct compiled_quadric *quadric, uint8_t frame, int level) {
+    const struct compiled_box *box = &scene->boxes[quadric->box];
+    indent(out, level);
+    (void)fputs("intersection {\n", out);
+    for (int i = 0; i < 6; i++) {
+        const double *axis = compiled_axis(scene, frame, i % 3);
+        double sign = i < 3 ? -1 : 1;
+        if ((quadric->cuts >> i % 3 & 1) != 0) {
+            indent(out, level + 1);
+            (void)fputs("plane { ", out);
+            export_pov_vector(out, sign * axis[0], sign * axis[1], sign * axis[2]);
+            (void)fprintf(out, ", %.17g }\n", i < 3 ? -box->minimum[i] : box->maximum[i - 3]);
+        }
+    }
+    indent(out, level);
+    (void)fputs("}\n", out);
+}
+
+static void write_quadric(FILE *out, const struct compiled_scene *scene,
+                          const struct compiled_primitive *primitive, int level) {
+    const struct compiled_quadric *quadric = &scene->quadrics[primitive->index];
+    bool is_cut = quadric->cuts != 0;
+    if (is_cut) {
+        (void)fputs("intersection {\n", out);
+        indent(out, level + 1);
+    }
+    write_curve(out, quadric);
+    write_frame(out, scene, primitive->frame, quadric->centre, is_cut ? level + 1 : level);
+    if (is_cut) {
+        (void)fputs(" }\n", out);
+        write_cuts(out, scene, quadric, primitive->frame, level + 1);
+        indent(out, level);
+    }
 }
 
 /* Without the closing brace, so that an object of one primitive can go on with its material. */
@@ -122,8 +126,8 @@ static void write_primitive(FILE *out, const struct compiled_scene *scene, uint8
         write_box(out, &scene->boxes[primitive->index]);
         break;
     }
-    if (primitive->frame != WORLD_FRAME) {
-        write_frame(out, &scene->frames[primitive->frame], level);
+    if (primitive->kind == KIND_BOX && primitive->frame != WORLD_FRAME) {
+        write_frame(out, scene, primitive->frame, scene->frames[primitive->frame].origin, level);
     }
     (void)fputc(' ', out);
 }
