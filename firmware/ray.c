@@ -16,7 +16,7 @@ struct crossing {
 /* What a search for the next crossing goes by. */
 struct search {
     const struct scene *scene;
-    struct ray_views views;
+    struct local_ray views[VIEWS];
     const struct primitive_set *only;  /* the primitives to look at; NULL: all that matter */
     uint16_t surface;                  /* that the ray starts on */
     const struct primitive_set *touch; /* what that surface bounds; NULL: none */
@@ -28,7 +28,7 @@ static void start_search(struct search *search, const struct scene *scene, const
     search->only = only;
     search->surface = length_is_zero(LENGTH_EPSILON) ? ray->surface : SURFACE_NONE;
     search->touch = search->surface == SURFACE_NONE ? 0 : &scene->surfaces[search->surface];
-    ray_views_start(&search->views, ray->origin, ray->direction);
+    views_start(search->views, ray->origin, ray->direction);
 }
 
 static void set_crossing(struct crossing *crossing, real_length t, uint8_t face) {
@@ -98,9 +98,9 @@ static bool primitive_crossing(struct search *search, uint8_t index, bool inside
     const struct start start = {starts_there ? search->surface : SURFACE_NONE, inside};
     if (primitive->kind == PRIMITIVE_BOX && primitive->frame == FRAME_WORLD) {
         segments[0] =
-            box_segment(&scene->boxes[primitive->index], &search->views.ray[VIEW_WORLD], start);
+            box_segment(&scene->boxes[primitive->index], &search->views[VIEW_WORLD], start);
     } else {
-        count = primitive_segments(scene, primitive, &search->views, start, segments);
+        count = primitive_segments(scene, primitive, search->views, start, segments);
     }
     crossing->leaving = inside;
     if (inside) {

@@ -16,13 +16,12 @@ static void set_slopes(struct local_ray *ray) {
     set_slope(ray, 2, ray->direction.z);
 }
 
-void ray_views_start(struct ray_views *views, struct point origin, struct direction direction) {
-    struct local_ray *world = &views->ray[VIEW_WORLD];
-    world->origin = origin;
-    world->direction = direction;
-    set_slopes(world);
-    for (uint8_t i = 1; i < VIEWS; i++) {
-        views->frame[i] = FRAME_WORLD;
+void views_start(struct local_ray views[VIEWS], struct point origin, struct direction direction) {
+    views[VIEW_WORLD].origin = origin;
+    views[VIEW_WORLD].direction = direction;
+    set_slopes(&views[VIEW_WORLD]);
+    for (uint8_t i = VIEW_WORLD + 1; i < VIEWS; i++) {
+        views[i].frame = FRAME_WORLD;
     }
 }
 
@@ -34,16 +33,15 @@ static struct point turn_point(const struct frame *frame, struct point p) {
 
 /* The ray in a primitive's frame, turned once for all of its primitives. */
 static const struct local_ray *view_from(const struct scene *scene, uint8_t frame,
-                                         struct ray_views *views) {
-    const struct local_ray *world = &views->ray[VIEW_WORLD];
+                                         struct local_ray views[VIEWS]) {
+    const struct local_ray *world = &views[VIEW_WORLD];
     if (!FEATURE_ROTATION || frame == FRAME_WORLD) {
         return world;
     }
-    uint8_t slot = (uint8_t)((1 + (frame & 1)) * FEATURE_ROTATION);
-    struct local_ray *ray = &views->ray[slot];
-    if (views->frame[slot] != frame) {
+    struct local_ray *ray = &views[(1 + (frame & 1)) * FEATURE_ROTATION];
+    if (ray->frame != frame) {
         const struct direction *axis = scene->frames[frame].axis;
-        views->frame[slot] = frame;
+        ray->frame = frame;
         ray->origin = turn_point(&scene->frames[frame], world->origin);
         ray->direction.x = direction_dot(world->direction, axis[0]);
         ray->direction.y = direction_dot(world->direction, axis[1]);
@@ -196,10 +194,10 @@ static void cut_segment(const struct box *box, uint8_t cuts, const struct local_
 
 /* The reach is looked at before the ray is turned: most rays pass by. */
 static uint8_t quadric_segments(const struct scene *scene, const struct primitive *primitive,
-                                struct ray_views *views, struct start start,
+                                struct local_ray views[VIEWS], struct start start,
                                 struct segment segments[2]) {
     const struct quadric *quadric = &scene->quadrics[primitive->index];
-    const struct local_ray *world = &views->ray[VIEW_WORLD];
+    const struct local_ray *world = &views[VIEW_WORLD];
     bool on_curve = start.surface == quadric->surface;
     if (on_curve && !start.inside && quadric->left_for_good) {
         segments[0] = whole_segment(REAL_LENGTH(0.0), false);
@@ -228,9 +226,9 @@ static uint8_t quadric_segments(const struct scene *scene, const struct primitiv
 }
 
 uint8_t primitive_segments(const struct scene *scene, const struct primitive *primitive,
-                           struct ray_views *views, struct start start,
+                           struct local_ray views[VIEWS], struct start start,
                            struct segment segments[2]) {
-    const struct local_ray *world = &views->ray[VIEW_WORLD];
+    const struct local_ray *world = &views[VIEW_WORLD];
     if (FEATURE_BALL && primitive->kind == PRIMITIVE_BALL) {
         segments[0] =
             ball_segment(&scene->balls[primitive->index], world->origin, world->direction);

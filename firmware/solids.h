@@ -13,6 +13,7 @@ struct local_ray {
     real_slope slope[3]; /* of the direction's components; that of 1 where one is zero */
     uint8_t level;       /* bit 0, 1, 2: the component along x, y, z is zero */
     uint8_t falling;     /* bit 0, 1, 2: it is negative */
+    uint8_t frame;       /* that of a ray that has been turned, or FRAME_WORLD: none is there yet */
 };
 
 /* The stretch in .. out of a ray that lies inside a primitive. Where the ray misses, `hit` is false
@@ -24,16 +25,11 @@ struct segment {
     bool hit;
 };
 
-/* One ray as the world sees it, and as the frames that were asked for last do: those whose numbers
+/* One ray as the world sees it, and as the frames do that were asked for last. Frames whose numbers
  * differ in their last bit are both kept. */
 enum { VIEW_WORLD, VIEWS = 1 + 2 * FEATURE_ROTATION };
 
-struct ray_views {
-    struct local_ray ray[VIEWS];
-    uint8_t frame[VIEWS];
-};
-
-void ray_views_start(struct ray_views *views, struct point origin, struct direction direction);
+void views_start(struct local_ray views[VIEWS], struct point origin, struct direction direction);
 
 /* Where a ray starts: on a surface of the primitive, or SURFACE_NONE; and whether it is inside. A
  * face on that surface lies at exactly 0, and is not where a ray that is inside leaves. */
@@ -110,7 +106,8 @@ static inline struct segment ball_segment(const struct ball *ball, struct point 
 
 /* The stretches of a ray inside a primitive, one or two, in order: their number. */
 uint8_t primitive_segments(const struct scene *scene, const struct primitive *primitive,
-                           struct ray_views *views, struct start start, struct segment segments[2]);
+                           struct local_ray views[VIEWS], struct start start,
+                           struct segment segments[2]);
 
 uint16_t primitive_surface(const struct scene *scene, const struct primitive *primitive,
                            uint8_t face);
