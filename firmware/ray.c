@@ -16,7 +16,7 @@ struct crossing {
 /* What a search for the next crossing goes by. */
 struct search {
     const struct scene *scene;
-    struct local_ray world;
+    struct local_ray views[VIEWS];
     const struct primitive_set *only;  /* the primitives to look at; NULL: all that matter */
     uint16_t surface;                  /* that the ray starts on */
     const struct primitive_set *touch; /* what that surface bounds; NULL: none */
@@ -28,7 +28,7 @@ static void start_search(struct search *search, const struct scene *scene, const
     search->only = only;
     search->surface = length_is_zero(LENGTH_EPSILON) ? ray->surface : SURFACE_NONE;
     search->touch = search->surface == SURFACE_NONE ? 0 : &scene->surfaces[search->surface];
-    local_ray_world(&search->world, ray->origin, ray->direction);
+    views_start(search->views, ray->origin, ray->direction);
 }
 
 static void set_crossing(struct crossing *crossing, real_length t, uint8_t face) {
@@ -84,9 +84,8 @@ static bool crossings_coincide(const struct crossing *a, const struct crossing *
 }
 
 /* The next crossing of one primitive at or after `from`. */
-static bool primitive_crossing(const struct search *search, uint8_t index, bool inside,
-                               real_length from, struct crossing *crossing,
-                               struct render_counts *counts) {
+static bool primitive_crossing(struct search *search, uint8_t index, bool inside, real_length from,
+                               struct crossing *crossing, struct render_counts *counts) {
     const struct scene *scene = search->scene;
     const struct primitive *primitive = &scene->primitives[index];
     bool starts_there = search->touch && set_has(search->touch, index);
@@ -98,9 +97,10 @@ static bool primitive_crossing(const struct search *search, uint8_t index, bool 
     counts->solid_tests++;
     const struct start start = {starts_there ? search->surface : SURFACE_NONE, inside};
     if (primitive->kind == PRIMITIVE_BOX && primitive->frame == FRAME_WORLD) {
-        segments[0] = box_segment(&scene->boxes[primitive->index], &search->world, start);
+        segments[0] =
+            box_segment(&scene->boxes[primitive->index], &search->views[VIEW_WORLD], start);
     } else {
-        count = primitive_segments(scene, primitive, &search->world, start, segments);
+        count = primitive_segments(scene, primitive, search->views, start, segments);
     }
     crossing->leaving = inside;
     if (inside) {
@@ -128,7 +128,7 @@ static bool may_be_next(const struct search *search, uint8_t index,
 }
 
 /* The nearest crossing at or after `from`, and all the primitives that are crossed there. */
-static bool next_crossing(const struct search *search, const struct primitive_set *inside,
+static bool next_crossing(struct search *search, const struct primitive_set *inside,
                           real_length from, struct crossing *best, struct primitive_set *toggled,
                           struct render_counts *counts) {
     best->t = LENGTH_FAR;

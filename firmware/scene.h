@@ -17,7 +17,8 @@
 /* What is around everything: object 0, which no program describes, of material 0. */
 enum { OBJECT_AIR = 0, MATERIAL_AIR = 0 };
 
-/* A rotated system of coordinates: local = axes . (p - origin). */
+/* A rotated system of coordinates: local = axes . (p - origin). Those of solids have their origin
+ * where the scene has its own. */
 struct frame {
     struct point origin;
     struct direction axis[3];
@@ -32,7 +33,7 @@ struct primitive {
     uint8_t kind;       /* enum primitive_kind */
     uint8_t index;      /* into the table of that kind */
     uint8_t frame;      /* into frames, or FRAME_WORLD */
-    bool left_for_good; /* curved and convex: a ray that has left its surface never returns */
+    bool left_for_good; /* curved and convex: a ray that has left its surfaces never returns */
     uint8_t enclosure;  /* the primitive that it lies strictly within, or ENCLOSURE_NONE */
 };
 
@@ -65,14 +66,23 @@ struct polyhedron {
     uint8_t count;
 };
 
-/* square . (x^2, y^2, z^2) + 2 linear z + constant < 0, in a frame that has the surface's own axes;
- * the largest of |square| is 1. */
+/* square . (x^2, y^2, z^2) + 2 linear z + constant < 0, x y z being counted from the centre along
+ * the frame's axes; the largest of |square| is 1. A box in the same frame may cut it: one
+ * primitive. Its faces are the box's and then QUADRIC_FACE, the curved one. */
 struct quadric {
+    struct point centre;
     struct direction square; /* not of length 1 */
     real_length linear;
     real_area constant;
-    uint16_t surface;
+    real_area square_reach; /* where it ends: no point of it is as far as that from its centre */
+    uint16_t surface;       /* the curved one */
+    uint8_t box;            /* into boxes, if any of its faces cuts */
+    uint8_t cuts;           /* bit 0, 1, 2: the box's faces across x, y, z cut */
+    bool ends;              /* it lies within its reach */
+    bool left_for_good;     /* by its curved face, though not by the others */
 };
+
+enum { QUADRIC_FACE = 6 };
 
 /* A CSG object: a Boolean function of the primitives that a point is in, as a postfix program.
  * Where objects overlap, the later one in the table fills the place. */

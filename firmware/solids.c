@@ -9,25 +9,46 @@ static void set_slope(struct local_ray *ray, uint8_t axis, real_unit u) {
     ray->falling = (uint8_t)(ray->falling | unit_is_negative(u) << axis);
 }
 
-void local_ray_world(struct local_ray *ray, struct point origin, struct direction direction) {
-    ray->origin = origin;
-    ray->direction = direction;
+static void set_slopes(struct local_ray *ray) {
     ray->level = ray->falling = 0;
-    set_slope(ray, 0, direction.x);
-    set_slope(ray, 1, direction.y);
-    set_slope(ray, 2, direction.z);
+    set_slope(ray, 0, ray->direction.x);
+    set_slope(ray, 1, ray->direction.y);
+    set_slope(ray, 2, ray->direction.z);
 }
 
-/* The same ray in a frame, without the slopes, which only boxes ask for. */
-static void turn_ray(struct local_ray *ray, const struct frame *frame,
-                     const struct local_ray *world) {
-    struct point p = point_subtract(world->origin, frame->origin);
-    ray->origin.x = point_dot(p, frame->axis[0]);
-    ray->origin.y = point_dot(p, frame->axis[1]);
-    ray->origin.z = point_dot(p, frame->axis[2]);
-    ray->direction.x = direction_dot(world->direction, frame->axis[0]);
-    ray->direction.y = direction_dot(world->direction, frame->axis[1]);
-    ray->direction.z = direction_dot(world->direction, frame->axis[2]);
+void views_start(struct local_ray views[VIEWS], struct point origin, struct direction direction) {
+    views[VIEW_WORLD].origin = origin;
+    views[VIEW_WORLD].direction = direction;
+    set_slopes(&views[VIEW_WORLD]);
+    for (uint8_t i = VIEW_WORLD + 1; i < VIEWS; i++) {
+        views[i].frame = FRAME_WORLD;
+    }
+}
+
+static struct point turn_point(const struct frame *frame, struct point p) {
+    struct point turned = {point_dot(p, frame->axis[0]), point_dot(p, frame->axis[1]),
+                           point_dot(p, frame->axis[2])};
+    return turned;
+}
+
+/* The ray in a primitive's frame, turned once for all of its primitives. */
+static const struct local_ray *view_from(const struct scene *scene, uint8_t frame,
+                                         struct local_ray views[VIEWS]) {
+    const struct local_ray *world = &views[VIEW_WORLD];
+    if (!FEATURE_ROTATION || frame == FRAME_WORLD) {
+        return world;
+    }
+    struct local_ray *ray = &views[(1 + (frame & 1)) * FEATURE_ROTATION];
+    if (ray->frame != frame) {
+        const struct direction *axis = scene->frames[frame].axis;
+        ray->frame = frame;
+        ray->origin = turn_point(&scene->frames[frame], world->origin);
+        ray->direction.x = direction_dot(world->direction, axis[0]);
+        ray->direction.y = direction_dot(world->direction, axis[1]);
+        ray->direction.z = direction_dot(world->direction, axis[2]);
+        set_slopes(ray);
+    }
+    return ray;
 }
 
 /* Whether a ray that runs along a plane is on the inner side of it. Of two solids that share the
@@ -66,36 +87,35 @@ static struct segment polyhedron_segment(const struct scene *scene,
     return segment;
 }
 
-/* A quadric's form along a ray, a x^2 + 2 b x + c, x being counted from the point `start` of the
- * ray that is nearest to the frame's origin: there all three are of the solid's own size. */
+/* A quadric's form along a ray, a x^2 + 2 b x + c, x being counted from the foot, the point of the
+ * ray that is nearest to the centre: there all three are of the solid's own size. */
 struct form {
     real_unit a;
     real_length b;
     real_area c;
-    real_length start;
+    real_length start; /* where on the ray the foot is */
 };
 
-static struct form quadric_form(const struct quadric *quadric, const struct local_ray *ray) {
-    struct direction d = ray->direction;
+static struct form quadric_form(const struct quadric *quadric, struct point foot,
+                                struct direction d) {
     struct direction slant = {unit_product(quadric->square.x, d.x),
                               unit_product(quadric->square.y, d.y),
                               unit_product(quadric->square.z, d.z)};
     struct form form;
-    form.start = length_negate(point_dot(ray->origin, d));
-    struct point p = point_along(ray->origin, form.start, d);
-    real_area bend = area_product(p.z, quadric->linear);
+    real_area bend = area_product(foot.z, quadric->linear);
+    form.start = REAL_LENGTH(0.0);
     form.a = direction_dot(slant, d);
-    form.b = length_add(point_dot(p, slant), length_scaled(quadric->linear, d.z));
-    form.c = area_add(area_product(p.x, length_scaled(p.x, quadric->square.x)),
-                      area_product(p.y, length_scaled(p.y, quadric->square.y)));
-    form.c = area_add(form.c, area_product(p.z, length_scaled(p.z, quadric->square.z)));
+    form.b = length_add(point_dot(foot, slant), length_scaled(quadric->linear, d.z));
+    form.c = area_add(area_product(foot.x, length_scaled(foot.x, quadric->square.x)),
+                      area_product(foot.y, length_scaled(foot.y, quadric->square.y)));
+    form.c = area_add(form.c, area_product(foot.z, length_scaled(foot.z, quadric->square.z)));
     form.c = area_add(area_add(form.c, quadric->constant), area_add(bend, bend));
     return form;
 }
 
 /* Everything, or nothing. */
 static struct segment whole_segment(real_length start, bool hit) {
-    struct segment segment = {start, start, 0, 0, hit};
+    struct segment segment = {start, start, QUADRIC_FACE, QUADRIC_FACE, hit};
     if (hit) {
         segment.in = length_negate(LENGTH_FAR);
         segment.out = LENGTH_FAR;
@@ -111,12 +131,13 @@ static real_length length_magnitude(real_length a) {
 static uint8_t segments_of_roots(real_length low, real_length high, bool outside,
                                  struct segment segments[2]) {
     if (!outside) {
-        const struct segment between = {low, high, 0, 0, true};
+        const struct segment between = {low, high, QUADRIC_FACE, QUADRIC_FACE, true};
         segments[0] = between;
         return 1;
     }
-    const struct segment before = {length_negate(LENGTH_FAR), low, 0, 0, true};
-    const struct segment after = {high, LENGTH_FAR, 0, 0, true};
+    const struct segment before = {length_negate(LENGTH_FAR), low, QUADRIC_FACE, QUADRIC_FACE,
+                                   true};
+    const struct segment after = {high, LENGTH_FAR, QUADRIC_FACE, QUADRIC_FACE, true};
     segments[0] = before;
     segments[1] = after;
     return 2;
@@ -124,27 +145,27 @@ static uint8_t segments_of_roots(real_length low, real_length high, bool outside
 
 /* The roots without cancellation: q / a and c / q, where q = -(b + sign(b) sqrt(b^2 - a c)). On a
  * surface that the ray starts on, the root nearest to the start is the start. */
-static uint8_t quadric_segments(const struct quadric *quadric, const struct local_ray *ray,
-                                bool starts_there, struct segment segments[2]) {
-    struct form form = quadric_form(quadric, ray);
-    real_area square = area_subtract(area_product(form.b, form.b), area_scaled(form.c, form.a));
-    bool opens = unit_is_negative(form.a);
+static uint8_t form_segments(const struct form *form, bool starts_there,
+                             struct segment segments[2]) {
+    real_area square = area_subtract(area_product(form->b, form->b), area_scaled(form->c, form->a));
+    bool opens = unit_is_negative(form->a);
     if (area_is_negative(square)) {
-        segments[0] = whole_segment(form.start, opens);
+        segments[0] = whole_segment(form->start, opens);
         return 1;
     }
-    bool falls = length_less(form.b, REAL_LENGTH(0.0));
+    bool falls = length_less(form->b, REAL_LENGTH(0.0));
     real_length root = length_root(square);
-    real_length q = falls ? length_subtract(root, form.b) : length_negate(length_add(root, form.b));
+    real_length q =
+        falls ? length_subtract(root, form->b) : length_negate(length_add(root, form->b));
     if (length_is_zero(q)) {
-        segments[0] = whole_segment(form.start, opens || area_is_negative(form.c));
+        segments[0] = whole_segment(form->start, opens || area_is_negative(form->c));
         return 1;
     }
-    real_length near = length_add(form.start, length_quotient(form.c, q));
+    real_length near = length_add(form->start, length_quotient(form->c, q));
     real_length far =
         length_less(q, REAL_LENGTH(0.0)) == opens ? LENGTH_FAR : length_negate(LENGTH_FAR);
-    if (!unit_is_zero(form.a)) {
-        far = length_add(form.start, length_over(q, slope_of(form.a)));
+    if (!unit_is_zero(form->a)) {
+        far = length_add(form->start, length_over(q, slope_of(form->a)));
     }
     if (starts_there) {
         real_length *nearest =
@@ -155,11 +176,59 @@ static uint8_t quadric_segments(const struct quadric *quadric, const struct loca
     return segments_of_roots(ordered ? near : far, ordered ? far : near, opens, segments);
 }
 
+/* What the faces of a quadric's box leave of a stretch. */
+static void cut_segment(const struct box *box, uint8_t cuts, const struct local_ray *ray,
+                        struct start start, struct segment *segment) {
+    const struct point *low = &box->minimum, *high = &box->maximum;
+    if (cuts & 1) {
+        box_axis(ray, 0, ray->origin.x, low->x, high->x, box->surface, start, segment);
+    }
+    if (cuts & 2) {
+        box_axis(ray, 1, ray->origin.y, low->y, high->y, box->surface, start, segment);
+    }
+    if (cuts & 4) {
+        box_axis(ray, 2, ray->origin.z, low->z, high->z, box->surface, start, segment);
+    }
+    segment->hit = segment->hit && length_less(segment->in, segment->out);
+}
+
+/* The reach is looked at before the ray is turned: most rays pass by. */
+static uint8_t quadric_segments(const struct scene *scene, const struct primitive *primitive,
+                                struct local_ray views[VIEWS], struct start start,
+                                struct segment segments[2]) {
+    const struct quadric *quadric = &scene->quadrics[primitive->index];
+    const struct local_ray *world = &views[VIEW_WORLD];
+    bool on_curve = start.surface == quadric->surface;
+    if (on_curve && !start.inside && quadric->left_for_good) {
+        segments[0] = whole_segment(REAL_LENGTH(0.0), false);
+        return 1;
+    }
+    struct point p = point_subtract(world->origin, quadric->centre);
+    real_length nearest = length_negate(point_dot(p, world->direction));
+    struct point foot = point_along(p, nearest, world->direction);
+    if (quadric->ends && area_is_negative(area_subtract(quadric->square_reach, point_norm(foot)))) {
+        segments[0] = whole_segment(nearest, false);
+        return 1;
+    }
+    const struct local_ray *ray = view_from(scene, primitive->frame, views);
+    if (FEATURE_ROTATION && ray != world) {
+        foot = turn_point(&scene->frames[primitive->frame], foot);
+    }
+    struct form form = quadric_form(quadric, foot, ray->direction);
+    form.start = nearest;
+    uint8_t count = form_segments(&form, on_curve, segments);
+    if (quadric->cuts) {
+        for (uint8_t i = 0; i < count; i++) {
+            cut_segment(&scene->boxes[quadric->box], quadric->cuts, ray, start, &segments[i]);
+        }
+    }
+    return count;
+}
+
 uint8_t primitive_segments(const struct scene *scene, const struct primitive *primitive,
-                           const struct local_ray *world, struct start start,
+                           struct local_ray views[VIEWS], struct start start,
                            struct segment segments[2]) {
-    const struct local_ray *ray = world;
-    struct local_ray local;
+    const struct local_ray *world = &views[VIEW_WORLD];
     if (FEATURE_BALL && primitive->kind == PRIMITIVE_BALL) {
         segments[0] =
             ball_segment(&scene->balls[primitive->index], world->origin, world->direction);
@@ -169,19 +238,18 @@ uint8_t primitive_segments(const struct scene *scene, const struct primitive *pr
         segments[0] = polyhedron_segment(scene, &scene->polyhedra[primitive->index], world, start);
         return 1;
     }
-    if (FEATURE_ROTATION && primitive->frame != FRAME_WORLD) {
-        turn_ray(&local, &scene->frames[primitive->frame], world);
-        ray = &local;
-    }
     if (FEATURE_QUADRIC && primitive->kind == PRIMITIVE_QUADRIC) {
-        return quadric_segments(&scene->quadrics[primitive->index], ray,
-                                start.surface != SURFACE_NONE, segments);
+        return quadric_segments(scene, primitive, views, start, segments);
     }
-    if (FEATURE_ROTATION && ray == &local) {
-        local_ray_world(&local, local.origin, local.direction);
-    }
-    segments[0] = box_segment(&scene->boxes[primitive->index], ray, start);
+    segments[0] = box_segment(&scene->boxes[primitive->index],
+                              view_from(scene, primitive->frame, views), start);
     return 1;
+}
+
+/* The box that a flat face belongs to: a primitive's own, or that which cuts a quadric. */
+static const struct box *box_of(const struct scene *scene, const struct primitive *primitive) {
+    bool cut = FEATURE_QUADRIC && primitive->kind == PRIMITIVE_QUADRIC;
+    return &scene->boxes[cut ? scene->quadrics[primitive->index].box : primitive->index];
 }
 
 uint16_t primitive_surface(const struct scene *scene, const struct primitive *primitive,
@@ -189,13 +257,13 @@ uint16_t primitive_surface(const struct scene *scene, const struct primitive *pr
     if (FEATURE_BALL && primitive->kind == PRIMITIVE_BALL) {
         return scene->balls[primitive->index].surface;
     }
-    if (FEATURE_QUADRIC && primitive->kind == PRIMITIVE_QUADRIC) {
+    if (FEATURE_QUADRIC && face == QUADRIC_FACE && primitive->kind == PRIMITIVE_QUADRIC) {
         return scene->quadrics[primitive->index].surface;
     }
     if (FEATURE_POLYHEDRON && primitive->kind == PRIMITIVE_POLYHEDRON) {
         return scene->planes[scene->polyhedra[primitive->index].first + face].surface;
     }
-    return scene->boxes[primitive->index].surface[face];
+    return box_of(scene, primitive)->surface[face];
 }
 
 static struct direction box_normal(const struct scene *scene, const struct primitive *primitive,
@@ -216,16 +284,21 @@ static struct direction box_normal(const struct scene *scene, const struct primi
 static struct direction quadric_normal(const struct scene *scene, const struct primitive *primitive,
                                        struct point where) {
     const struct quadric *quadric = &scene->quadrics[primitive->index];
-    const struct frame *frame = &scene->frames[primitive->frame];
-    struct point q = point_subtract(where, frame->origin);
+    struct point q = point_subtract(where, quadric->centre);
+    bool turned = FEATURE_ROTATION && primitive->frame != FRAME_WORLD;
     struct direction u;
     real_length steepness;
-    unit_normalise_lengths(
-        length_scaled(point_dot(q, frame->axis[0]), quadric->square.x),
-        length_scaled(point_dot(q, frame->axis[1]), quadric->square.y),
-        length_add(length_scaled(point_dot(q, frame->axis[2]), quadric->square.z), quadric->linear),
-        &u.x, &u.y, &u.z, &steepness);
-    const struct direction *axis = frame->axis;
+    if (turned) {
+        q = turn_point(&scene->frames[primitive->frame], q);
+    }
+    unit_normalise_lengths(length_scaled(q.x, quadric->square.x),
+                           length_scaled(q.y, quadric->square.y),
+                           length_add(length_scaled(q.z, quadric->square.z), quadric->linear), &u.x,
+                           &u.y, &u.z, &steepness);
+    if (!turned) {
+        return u;
+    }
+    const struct direction *axis = scene->frames[primitive->frame].axis;
     struct direction normal = {unit_dot(u.x, u.y, u.z, axis[0].x, axis[1].x, axis[2].x),
                                unit_dot(u.x, u.y, u.z, axis[0].y, axis[1].y, axis[2].y),
                                unit_dot(u.x, u.y, u.z, axis[0].z, axis[1].z, axis[2].z)};
@@ -241,7 +314,7 @@ struct direction primitive_normal(const struct scene *scene, const struct primit
         unit_normalise_lengths(p.x, p.y, p.z, &normal.x, &normal.y, &normal.z, &radius);
         return normal;
     }
-    if (FEATURE_QUADRIC && primitive->kind == PRIMITIVE_QUADRIC) {
+    if (FEATURE_QUADRIC && face == QUADRIC_FACE && primitive->kind == PRIMITIVE_QUADRIC) {
         return quadric_normal(scene, primitive, where);
     }
     if (FEATURE_POLYHEDRON && primitive->kind == PRIMITIVE_POLYHEDRON) {

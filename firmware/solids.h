@@ -3,6 +3,7 @@
 #ifndef SUPERFRAME_SOLIDS_H
 #define SUPERFRAME_SOLIDS_H
 
+#include "feature_set.h"
 #include "scene.h"
 
 /* A ray in the coordinates of a primitive's frame. */
@@ -12,6 +13,7 @@ struct local_ray {
     real_slope slope[3]; /* of the direction's components; that of 1 where one is zero */
     uint8_t level;       /* bit 0, 1, 2: the component along x, y, z is zero */
     uint8_t falling;     /* bit 0, 1, 2: it is negative */
+    uint8_t frame;       /* that of a ray that has been turned, or FRAME_WORLD: none is there yet */
 };
 
 /* The stretch in .. out of a ray that lies inside a primitive. Where the ray misses, `hit` is false
@@ -23,7 +25,11 @@ struct segment {
     bool hit;
 };
 
-void local_ray_world(struct local_ray *ray, struct point origin, struct direction direction);
+/* One ray as the world sees it, and as the frames do that were asked for last. Frames whose numbers
+ * differ in their last bit are both kept. */
+enum { VIEW_WORLD, VIEWS = 1 + 2 * FEATURE_ROTATION };
+
+void views_start(struct local_ray views[VIEWS], struct point origin, struct direction direction);
 
 /* Where a ray starts: on a surface of the primitive, or SURFACE_NONE; and whether it is inside. A
  * face on that surface lies at exactly 0, and is not where a ray that is inside leaves. */
@@ -98,10 +104,9 @@ static inline struct segment ball_segment(const struct ball *ball, struct point 
     return segment;
 }
 
-/* The stretches of a ray inside a primitive, one or two, in order: their number. world is the ray
- * in world coordinates; skip is the surface of the primitive that it starts on, or SURFACE_NONE. */
+/* The stretches of a ray inside a primitive, one or two, in order: their number. */
 uint8_t primitive_segments(const struct scene *scene, const struct primitive *primitive,
-                           const struct local_ray *world, struct start start,
+                           struct local_ray views[VIEWS], struct start start,
                            struct segment segments[2]);
 
 uint16_t primitive_surface(const struct scene *scene, const struct primitive *primitive,

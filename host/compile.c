@@ -79,7 +79,8 @@ struct compiled_scene *scene_compile(const struct scene_description *description
         compiler->error = error;
         snprintf(scene->path, sizeof scene->path, "%s", description->path);
         good = compile_scaling(compiler) && compile_materials(compiler) &&
-               compile_objects(compiler) && compile_view(compiler) && compile_colour(compiler);
+               compile_objects(compiler) && compile_optimise(compiler) && compile_view(compiler) &&
+               compile_colour(compiler);
     }
     if (good) {
         compile_lights(compiler);

@@ -13,57 +13,9 @@ void compiled_set_include(struct compiled_set *set, int primitive) {
     set->word[primitive / 32] |= (uint32_t)1 << primitive % 32;
 }
 
-/* Farther than this inside: what rounding of an arithmetic could turn over is not strictly inside.
- */
-#define STRICTLY 0x1p-30
-
-static double box_reach(const struct compiled_scene *scene,
-                        const struct compiled_primitive *primitive, const double direction[3]) {
-    const struct compiled_box *box = &scene->boxes[primitive->index];
-    double reach = 0;
-    for (int i = 0; i < 3; i++) {
-        double along = primitive->frame == WORLD_FRAME
-                           ? direction[i]
-                           : vector_dot(direction, scene->frames[primitive->frame].axis[i]);
-        reach += along * (along < 0 ? box->minimum[i] : box->maximum[i]);
-    }
-    return reach;
-}
-
-/* Of the quadrics, only an ellipsoid ends everywhere. */
-static double quadric_reach(const struct compiled_scene *scene,
-                            const struct compiled_primitive *primitive, const double direction[3]) {
-    const struct compiled_quadric *quadric = &scene->quadrics[primitive->index];
-    const struct compiled_frame *frame = &scene->frames[primitive->frame];
-    double square = 0;
-    for (int i = 0; i < 3; i++) {
-        double along = vector_dot(direction, frame->axis[i]);
-        if (quadric->square[i] <= 0) {
-            return HUGE_VAL;
-        }
-        square -= along * along * quadric->constant / quadric->square[i];
-    }
-    return vector_dot(direction, frame->origin) + sqrt(square);
-}
-
-double primitive_reach(const struct compiled_scene *scene, int index, const double direction[3]) {
-    const struct compiled_primitive *primitive = &scene->primitives[index];
-    switch (primitive->kind) {
-    case KIND_BOX:
-        return box_reach(scene, primitive, direction);
-    case KIND_BALL:
-        return vector_dot(direction, scene->balls[primitive->index].centre) +
-               scene->balls[primitive->index].radius;
-    case KIND_QUADRIC:
-        return quadric_reach(scene, primitive, direction);
-    default:
-        return HUGE_VAL;
-    }
-}
-
 static bool is_behind(const struct compiled_scene *scene, int inner, const double normal[3],
                       double offset) {
-    return primitive_reach(scene, inner, normal) < offset - STRICTLY;
+    return primitive_reach(scene, inner, normal) < offset - COMPILE_STRICTLY;
 }
 
 static bool is_within_box(const struct compiled_scene *scene, int inner, int outer) {
@@ -71,10 +23,7 @@ static bool is_within_box(const struct compiled_scene *scene, int inner, int out
     const struct compiled_box *box = &scene->boxes[primitive->index];
     for (int i = 0; i < 3; i++) {
         double up[3], down[3];
-        memcpy(up,
-               primitive->frame == WORLD_FRAME ? affine_identity.m[i]
-                                               : scene->frames[primitive->frame].axis[i],
-               sizeof up);
+        memcpy(up, compiled_axis(scene, primitive->frame, i), sizeof up);
         for (int j = 0; j < 3; j++) {
             down[j] = -up[j];
         }
@@ -96,20 +45,18 @@ static bool is_within_ball(const struct compiled_scene *scene, int inner, int ou
         for (int i = 0; i < 3; i++) {
             square += pow(small->centre[i] - ball->centre[i], 2);
         }
-        return sqrt(square) + small->radius < ball->radius - STRICTLY;
+        return sqrt(square) + small->radius < ball->radius - COMPILE_STRICTLY;
     }
     if (primitive->kind != KIND_BOX) {
         return false;
     }
     const struct compiled_box *box = &scene->boxes[primitive->index];
     for (int i = 0; i < 3; i++) {
-        const double *axis = primitive->frame == WORLD_FRAME
-                                 ? affine_identity.m[i]
-                                 : scene->frames[primitive->frame].axis[i];
+        const double *axis = compiled_axis(scene, primitive->frame, i);
         double middle = vector_dot(ball->centre, axis);
         square += pow(fmax(fabs(box->minimum[i] - middle), fabs(box->maximum[i] - middle)), 2);
     }
-    return sqrt(square) < ball->radius - STRICTLY;
+    return sqrt(square) < ball->radius - COMPILE_STRICTLY;
 }
 
 static bool is_within_polyhedron(const struct compiled_scene *scene, int inner, int outer) {

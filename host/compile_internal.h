@@ -16,6 +16,17 @@
  * of a double at 512. */
 #define COMPILE_SAME 0x1p-40
 
+/* Farther than this inside: what rounding of an arithmetic could turn over is not strictly inside.
+ */
+#define COMPILE_STRICTLY 0x1p-30
+
+/* How far faces that are there only to end a solid stand off what is to be seen of it: more than
+ * any arithmetic's rounding. */
+#define COMPILE_MARGIN 0x1p-4
+
+/* All lengths of the firmware end here (LENGTH_FAR). */
+#define COMPILE_FAR 2047.0
+
 /* A plane in scaled world coordinates, for finding faces that coincide. */
 struct compile_plane {
     double normal[3]; /* the first component that is not zero is positive */
@@ -60,6 +71,8 @@ bool compile_leaf(struct compiler *compiler, const struct solid_node *leaf,
 /* A primitive of that kind, or of the same solid if there is one; -1 with the failure recorded. */
 int compile_box(struct compiler *compiler, const struct solid_node *leaf,
                 const struct affine *placement);
+int compile_box_in(struct compiler *compiler, uint8_t frame, const double low[3],
+                   const double high[3]);
 int compile_world_box(struct compiler *compiler, const double low[3], const double high[3]);
 int compile_half_space(struct compiler *compiler, const struct scene_plane *plane,
                        const struct affine *placement);
@@ -72,11 +85,12 @@ int compile_quadric(struct compiler *compiler, const struct solid_node *leaf,
 int compile_new_primitive(struct compiler *compiler, uint8_t kind, uint8_t index, uint8_t frame,
                           bool left_for_good);
 
-/* Says that a surface bounds a primitive. */
-void compile_bind_surface(struct compiler *compiler, int surface, int primitive);
+/* The frame with these axes; -1 with the failure recorded. */
+int compile_frame(struct compiler *compiler, double axis[3][3]);
 
-/* The frame with this origin and these axes, or WORLD_FRAME; -1 with the failure recorded. */
-int compile_frame(struct compiler *compiler, const double origin[3], double axis[3][3]);
+/* Sorts axes that are the world's, up to order and sign, into the world's order. permutation[i] is
+ * the axis that became axis i, sign[i] its sign. False, and nothing sorted, if they are not. */
+bool compile_straighten(double axis[3][3], int permutation[3], double sign[3]);
 
 /* Whether two scaled numbers, or points, are one to the compiler: COMPILE_SAME. */
 bool compile_same(double a, double b);
@@ -90,6 +104,9 @@ struct scene_plane compile_placed_plane(const struct scene_plane *plane,
  * Returns SURFACE number, or -1 with the failure recorded. */
 int compile_plane_surface(struct compiler *compiler, const double normal[3], double offset);
 
+/* Where the plane of a surface crosses an axis that it lies across. */
+double compile_place_of_plane(const struct compiler *compiler, int surface, const double axis[3]);
+
 /* A new surface of its own. */
 int compile_new_surface(struct compiler *compiler);
 
@@ -100,6 +117,9 @@ void compile_lights(struct compiler *compiler);
 void compile_brightest(struct compiler *compiler);
 void compile_shadows(struct compiler *compiler);
 
+/* Makes the tables cheaper to render, and says so in the scene's report. */
+bool compile_optimise(struct compiler *compiler);
+
 /* Which primitives lie within which: what a ray need not be tried against. */
 void compile_enclosures(struct compiler *compiler);
 
@@ -107,6 +127,18 @@ void compile_enclosures(struct compiler *compiler);
  * that is not known. */
 double primitive_reach(const struct compiled_scene *scene, int primitive,
                        const double direction[3]);
+
+/* The same along the world's axes. */
+struct bounds primitive_bounds(const struct compiled_scene *scene, int primitive);
+
+/* What a quadric that a box cuts lies within, along its frame's axes and from its centre; infinite
+ * where it has no end. */
+void quadric_extent(const struct compiled_scene *scene, const struct compiled_quadric *quadric,
+                    const struct compiled_box *box, uint8_t frame, double low[3], double high[3]);
+
+/* How far from its centre a quadric with that extent reaches; perhaps infinite. */
+double quadric_ball(const struct compiled_quadric *quadric, const double low[3],
+                    const double high[3]);
 
 /* Whether a set has a primitive, and putting it in. */
 bool compiled_set_has(const struct compiled_set *set, int primitive);

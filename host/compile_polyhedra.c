@@ -83,7 +83,6 @@ static int add_polyhedron(struct compiler *compiler, const struct scene_plane *p
         memcpy(plane->normal, planes[i].normal, sizeof plane->normal);
         plane->offset = planes[i].offset;
         plane->surface = (uint16_t)surfaces[i];
-        compile_bind_surface(compiler, surfaces[i], primitive);
     }
     return primitive;
 }

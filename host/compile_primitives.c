@@ -45,14 +45,16 @@ int compile_plane_surface(struct compiler *compiler, const double normal[3], dou
     return surface;
 }
 
-void compile_bind_surface(struct compiler *compiler, int surface, int primitive) {
-    compiler->scene->surfaces[surface].word[primitive / 32] |= (uint32_t)1 << primitive % 32;
+double compile_place_of_plane(const struct compiler *compiler, int surface, const double axis[3]) {
+    const struct compile_plane *plane = &compiler->planes[surface];
+    return vector_dot(axis, plane->normal) < 0 ? -plane->offset : plane->offset;
 }
 
 int compile_new_primitive(struct compiler *compiler, uint8_t kind, uint8_t index, uint8_t frame,
                           bool left_for_good) {
     struct compiled_scene *scene = compiler->scene;
-    if (scene->primitive_count == COMPILED_PRIMITIVES_MOST) {
+    if (scene->primitive_count == COMPILED_DRAFTS_MOST ||
+        scene->box_count == COMPILED_DRAFTS_MOST) {
         compile_fail(compiler, compiler->line, "more than %d different solids",
                      COMPILED_PRIMITIVES_MOST);
         return -1;
@@ -66,13 +68,12 @@ int compile_new_primitive(struct compiler *compiler, uint8_t kind, uint8_t index
     return scene->primitive_count++;
 }
 
-int compile_frame(struct compiler *compiler, const double origin[3], double axis[3][3]) {
+int compile_frame(struct compiler *compiler, double axis[3][3]) {
     struct compiled_scene *scene = compiler->scene;
     int i = 0;
     for (; i < scene->frame_count; i++) {
         const struct compiled_frame *frame = &scene->frames[i];
-        if (compile_same_point(origin, frame->origin) &&
-            compile_same_point(axis[0], frame->axis[0]) &&
+        if (compile_same_point(axis[0], frame->axis[0]) &&
             compile_same_point(axis[1], frame->axis[1]) &&
             compile_same_point(axis[2], frame->axis[2])) {
             return i;
@@ -83,16 +84,14 @@ int compile_frame(struct compiler *compiler, const double origin[3], double axis
                      COMPILED_FRAMES_MOST);
         return -1;
     }
-    memcpy(scene->frames[i].origin, origin, sizeof scene->frames[i].origin);
+    memset(scene->frames[i].origin, 0, sizeof scene->frames[i].origin);
     memcpy(scene->frames[i].axis, axis, sizeof scene->frames[i].axis);
     scene->frame_count++;
     return i;
 }
 
-/* Sorts axes that are the world's, up to order and sign, into the world's order: a box turned by
- * quarter turns is a box of the world. permutation[i] is the axis that became axis i. False, and
- * nothing sorted, if they are not. */
-static bool straighten(double axis[3][3], int permutation[3], double sign[3]) {
+/* A box turned by quarter turns is a box of the world. */
+bool compile_straighten(double axis[3][3], int permutation[3], double sign[3]) {
     double sorted[3][3];
     bool straight = true;
     for (int i = 0; i < 3; i++) {
@@ -159,22 +158,24 @@ static int add_box(struct compiler *compiler, int frame, double axis[3][3], cons
             return -1;
         }
         /* Faces of one surface lie at the same place to the last bit. */
-        const struct compile_plane *plane = &compiler->planes[surface];
-        double place =
-            vector_dot(axis[face % 3], plane->normal) < 0 ? -plane->offset : plane->offset;
+        double place = compile_place_of_plane(compiler, surface, axis[face % 3]);
         *(face < 3 ? &box->minimum[face] : &box->maximum[face - 3]) = place;
         box->surface[face] = (uint16_t)surface;
-        compile_bind_surface(compiler, surface, primitive);
     }
     return primitive;
 }
 
-int compile_world_box(struct compiler *compiler, const double low[3], const double high[3]) {
+int compile_box_in(struct compiler *compiler, uint8_t frame, const double low[3],
+                   const double high[3]) {
     double axis[3][3];
     for (int i = 0; i < 3; i++) {
-        memcpy(axis[i], affine_identity.m[i], sizeof axis[i]);
+        memcpy(axis[i], compiled_axis(compiler->scene, frame, i), sizeof axis[i]);
     }
-    return add_box(compiler, WORLD_FRAME, axis, low, high);
+    return add_box(compiler, frame, axis, low, high);
+}
+
+int compile_world_box(struct compiler *compiler, const double low[3], const double high[3]) {
+    return compile_box_in(compiler, WORLD_FRAME, low, high);
 }
 
 /* A box whose axes the placement skews. */
@@ -199,7 +200,7 @@ int compile_box(struct compiler *compiler, const struct solid_node *leaf,
         return skewed_box(compiler, leaf, placement);
     }
     affine_point(placement, origin, centre);
-    bool straight = straighten(axis, permutation, sign);
+    bool straight = compile_straighten(axis, permutation, sign);
     for (int i = 0; i < 3; i++) {
         int from = permutation[i];
         double middle = vector_dot(centre, axis[i]);
@@ -208,7 +209,7 @@ int compile_box(struct compiler *compiler, const struct solid_node *leaf,
         low[i] = fmin(a, b);
         high[i] = fmax(a, b);
     }
-    int frame = straight ? WORLD_FRAME : compile_frame(compiler, origin, axis);
+    int frame = straight ? WORLD_FRAME : compile_frame(compiler, axis);
     return frame < 0 ? -1 : add_box(compiler, frame, axis, low, high);
 }
 

@@ -24,12 +24,12 @@ static int compile_ball(struct compiler *compiler, const double centre[3], doubl
     memcpy(ball->centre, centre, sizeof ball->centre);
     ball->radius = radius;
     ball->surface = (uint16_t)surface;
-    compile_bind_surface(compiler, surface, primitive);
     return primitive;
 }
 
 static bool same_quadric(const struct compiled_quadric *a, const struct compiled_quadric *b) {
-    return compile_same_point(a->square, b->square) && compile_same(a->linear, b->linear) &&
+    return compile_same_point(a->centre, b->centre) && compile_same_point(a->square, b->square) &&
+           compile_same(a->linear, b->linear) &&
            fabs(a->constant - b->constant) <= COMPILE_SAME * COMPILE_EXTENT;
 }
 
@@ -53,8 +53,24 @@ static int add_quadric(struct compiler *compiler, const struct compiled_quadric 
     }
     scene->quadrics[scene->quadric_count] = *quadric;
     scene->quadrics[scene->quadric_count++].surface = (uint16_t)surface;
-    compile_bind_surface(compiler, surface, primitive);
     return primitive;
+}
+
+/* Axes that are the world's need no frame. The third one takes the linear part with it. */
+static int quadric_frame(struct compiler *compiler, double axis[3][3],
+                         struct compiled_quadric *quadric) {
+    int permutation[3];
+    double sign[3], square[3];
+    bool upright = quadric->linear <= 0 || compile_same(fabs(axis[2][2]), 1);
+    if (!upright || !compile_straighten(axis, permutation, sign)) {
+        return compile_frame(compiler, axis);
+    }
+    for (int i = 0; i < 3; i++) {
+        square[i] = quadric->square[permutation[i]];
+    }
+    memcpy(quadric->square, square, sizeof square);
+    quadric->linear *= sign[2];
+    return WORLD_FRAME;
 }
 
 int compile_quadric(struct compiler *compiler, const struct solid_node *leaf,
@@ -76,10 +92,11 @@ int compile_quadric(struct compiler *compiler, const struct solid_node *leaf,
         compile_same(axes.square[2], 1)) {
         return compile_ball(compiler, axes.origin, sqrt(-axes.constant));
     }
+    memset(&quadric, 0, sizeof quadric);
+    memcpy(quadric.centre, axes.origin, sizeof quadric.centre);
     memcpy(quadric.square, axes.square, sizeof quadric.square);
     quadric.linear = axes.linear;
     quadric.constant = axes.constant;
-    quadric.surface = 0;
     if (fabs(quadric.linear) >= 2 * COMPILE_WORLD ||
         fabs(quadric.constant) >= 4 * COMPILE_WORLD * COMPILE_WORLD) {
         compile_fail(compiler, compiler->line,
@@ -95,6 +112,6 @@ int compile_quadric(struct compiler *compiler, const struct solid_node *leaf,
             return -1;
         }
     }
-    int frame = compile_frame(compiler, axes.origin, axes.axis);
+    int frame = quadric_frame(compiler, axes.axis, &quadric);
     return frame < 0 ? -1 : add_quadric(compiler, &quadric, frame);
 }

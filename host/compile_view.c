@@ -35,31 +35,48 @@ static bool is_inside_polyhedron(const struct compiled_scene *scene,
     return true;
 }
 
-static bool is_inside_quadric(const struct compiled_quadric *quadric, const double p[3]) {
-    const double squares[3] = {p[0] * p[0], p[1] * p[1], p[2] * p[2]};
-    return vector_dot(quadric->square, squares) + 2 * quadric->linear * p[2] + quadric->constant <
+/* p: in the frame's coordinates, which the box shares; q: the same from the quadric's centre. */
+static bool is_inside_quadric(const struct compiled_scene *scene,
+                              const struct compiled_quadric *quadric, const double p[3],
+                              const double q[3]) {
+    const double squares[3] = {q[0] * q[0], q[1] * q[1], q[2] * q[2]};
+    const struct compiled_box *box = &scene->boxes[quadric->box];
+    for (int i = 0; i < 3; i++) {
+        if ((quadric->cuts >> i & 1) != 0 && (p[i] <= box->minimum[i] || p[i] >= box->maximum[i])) {
+            return false;
+        }
+    }
+    return vector_dot(quadric->square, squares) + 2 * quadric->linear * q[2] + quadric->constant <
            0;
+}
+
+/* The frames of solids have no origin of their own. */
+static void to_frame(const struct compiled_scene *scene, uint8_t frame, const double point[3],
+                     double turned[3]) {
+    const double from[3] = {point[0], point[1], point[2]};
+    for (int i = 0; i < 3; i++) {
+        turned[i] = frame == WORLD_FRAME ? from[i] : vector_dot(from, scene->frames[frame].axis[i]);
+    }
 }
 
 bool compiled_primitive_holds(const struct compiled_scene *scene, uint8_t index,
                               const double point[3]) {
     const struct compiled_primitive *primitive = &scene->primitives[index];
-    double p[3] = {point[0], point[1], point[2]};
-    if (primitive->frame != WORLD_FRAME) {
-        const struct compiled_frame *frame = &scene->frames[primitive->frame];
-        const double from[3] = {point[0] - frame->origin[0], point[1] - frame->origin[1],
-                                point[2] - frame->origin[2]};
-        for (int i = 0; i < 3; i++) {
-            p[i] = vector_dot(from, frame->axis[i]);
-        }
-    }
+    const struct compiled_quadric *quadric;
+    double p[3], q[3] = {0, 0, 0};
+    to_frame(scene, primitive->frame, point, p);
     switch (primitive->kind) {
     case KIND_BALL:
         return is_inside_ball(&scene->balls[primitive->index], p);
     case KIND_POLYHEDRON:
         return is_inside_polyhedron(scene, &scene->polyhedra[primitive->index], p);
     case KIND_QUADRIC:
-        return is_inside_quadric(&scene->quadrics[primitive->index], p);
+        quadric = &scene->quadrics[primitive->index];
+        for (int i = 0; i < 3; i++) {
+            q[i] = point[i] - quadric->centre[i];
+        }
+        to_frame(scene, primitive->frame, q, q);
+        return is_inside_quadric(scene, quadric, p, q);
     default:
         return is_inside_box(&scene->boxes[primitive->index], p);
     }

@@ -14,6 +14,7 @@
 
 enum {
     COMPILED_PRIMITIVES_MOST = 64,
+    COMPILED_DRAFTS_MOST = 240, /* primitives, and boxes, before what is not needed has gone */
     COMPILED_SURFACES_MOST = 768,
     COMPILED_FRAMES_MOST = 128,
     COMPILED_PLANES_MOST = 512,
@@ -61,9 +62,12 @@ struct compiled_polyhedron {
 };
 
 struct compiled_quadric {
-    double square[3];
+    double centre[3], square[3];
     double linear, constant;
+    double reach; /* 0: it has no end */
     uint16_t surface;
+    uint8_t box, cuts;
+    bool left_for_good;
 };
 
 struct compiled_object {
@@ -110,6 +114,14 @@ struct compiled_camera {
     uint8_t object;
 };
 
+/* What the compiler made of the file's solids. */
+struct compiled_report {
+    unsigned shared;     /* solids that are one with another one */
+    unsigned simplified; /* operations of CSG that say nothing */
+    unsigned fused;      /* solids that a neighbour has taken in */
+    unsigned bounded;    /* solids cut off where nothing is to be seen of them */
+};
+
 struct compiled_scene {
     uint16_t width, height;
     uint8_t depth;
@@ -135,12 +147,12 @@ struct compiled_scene {
     uint8_t object_count, pattern_count, material_count, light_count, specular_table_count;
     uint16_t surface_count, program_length, plane_count;
     struct compiled_frame frames[COMPILED_FRAMES_MOST];
-    struct compiled_primitive primitives[COMPILED_PRIMITIVES_MOST];
-    struct compiled_box boxes[COMPILED_PRIMITIVES_MOST];
-    struct compiled_ball balls[COMPILED_PRIMITIVES_MOST];
-    struct compiled_polyhedron polyhedra[COMPILED_PRIMITIVES_MOST];
+    struct compiled_primitive primitives[COMPILED_DRAFTS_MOST];
+    struct compiled_box boxes[COMPILED_DRAFTS_MOST];
+    struct compiled_ball balls[COMPILED_DRAFTS_MOST];
+    struct compiled_polyhedron polyhedra[COMPILED_DRAFTS_MOST];
     struct compiled_plane planes[COMPILED_PLANES_MOST];
-    struct compiled_quadric quadrics[COMPILED_PRIMITIVES_MOST];
+    struct compiled_quadric quadrics[COMPILED_DRAFTS_MOST];
     struct compiled_set surfaces[COMPILED_SURFACES_MOST];
     struct compiled_set enclosed[COMPILED_PRIMITIVES_MOST];
     uint8_t programs[COMPILED_PROGRAM_BYTES_MOST];
@@ -150,6 +162,7 @@ struct compiled_scene {
     struct compiled_specular_table specular_tables[COMPILED_MATERIALS_MOST];
     struct compiled_light lights[SCENE_LIGHTS_MOST];
 
+    struct compiled_report report;
     struct compiled_set shadow_primitives;
     bool has_shadows; /* some light casts them; no part of the firmware's tables */
 
@@ -164,6 +177,7 @@ enum {
     KIND_BALL = 1,
     KIND_POLYHEDRON = 2,
     KIND_QUADRIC = 3,
+    CURVED_FACE = 6,
     CODE_UNION = 0xFD,
     CODE_INTERSECTION = 0xFE,
     CODE_DIFFERENCE = 0xFF,
@@ -179,6 +193,9 @@ enum compiled_show { COMPILED_FULL, COMPILED_BITS, COMPILED_DITHER, COMPILED_EXP
  * rendered (the line is that of the culprit). The caller frees the result with free(). */
 struct compiled_scene *scene_compile(const struct scene_description *description,
                                      struct scene_error *error);
+
+/* An axis of a frame, or of the world. */
+const double *compiled_axis(const struct compiled_scene *scene, uint8_t frame, int axis);
 
 /* Whether a point, in scaled coordinates, is strictly inside a primitive. */
 bool compiled_primitive_holds(const struct compiled_scene *scene, uint8_t index,

@@ -84,9 +84,13 @@ static void emit_quadrics(FILE *out, const struct compiled_scene *scene) {
     for (int i = 0; i < scene->quadric_count; i++) {
         const struct compiled_quadric *quadric = &scene->quadrics[i];
         fprintf(out, "    {");
+        emit_vector(out, "REAL_LENGTH", quadric->centre);
+        fprintf(out, ",\n     ");
         emit_vector(out, "REAL_UNIT", quadric->square);
-        fprintf(out, ",\n     REAL_LENGTH(%a), REAL_AREA(%a), %u},\n", quadric->linear,
-                quadric->constant, quadric->surface);
+        fprintf(out, ",\n     REAL_LENGTH(%a), REAL_AREA(%a), REAL_AREA(%a),\n", quadric->linear,
+                quadric->constant, quadric->reach * quadric->reach);
+        fprintf(out, "     %u, %u, %u, %s, %s},\n", quadric->surface, quadric->box, quadric->cuts,
+                truth(quadric->reach > 0), truth(quadric->left_for_good));
     }
     fprintf(out, "};\n");
 }

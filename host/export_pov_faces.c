@@ -30,9 +30,11 @@ static bool bounds_primitive(const struct compiled_scene *scene, unsigned surfac
 
 static bool box_face(const struct compiled_scene *scene, const struct compiled_primitive *primitive,
                      unsigned surface, struct face *face) {
-    const struct compiled_box *box = &scene->boxes[primitive->index];
+    const struct compiled_quadric *quadric = &scene->quadrics[primitive->index];
+    bool is_box = primitive->kind == KIND_BOX;
+    const struct compiled_box *box = &scene->boxes[is_box ? primitive->index : quadric->box];
     for (int i = 0; i < 6; i++) {
-        if (box->surface[i] != surface) {
+        if (box->surface[i] != surface || (!is_box && (quadric->cuts >> i % 3 & 1) == 0)) {
             continue;
         }
         memcpy(face->normal, affine_identity.m[i % 3], sizeof face->normal);
@@ -51,7 +53,7 @@ static bool box_face(const struct compiled_scene *scene, const struct compiled_p
 static bool face_of(const struct compiled_scene *scene, uint8_t index, unsigned surface,
                     struct face *face) {
     const struct compiled_primitive *primitive = &scene->primitives[index];
-    if (primitive->kind == KIND_BOX) {
+    if (primitive->kind == KIND_BOX || primitive->kind == KIND_QUADRIC) {
         return box_face(scene, primitive, surface, face);
     }
     if (primitive->kind == KIND_POLYHEDRON) {

@@ -45,7 +45,7 @@ static void write_polyhedron(FILE *out, const struct compiled_scene *scene,
     indent(out, level);
 }
 
-static void write_quadric(FILE *out, const struct compiled_quadric *quadric) {
+static void write_curve(FILE *out, const struct compiled_quadric *quadric) {
     (void)fputs("quadric { ", out);
     export_pov_vector(out, quadric->square[0], quadric->square[1], quadric->square[2]);
     (void)fputs(", <0, 0, 0>, ", out);
@@ -54,16 +54,54 @@ static void write_quadric(FILE *out, const struct compiled_quadric *quadric) {
 }
 
 /* From a frame's coordinates to the world's: point = origin + sum of local_i axis_i. */
-static void write_frame(FILE *out, const struct compiled_frame *frame, int level) {
+static void write_frame(FILE *out, const struct compiled_scene *scene, uint8_t frame,
+                        const double origin[3], int level) {
     (void)fputc('\n', out);
     indent(out, level + 1);
     (void)fputs("matrix <", out);
     for (int i = 0; i < 3; i++) {
-        (void)fprintf(out, "%.17g, %.17g, %.17g, ", frame->axis[i][0], frame->axis[i][1],
-                      frame->axis[i][2]);
+        const double *axis = compiled_axis(scene, frame, i);
+        (void)fprintf(out, "%.17g, %.17g, %.17g, ", axis[0], axis[1], axis[2]);
     }
-    (void)fprintf(out, "%.17g, %.17g, %.17g>", frame->origin[0], frame->origin[1],
-                  frame->origin[2]);
+    (void)fprintf(out, "%.17g, %.17g, %.17g>", origin[0], origin[1], origin[2]);
+}
+
+/* The planes that cut a quadric, as a solid of their own: POV-Ray 3.7 works out bounds for a
+ * quadric from planes beside it, and errs with hyperboloids. */
+static void write_cuts(FILE *out, const struct compiled_scene *scene,
+                       const struct compiled_quadric *quadric, uint8_t frame, int level) {
+    const struct compiled_box *box = &scene->boxes[quadric->box];
+    indent(out, level);
+    (void)fputs("intersection {\n", out);
+    for (int i = 0; i < 6; i++) {
+        const double *axis = compiled_axis(scene, frame, i % 3);
+        double sign = i < 3 ? -1 : 1;
+        if ((quadric->cuts >> i % 3 & 1) != 0) {
+            indent(out, level + 1);
+            (void)fputs("plane { ", out);
+            export_pov_vector(out, sign * axis[0], sign * axis[1], sign * axis[2]);
+            (void)fprintf(out, ", %.17g }\n", i < 3 ? -box->minimum[i] : box->maximum[i - 3]);
+        }
+    }
+    indent(out, level);
+    (void)fputs("}\n", out);
+}
+
+static void write_quadric(FILE *out, const struct compiled_scene *scene,
+                          const struct compiled_primitive *primitive, int level) {
+    const struct compiled_quadric *quadric = &scene->quadrics[primitive->index];
+    bool is_cut = quadric->cuts != 0;
+    if (is_cut) {
+        (void)fputs("intersection {\n", out);
+        indent(out, level + 1);
+    }
+    write_curve(out, quadric);
+    write_frame(out, scene, primitive->frame, quadric->centre, is_cut ? level + 1 : level);
+    if (is_cut) {
+        (void)fputs(" }\n", out);
+        write_cuts(out, scene, quadric, primitive->frame, level + 1);
+        indent(out, level);
+    }
 }
 
 /* Without the closing brace, so that an object of one primitive can go on with its material. */
@@ -82,14 +120,14 @@ static void write_primitive(FILE *out, const struct compiled_scene *scene, uint8
         write_polyhedron(out, scene, &scene->polyhedra[primitive->index], level);
         break;
     case KIND_QUADRIC:
-        write_quadric(out, &scene->quadrics[primitive->index]);
+        write_quadric(out, scene, primitive, level);
         break;
     default:
         write_box(out, &scene->boxes[primitive->index]);
         break;
     }
-    if (primitive->frame != WORLD_FRAME) {
-        write_frame(out, &scene->frames[primitive->frame], level);
+    if (primitive->kind == KIND_BOX && primitive->frame != WORLD_FRAME) {
+        write_frame(out, scene, primitive->frame, scene->frames[primitive->frame].origin, level);
     }
     (void)fputc(' ', out);
 }

@@ -59,10 +59,15 @@ static int primitive_faces(const struct compiled_scene *scene,
                            const struct compiled_primitive *primitive, struct face *faces) {
     static const double world[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     int count = 0;
-    if (primitive->kind == PRIMITIVE_BOX) {
+    if (primitive->kind == PRIMITIVE_BOX || primitive->kind == PRIMITIVE_QUADRIC) {
         /* The frames of boxes have their origin where the scene has its own. */
-        const struct compiled_box *box = &scene->boxes[primitive->index];
+        bool is_box = primitive->kind == PRIMITIVE_BOX;
+        const struct compiled_quadric *quadric = &scene->quadrics[primitive->index];
+        const struct compiled_box *box = &scene->boxes[is_box ? primitive->index : quadric->box];
         for (int i = 0; i < 6; i++) {
+            if (!is_box && (quadric->cuts >> i % 3 & 1) == 0) {
+                continue;
+            }
             const double *normal = primitive->frame == FRAME_WORLD
                                        ? world[i % 3]
                                        : scene->frames[primitive->frame].axis[i % 3];
@@ -118,7 +123,9 @@ static double reach(const struct compiled_quadric *quadric, int axis) {
 }
 
 static bool same_quadrics(const struct compiled_quadric *a, const struct compiled_quadric *b) {
-    bool same = same_length(a->linear, b->linear) &&
+    bool same = a->surface != b->surface && same_length(a->centre[0], b->centre[0]) &&
+                same_length(a->centre[1], b->centre[1]) &&
+                same_length(a->centre[2], b->centre[2]) && same_length(a->linear, b->linear) &&
                 same_length(sqrt(fabs(a->constant)), sqrt(fabs(b->constant)));
     for (int i = 0; i < 3; i++) {
         bool pointed = same_length(sqrt(fabs(a->constant)), 0);

@@ -14,7 +14,8 @@
 typedef char compiled_scene_matches_scene
     [(int)KIND_BOX == (int)PRIMITIVE_BOX && (int)KIND_BALL == (int)PRIMITIVE_BALL &&
              (int)KIND_POLYHEDRON == (int)PRIMITIVE_POLYHEDRON &&
-             (int)KIND_QUADRIC == (int)PRIMITIVE_QUADRIC && (int)CODE_UNION == (int)PROGRAM_UNION &&
+             (int)KIND_QUADRIC == (int)PRIMITIVE_QUADRIC && (int)CURVED_FACE == (int)QUADRIC_FACE &&
+             (int)CODE_UNION == (int)PROGRAM_UNION &&
              (int)CODE_INTERSECTION == (int)PROGRAM_INTERSECTION &&
              (int)CODE_DIFFERENCE == (int)PROGRAM_DIFFERENCE &&
              (int)NO_TABLE == (int)SPECULAR_CONSTANT && (int)NO_ENCLOSURE == (int)ENCLOSURE_NONE &&
@@ -39,7 +40,7 @@ struct loaded {
     struct estimate estimate;
     struct frame frames[COMPILED_FRAMES_MOST];
     struct primitive primitives[COMPILED_PRIMITIVES_MOST];
-    struct box boxes[COMPILED_PRIMITIVES_MOST];
+    struct box boxes[2 * COMPILED_PRIMITIVES_MOST];
     struct ball balls[COMPILED_PRIMITIVES_MOST];
     struct polyhedron polyhedra[COMPILED_PRIMITIVES_MOST];
     struct plane planes[COMPILED_PLANES_MOST];
@@ -121,10 +122,17 @@ static void load_solids(struct loaded *to, const struct compiled_scene *from) {
         to->planes[i].surface = from->planes[i].surface;
     }
     for (int i = 0; i < from->quadric_count; i++) {
-        to->quadrics[i].square = direction_of(from->quadrics[i].square);
-        to->quadrics[i].linear = REAL_LENGTH(from->quadrics[i].linear);
-        to->quadrics[i].constant = REAL_AREA(from->quadrics[i].constant);
-        to->quadrics[i].surface = from->quadrics[i].surface;
+        const struct compiled_quadric *quadric = &from->quadrics[i];
+        to->quadrics[i].centre = point_of(quadric->centre);
+        to->quadrics[i].square = direction_of(quadric->square);
+        to->quadrics[i].linear = REAL_LENGTH(quadric->linear);
+        to->quadrics[i].constant = REAL_AREA(quadric->constant);
+        to->quadrics[i].square_reach = REAL_AREA(quadric->reach * quadric->reach);
+        to->quadrics[i].surface = quadric->surface;
+        to->quadrics[i].box = quadric->box;
+        to->quadrics[i].cuts = quadric->cuts;
+        to->quadrics[i].ends = quadric->reach > 0;
+        to->quadrics[i].left_for_good = quadric->left_for_good;
     }
     for (int i = 0; i < from->surface_count; i++) {
         to->surfaces[i] = set_of(&from->surfaces[i]);

@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: MIT */
+/* An object's postfix program as a tree, for the scene compiler to rewrite. */
+#ifndef SUPERFRAME_COMPILE_TREE_H
+#define SUPERFRAME_COMPILE_TREE_H
+
+#include "bounds.h"
+#include "compiled_scene.h"
+
+/* A primitive, or an operation (CODE_UNION and above) on two nodes before it. */
+struct csg_node {
+    uint8_t code;
+    uint8_t left, right;
+};
+
+struct csg_tree {
+    struct csg_node nodes[256];
+    uint8_t root;
+};
+
+void csg_read(const struct compiled_scene *scene, const struct compiled_object *object,
+              struct csg_tree *tree);
+
+/* Writes a tree as the object's program, from byte `place` of the programs; the byte after it. */
+uint16_t csg_write(struct compiled_scene *scene, struct compiled_object *object,
+                   const struct csg_tree *tree, uint16_t place);
+
+bool csg_is_leaf(const struct csg_tree *tree, uint8_t node);
+
+/* What a part of a tree lies within; infinite where that is not known. */
+struct bounds csg_bounds(const struct compiled_scene *scene, const struct csg_tree *tree,
+                         uint8_t node);
+
+#endif
