@@ -25,12 +25,6 @@ void views_start(struct local_ray views[VIEWS], struct point origin, struct dire
     }
 }
 
-static struct point turn_point(const struct frame *frame, struct point p) {
-    struct point turned = {point_dot(p, frame->axis[0]), point_dot(p, frame->axis[1]),
-                           point_dot(p, frame->axis[2])};
-    return turned;
-}
-
 /* The ray in a primitive's frame, turned once for all of its primitives. */
 static const struct local_ray *view_from(const struct scene *scene, uint8_t frame,
                                          struct local_ray views[VIEWS]) {
@@ -51,16 +45,10 @@ static const struct local_ray *view_from(const struct scene *scene, uint8_t fram
     return ray;
 }
 
-/* Whether a ray that runs along a plane is on the inner side of it. Of two solids that share the
- * plane one has what lies exactly in it, the upper one, as with boxes: no ray slips between. */
+/* Whether a ray that runs along a plane is on the inner side of it: as with boxes, no ray slips
+ * between two solids that share one. */
 static bool plane_is_ahead(const struct plane *plane, real_length ahead) {
-    const struct direction *normal = &plane->normal;
-    if (!length_is_zero(ahead)) {
-        return length_less(REAL_LENGTH(0.0), ahead);
-    }
-    return unit_is_negative(!unit_is_zero(normal->x)   ? normal->x
-                            : !unit_is_zero(normal->y) ? normal->y
-                                                       : normal->z);
+    return length_is_zero(ahead) ? plane_is_upper(plane) : length_less(REAL_LENGTH(0.0), ahead);
 }
 
 static struct segment polyhedron_segment(const struct scene *scene,
@@ -87,32 +75,6 @@ static struct segment polyhedron_segment(const struct scene *scene,
     return segment;
 }
 
-/* A quadric's form along a ray, a x^2 + 2 b x + c, x being counted from the foot, the point of the
- * ray that is nearest to the centre: there all three are of the solid's own size. */
-struct form {
-    real_unit a;
-    real_length b;
-    real_area c;
-    real_length start; /* where on the ray the foot is */
-};
-
-static struct form quadric_form(const struct quadric *quadric, struct point foot,
-                                struct direction d) {
-    struct direction slant = {unit_product(quadric->square.x, d.x),
-                              unit_product(quadric->square.y, d.y),
-                              unit_product(quadric->square.z, d.z)};
-    struct form form;
-    real_area bend = area_product(foot.z, quadric->linear);
-    form.start = REAL_LENGTH(0.0);
-    form.a = direction_dot(slant, d);
-    form.b = length_add(point_dot(foot, slant), length_scaled(quadric->linear, d.z));
-    form.c = area_add(area_product(foot.x, length_scaled(foot.x, quadric->square.x)),
-                      area_product(foot.y, length_scaled(foot.y, quadric->square.y)));
-    form.c = area_add(form.c, area_product(foot.z, length_scaled(foot.z, quadric->square.z)));
-    form.c = area_add(area_add(form.c, quadric->constant), area_add(bend, bend));
-    return form;
-}
-
 /* Everything, or nothing. */
 static struct segment whole_segment(real_length start, bool hit) {
     struct segment segment = {start, start, QUADRIC_FACE, QUADRIC_FACE, hit};
@@ -121,10 +83,6 @@ static struct segment whole_segment(real_length start, bool hit) {
         segment.out = LENGTH_FAR;
     }
     return segment;
-}
-
-static real_length length_magnitude(real_length a) {
-    return length_less(a, REAL_LENGTH(0.0)) ? length_negate(a) : a;
 }
 
 /* The stretches between or outside of two roots. */
@@ -280,29 +238,15 @@ static struct direction box_normal(const struct scene *scene, const struct primi
     return face < 3 ? direction_negate(high) : high;
 }
 
-/* The direction of the form's gradient; (0, 0, 0) at the tip of a cone. */
 static struct direction quadric_normal(const struct scene *scene, const struct primitive *primitive,
                                        struct point where) {
     const struct quadric *quadric = &scene->quadrics[primitive->index];
     struct point q = point_subtract(where, quadric->centre);
-    bool turned = FEATURE_ROTATION && primitive->frame != FRAME_WORLD;
-    struct direction u;
-    real_length steepness;
-    if (turned) {
-        q = turn_point(&scene->frames[primitive->frame], q);
+    if (!FEATURE_ROTATION || primitive->frame == FRAME_WORLD) {
+        return quadric_gradient(quadric, q);
     }
-    unit_normalise_lengths(length_scaled(q.x, quadric->square.x),
-                           length_scaled(q.y, quadric->square.y),
-                           length_add(length_scaled(q.z, quadric->square.z), quadric->linear), &u.x,
-                           &u.y, &u.z, &steepness);
-    if (!turned) {
-        return u;
-    }
-    const struct direction *axis = scene->frames[primitive->frame].axis;
-    struct direction normal = {unit_dot(u.x, u.y, u.z, axis[0].x, axis[1].x, axis[2].x),
-                               unit_dot(u.x, u.y, u.z, axis[0].y, axis[1].y, axis[2].y),
-                               unit_dot(u.x, u.y, u.z, axis[0].z, axis[1].z, axis[2].z)};
-    return normal;
+    const struct frame *frame = &scene->frames[primitive->frame];
+    return turn_back(frame, quadric_gradient(quadric, turn_point(frame, q)));
 }
 
 struct direction primitive_normal(const struct scene *scene, const struct primitive *primitive,

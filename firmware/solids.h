@@ -104,6 +104,72 @@ static inline struct segment ball_segment(const struct ball *ball, struct point 
     return segment;
 }
 
+/* A quadric's form along a ray, a x^2 + 2 b x + c, x being counted from the foot, the point of the
+ * ray that is nearest to the centre: there all three are of the solid's own size. */
+struct form {
+    real_unit a;
+    real_length b;
+    real_area c;
+    real_length start; /* where on the ray the foot is */
+};
+
+static inline struct form quadric_form(const struct quadric *quadric, struct point foot,
+                                       struct direction d) {
+    struct direction slant = {unit_product(quadric->square.x, d.x),
+                              unit_product(quadric->square.y, d.y),
+                              unit_product(quadric->square.z, d.z)};
+    struct form form;
+    real_area bend = area_product(foot.z, quadric->linear);
+    form.start = REAL_LENGTH(0.0);
+    form.a = direction_dot(slant, d);
+    form.b = length_add(point_dot(foot, slant), length_scaled(quadric->linear, d.z));
+    form.c = area_add(area_product(foot.x, length_scaled(foot.x, quadric->square.x)),
+                      area_product(foot.y, length_scaled(foot.y, quadric->square.y)));
+    form.c = area_add(form.c, area_product(foot.z, length_scaled(foot.z, quadric->square.z)));
+    form.c = area_add(area_add(form.c, quadric->constant), area_add(bend, bend));
+    return form;
+}
+
+static inline real_length length_magnitude(real_length a) {
+    return length_less(a, REAL_LENGTH(0.0)) ? length_negate(a) : a;
+}
+
+/* A point, or a difference of two, in a frame that has its origin where the scene has its own. */
+static inline struct point turn_point(const struct frame *frame, struct point p) {
+    struct point turned = {point_dot(p, frame->axis[0]), point_dot(p, frame->axis[1]),
+                           point_dot(p, frame->axis[2])};
+    return turned;
+}
+
+/* Whether of two solids that share a plane this one, the upper one, has what lies exactly in it. */
+static inline bool plane_is_upper(const struct plane *plane) {
+    const struct direction *normal = &plane->normal;
+    return unit_is_negative(!unit_is_zero(normal->x)   ? normal->x
+                            : !unit_is_zero(normal->y) ? normal->y
+                                                       : normal->z);
+}
+
+/* The direction of the form's gradient at a point of a quadric, counted from its centre in its
+ * frame; (0, 0, 0) at the tip of a cone. */
+static inline struct direction quadric_gradient(const struct quadric *quadric, struct point q) {
+    struct direction u;
+    real_length steepness;
+    unit_normalise_lengths(length_scaled(q.x, quadric->square.x),
+                           length_scaled(q.y, quadric->square.y),
+                           length_add(length_scaled(q.z, quadric->square.z), quadric->linear), &u.x,
+                           &u.y, &u.z, &steepness);
+    return u;
+}
+
+/* A direction in a frame as the world sees it. */
+static inline struct direction turn_back(const struct frame *frame, struct direction u) {
+    const struct direction *axis = frame->axis;
+    struct direction turned = {unit_dot(u.x, u.y, u.z, axis[0].x, axis[1].x, axis[2].x),
+                               unit_dot(u.x, u.y, u.z, axis[0].y, axis[1].y, axis[2].y),
+                               unit_dot(u.x, u.y, u.z, axis[0].z, axis[1].z, axis[2].z)};
+    return turned;
+}
+
 /* The stretches of a ray inside a primitive, one or two, in order: their number. */
 uint8_t primitive_segments(const struct scene *scene, const struct primitive *primitive,
                            struct local_ray views[VIEWS], struct start start,

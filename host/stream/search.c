@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The next crossing of each lane's ray, primitive by primitive. */
 #include "search_solids.h"
+#include "solids.h"
 
 /* Whether a component of some lane's direction is zero. */
 static bool set_slopes(struct local_lanes *local) {
@@ -22,6 +23,9 @@ static bool set_slopes(struct local_lanes *local) {
 void search_begin(struct search_lanes *search) {
     const struct scene *scene = search->scene;
     search->any_level = set_slopes(&search->world);
+    for (int i = 0; i < SEARCH_VIEWS; i++) {
+        search->frames[i] = FRAME_WORLD;
+    }
     for (int i = 0; i < LANES; i++) {
         uint32_t surface = search->surface[i];
         search->touch[i] = surface == SURFACE_NONE ? 0 : scene->surfaces[surface].word[0];
@@ -34,19 +38,19 @@ static void choose_lanes(const struct search_lanes *restrict search, uint8_t ind
                          struct chosen_lanes *restrict chosen) {
     const struct scene *scene = search->scene;
     const struct primitive *primitive = &scene->primitives[index];
-    bool all = search->shadows;
     uint32_t bit = (uint32_t)1 << index;
-    uint32_t enclosed = all ? 0 : scene->enclosed[index].word[0];
-    uint32_t enclosure = all || primitive->enclosure == ENCLOSURE_NONE
+    uint32_t hidden_by = search->shadows ? 0 : scene->enclosed[index].word[0];
+    uint32_t enclosure = search->shadows || primitive->enclosure == ENCLOSURE_NONE
                              ? 0
                              : (uint32_t)1 << primitive->enclosure;
     uint32_t barred = primitive->left_for_good ? bit : 0;
     uint32_t leaving = 0, entering = 0;
     for (int i = 0; i < LANES; i++) {
         uint32_t inside = search->inside[i];
-        bool is_inside = (inside & bit) != 0, active = search->active[i] != 0;
-        bool may_leave = active & is_inside & ((inside & enclosed) == 0);
-        bool may_enter = active & !is_inside & ((inside & enclosure) == enclosure) &
+        bool is_inside = (inside & bit) != 0;
+        bool may = search->active[i] != 0;
+        bool may_leave = may & is_inside & ((inside & hidden_by) == 0);
+        bool may_enter = may & !is_inside & ((inside & enclosure) == enclosure) &
                          ((search->touch[i] & barred) == 0);
         chosen->leave[i] = may_leave ? 1 : 0;
         chosen->enter[i] = may_enter ? 1 : 0;
@@ -57,48 +61,50 @@ static void choose_lanes(const struct search_lanes *restrict search, uint8_t ind
     chosen->entering = entering;
 }
 
-/* The rays in a primitive's own frame. */
-static void turn_lanes(struct local_lanes *restrict local, const struct frame *frame,
-                       const struct local_lanes *restrict world) {
-    const struct frame f = *frame;
+/* The rays in a primitive's frame, turned once for all of its primitives. */
+static const struct local_lanes *view_from(struct search_lanes *restrict search, uint8_t number) {
+    if (number == FRAME_WORLD) {
+        return &search->world;
+    }
+    struct local_lanes *restrict local = &search->views[number % SEARCH_VIEWS];
+    const struct local_lanes *restrict world = &search->world;
+    if (search->frames[number % SEARCH_VIEWS] == number) {
+        return local;
+    }
+    const struct frame frame = search->scene->frames[number];
+    search->frames[number % SEARCH_VIEWS] = number;
     for (int i = 0; i < LANES; i++) {
         const struct point origin = {world->origin.x[i], world->origin.y[i], world->origin.z[i]};
         const struct direction direction = {world->direction.x[i], world->direction.y[i],
                                             world->direction.z[i]};
-        struct point p = point_subtract(origin, f.origin);
-        local->origin.x[i] = point_dot(p, f.axis[0]);
-        local->origin.y[i] = point_dot(p, f.axis[1]);
-        local->origin.z[i] = point_dot(p, f.axis[2]);
-        local->direction.x[i] = direction_dot(direction, f.axis[0]);
-        local->direction.y[i] = direction_dot(direction, f.axis[1]);
-        local->direction.z[i] = direction_dot(direction, f.axis[2]);
+        struct point turned = turn_point(&frame, origin);
+        local->origin.x[i] = turned.x;
+        local->origin.y[i] = turned.y;
+        local->origin.z[i] = turned.z;
+        local->direction.x[i] = direction_dot(direction, frame.axis[0]);
+        local->direction.y[i] = direction_dot(direction, frame.axis[1]);
+        local->direction.z[i] = direction_dot(direction, frame.axis[2]);
     }
+    (void)set_slopes(local);
+    return local;
 }
 
 static void search_primitive(struct search_lanes *search, uint8_t index,
                              const struct chosen_lanes *chosen) {
-    const struct scene *scene = search->scene;
-    const struct primitive *primitive = &scene->primitives[index];
-    const struct local_lanes *local = &search->world;
-    struct local_lanes turned;
+    const struct primitive *primitive = &search->scene->primitives[index];
     if (primitive->kind == PRIMITIVE_BALL) {
         search_ball(search, index, chosen);
-        return;
-    }
-    if (primitive->kind == PRIMITIVE_POLYHEDRON) {
+    } else if (primitive->kind == PRIMITIVE_POLYHEDRON) {
         search_polyhedron(search, index, chosen);
-        return;
+    } else if (primitive->kind == PRIMITIVE_QUADRIC) {
+        struct quadric_lanes quadric;
+        if (quadric_meets(search, index, chosen, &quadric)) {
+            search_quadric(search, index, &quadric, view_from(search, primitive->frame), chosen);
+        }
+    } else {
+        bool any_level = primitive->frame != FRAME_WORLD || search->any_level;
+        search_box(search, index, view_from(search, primitive->frame), any_level, chosen);
     }
-    if (primitive->frame != FRAME_WORLD) {
-        turn_lanes(&turned, &scene->frames[primitive->frame], &search->world);
-        local = &turned;
-    }
-    if (primitive->kind == PRIMITIVE_QUADRIC) {
-        search_quadric(search, index, local, chosen);
-        return;
-    }
-    bool any_level = local == &turned ? set_slopes(&turned) : search->any_level;
-    search_box(search, index, local, any_level, chosen);
 }
 
 void search_next(struct search_lanes *search, uint32_t *solid_tests) {

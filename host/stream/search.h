@@ -13,9 +13,12 @@ struct local_lanes {
     uint32_t level[3][LANES], falling[3][LANES]; /* 1: the component is zero, is negative */
 };
 
+enum { SEARCH_VIEWS = 2, CROSSED_LEAVING = 256 };
+
 /* What the search goes by, and what it has found. */
 struct search_lanes {
     struct local_lanes world;
+    struct local_lanes views[SEARCH_VIEWS]; /* in the frames that were asked for last */
     uint32_t surface[LANES]; /* that the ray starts on, or SURFACE_NONE */
     uint32_t touch[LANES];   /* the primitives that it bounds */
     uint32_t inside[LANES];  /* the primitives that the ray is inside of */
@@ -25,14 +28,23 @@ struct search_lanes {
     /* The nearest crossing. */
     real_length t[LANES];
     uint32_t place[LANES]; /* its surface and face (stretch.h), or PLACE_NONE */
-    uint32_t crossed[LANES]; /* the primitive << 1 | 1 where it is left, not entered */
+    uint32_t crossed[LANES]; /* the primitive, + CROSSED_LEAVING where it is left, not entered */
     uint32_t toggled[LANES]; /* all primitives that are crossed there */
 
     /* After the arrays, so that these begin where vectors like to. */
     const struct scene *scene;
     bool shadows;   /* only what can keep light off is looked at */
-    bool any_level; /* in some lane a component of the direction is zero */
+    bool any_level; /* in some lane a component of the world's direction is zero */
+    uint8_t frames[SEARCH_VIEWS]; /* of the views; FRAME_WORLD: none yet */
 };
+
+static inline bool crossed_leaving(uint32_t crossed) {
+    return crossed >= CROSSED_LEAVING;
+}
+
+static inline uint32_t crossed_primitive(uint32_t crossed) {
+    return crossed % CROSSED_LEAVING;
+}
 
 /* Fills in what follows from the world's origins and directions and from `surface`. */
 void search_begin(struct search_lanes *search);

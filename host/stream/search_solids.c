@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Where rays cross boxes, balls, polyhedra and quadrics: firmware/solids.c for many rays at once. */
+/* Where rays cross boxes, balls and polyhedra: firmware/solids.c for many rays at once. */
 #include "search_solids.h"
 
 #include "solids.h"
@@ -121,14 +121,6 @@ void search_ball(struct search_lanes *search, uint8_t index, const struct chosen
     }
 }
 
-/* Whether what lies exactly in a plane counts as behind it: see plane_is_ahead(). */
-static bool plane_is_upper(const struct plane *plane) {
-    const struct direction *normal = &plane->normal;
-    return unit_is_negative(!unit_is_zero(normal->x)   ? normal->x
-                            : !unit_is_zero(normal->y) ? normal->y
-                                                       : normal->z);
-}
-
 /* One plane of a polyhedron, for a lane: see polyhedron_segment(). */
 static inline struct stretch stretch_plane(struct stretch s, const struct plane plane,
                                            uint32_t place, bool upper, struct point origin,
@@ -185,8 +177,12 @@ static void cross_polyhedron(struct search_lanes *restrict search, uint8_t index
     for (int i = 0; i < LANES; i++) {
         const struct stretch s = {in[i], out[i], in_place[i], out_place[i],
                                   (hit[i] != 0) & length_less(in[i], out[i])};
-        struct meeting found =
-            meeting_of(s, search->from[i], inside, (search->touch[i] & bit) != 0);
+        real_length from = search->from[i];
+        struct meeting leaving = meeting_leaving(s, from);
+        struct meeting entering = meeting_entering(s, from, (search->touch[i] & bit) != 0);
+        const struct meeting found = {inside ? leaving.t : entering.t,
+                                      inside ? leaving.place : entering.place,
+                                      entering.valid | inside};
         search_consider(search, i, index, found, inside, chosen[i] != 0);
     }
 }
@@ -198,111 +194,5 @@ void search_polyhedron(struct search_lanes *search, uint8_t index,
     }
     if (chosen->entering > 0) {
         cross_polyhedron(search, index, chosen->enter, false);
-    }
-}
-
-struct form {
-    real_unit a;
-    real_length b;
-    real_area c;
-    real_length start;
-};
-
-static inline struct form quadric_form(const struct quadric *quadric, struct point origin,
-                                       struct direction d) {
-    struct direction slant = {unit_product(quadric->square.x, d.x),
-                              unit_product(quadric->square.y, d.y),
-                              unit_product(quadric->square.z, d.z)};
-    struct form form;
-    form.start = length_negate(point_dot(origin, d));
-    struct point p = point_along(origin, form.start, d);
-    real_area bend = area_product(p.z, quadric->linear);
-    form.a = direction_dot(slant, d);
-    form.b = length_add(point_dot(p, slant), length_scaled(quadric->linear, d.z));
-    form.c = area_add(area_product(p.x, length_scaled(p.x, quadric->square.x)),
-                      area_product(p.y, length_scaled(p.y, quadric->square.y)));
-    form.c = area_add(form.c, area_product(p.z, length_scaled(p.z, quadric->square.z)));
-    form.c = area_add(area_add(form.c, quadric->constant), area_add(bend, bend));
-    return form;
-}
-
-static inline real_length length_magnitude(real_length a) {
-    return length_less(a, REAL_LENGTH(0.0)) ? length_negate(a) : a;
-}
-
-/* The two stretches of one lane in a quadric, in order: see quadric_segments(). Where there is only
- * one, the second is none. */
-static inline void quadric_stretches(const struct quadric *quadric,
-                                     const struct local_lanes *local, int i, bool starts_there,
-                                     struct stretch *first, struct stretch *second) {
-    uint32_t place = place_of(quadric->surface, 0);
-    const struct point origin = {local->origin.x[i], local->origin.y[i], local->origin.z[i]};
-    const struct direction direction = {local->direction.x[i], local->direction.y[i],
-                                        local->direction.z[i]};
-    const real_length far_back = length_negate(LENGTH_FAR);
-    struct form form = quadric_form(quadric, origin, direction);
-    real_area square = area_subtract(area_product(form.b, form.b), area_scaled(form.c, form.a));
-    bool opens = unit_is_negative(form.a), falls = length_less(form.b, REAL_LENGTH(0.0));
-    real_length root = length_root(square);
-    real_length q = falls ? length_subtract(root, form.b) : length_negate(length_add(root, form.b));
-    bool no_root = area_is_negative(square), no_q = length_is_zero(q);
-    real_length near =
-        length_add(form.start, length_quotient(form.c, no_q ? REAL_LENGTH(1.0) : q));
-    bool flat = unit_is_zero(form.a);
-    real_length over = length_over(q, slope_of(flat ? REAL_UNIT(1.0) : form.a));
-    bool ahead = length_less(q, REAL_LENGTH(0.0)) == opens;
-    real_length far = flat ? (ahead ? LENGTH_FAR : far_back) : length_add(form.start, over);
-    bool far_is_nearest = length_less(length_magnitude(far), length_magnitude(near));
-    far = starts_there & far_is_nearest ? REAL_LENGTH(0.0) : far;
-    near = starts_there & !far_is_nearest ? REAL_LENGTH(0.0) : near;
-    bool ordered = length_less(near, far);
-    real_length low = ordered ? near : far, high = ordered ? far : near;
-    bool whole = no_root | no_q, full = opens | (!no_root & area_is_negative(form.c));
-    real_length in = whole ? (full ? far_back : form.start) : opens ? far_back : low;
-    real_length out = whole ? (full ? LENGTH_FAR : form.start) : opens ? low : high;
-    const struct stretch a = {in, out, place, place, full | !whole};
-    const struct stretch b = {high, LENGTH_FAR, place, place, opens & !whole};
-    *first = a;
-    *second = b;
-}
-
-static inline struct meeting quadric_meeting(const struct search_lanes *search, int i,
-                                             uint32_t bit, const struct quadric *quadric,
-                                             const struct local_lanes *local, bool inside) {
-    bool starts_there = (search->touch[i] & bit) != 0;
-    struct stretch first, second;
-    quadric_stretches(quadric, local, i, starts_there, &first, &second);
-    return meeting_of_two(first, second, search->from[i], inside, starts_there);
-}
-
-static void leave_quadric(struct search_lanes *restrict search, uint8_t index,
-                          const struct quadric quadric, const struct local_lanes *restrict local,
-                          const uint32_t chosen[restrict LANES]) {
-    uint32_t bit = (uint32_t)1 << index;
-    for (int i = 0; i < LANES; i++) {
-        struct meeting found = quadric_meeting(search, i, bit, &quadric, local, true);
-        search_consider(search, i, index, found, true, chosen[i] != 0);
-    }
-}
-
-static void enter_quadric(struct search_lanes *restrict search, uint8_t index,
-                          const struct quadric quadric, const struct local_lanes *restrict local,
-                          const uint32_t chosen[restrict LANES]) {
-    uint32_t bit = (uint32_t)1 << index;
-    for (int i = 0; i < LANES; i++) {
-        struct meeting found = quadric_meeting(search, i, bit, &quadric, local, false);
-        search_consider(search, i, index, found, false, chosen[i] != 0);
-    }
-}
-
-void search_quadric(struct search_lanes *search, uint8_t index, const struct local_lanes *local,
-                    const struct chosen_lanes *chosen) {
-    const struct scene *scene = search->scene;
-    const struct quadric quadric = scene->quadrics[scene->primitives[index].index];
-    if (chosen->leaving > 0) {
-        leave_quadric(search, index, quadric, local, chosen->leave);
-    }
-    if (chosen->entering > 0) {
-        enter_quadric(search, index, quadric, local, chosen->enter);
     }
 }

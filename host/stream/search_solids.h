@@ -20,8 +20,20 @@ void search_box(struct search_lanes *search, uint8_t index, const struct local_l
 void search_ball(struct search_lanes *search, uint8_t index, const struct chosen_lanes *chosen);
 void search_polyhedron(struct search_lanes *search, uint8_t index,
                        const struct chosen_lanes *chosen);
-void search_quadric(struct search_lanes *search, uint8_t index, const struct local_lanes *local,
-                    const struct chosen_lanes *chosen);
+
+/* Where the lanes' rays are nearest to a quadric's centre, counted from it. */
+struct quadric_lanes {
+    struct point_lanes foot;
+    real_length nearest[LANES];
+    uint32_t passes[LANES]; /* 1: beyond the quadric's reach */
+};
+
+/* Fills in *quadric; false where the chosen lanes all pass by, from outside: nothing is to be done
+ * then. Rays need not be turned into the quadric's frame for it. */
+bool quadric_meets(const struct search_lanes *search, uint8_t index,
+                   const struct chosen_lanes *chosen, struct quadric_lanes *quadric);
+void search_quadric(struct search_lanes *search, uint8_t index, const struct quadric_lanes *lanes,
+                    const struct local_lanes *local, const struct chosen_lanes *chosen);
 
 /* Puts one lane's crossing with a primitive beside the best so far: what next_crossing() of
  * firmware/ray.c does. */
@@ -39,7 +51,7 @@ static inline void search_consider(struct search_lanes *restrict search, int i, 
     bool better = valid & !(same & near) & precedes;
     search->t[i] = better ? found.t : best;
     search->place[i] = better ? found.place : place;
-    search->crossed[i] = better ? index << 1 | (leaving ? 1U : 0U) : search->crossed[i];
+    search->crossed[i] = better ? index + (leaving ? CROSSED_LEAVING : 0) : search->crossed[i];
     search->toggled[i] = better ? bit : toggled | (coincide ? bit : 0);
 }
 

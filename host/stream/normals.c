@@ -1,0 +1,135 @@
+/* SPDX-License-Identifier: MIT */
+/* Normals: primitive_normal() of firmware/solids.c for many rays at once, primitive by primitive. */
+#include "normals.h"
+
+#include "solids.h"
+
+/* Puts a normal into one lane, if it is meant, turned where the primitive is left. */
+static inline void set_normal(struct direction_lanes *normal, int i, bool is,
+                              struct direction outward, bool leaving) {
+    struct direction inward = direction_negate(outward);
+    real_unit x = leaving ? inward.x : outward.x;
+    real_unit y = leaving ? inward.y : outward.y;
+    real_unit z = leaving ? inward.z : outward.z;
+    normal->x[i] = is ? x : normal->x[i];
+    normal->y[i] = is ? y : normal->y[i];
+    normal->z[i] = is ? z : normal->z[i];
+}
+
+/* Of the flat faces of boxes, whose axes are those of a frame. */
+static void set_flat(const struct search_lanes *restrict search,
+                     const uint32_t here[restrict LANES], const struct frame frame,
+                     struct direction_lanes *restrict normal) {
+    for (int i = 0; i < LANES; i++) {
+        uint32_t face = search->place[i] & 0xFF;
+        uint32_t axis = face < 3 ? face : face - 3;
+        struct direction high = {axis == 0   ? frame.axis[0].x
+                                 : axis == 1 ? frame.axis[1].x
+                                             : frame.axis[2].x,
+                                 axis == 0   ? frame.axis[0].y
+                                 : axis == 1 ? frame.axis[1].y
+                                             : frame.axis[2].y,
+                                 axis == 0   ? frame.axis[0].z
+                                 : axis == 1 ? frame.axis[1].z
+                                             : frame.axis[2].z};
+        struct direction low = direction_negate(high);
+        struct direction outward = {face < 3 ? low.x : high.x, face < 3 ? low.y : high.y,
+                                    face < 3 ? low.z : high.z};
+        set_normal(normal, i, here[i] != 0, outward, crossed_leaving(search->crossed[i]));
+    }
+}
+
+static void set_ball(const struct search_lanes *restrict search,
+                     const uint32_t here[restrict LANES], const struct ball ball,
+                     const struct point_lanes *restrict where,
+                     struct direction_lanes *restrict normal) {
+    for (int i = 0; i < LANES; i++) {
+        const struct point there = {where->x[i], where->y[i], where->z[i]};
+        struct point p = point_subtract(there, ball.centre);
+        struct direction outward;
+        real_length radius;
+        unit_normalise_lengths(p.x, p.y, p.z, &outward.x, &outward.y, &outward.z, &radius);
+        set_normal(normal, i, here[i] != 0, outward, crossed_leaving(search->crossed[i]));
+    }
+}
+
+static void set_curved(const struct search_lanes *restrict search,
+                       const uint32_t here[restrict LANES], const struct quadric quadric,
+                       const struct frame frame, bool turned,
+                       const struct point_lanes *restrict where,
+                       struct direction_lanes *restrict normal) {
+    for (int i = 0; i < LANES; i++) {
+        const struct point there = {where->x[i], where->y[i], where->z[i]};
+        struct point q = point_subtract(there, quadric.centre);
+        struct point t = turn_point(&frame, q);
+        const struct point p = {turned ? t.x : q.x, turned ? t.y : q.y, turned ? t.z : q.z};
+        struct direction u = quadric_gradient(&quadric, p);
+        struct direction b = turn_back(&frame, u);
+        const struct direction outward = {turned ? b.x : u.x, turned ? b.y : u.y,
+                                          turned ? b.z : u.z};
+        bool is = (here[i] != 0) & ((search->place[i] & 0xFF) == QUADRIC_FACE);
+        set_normal(normal, i, is, outward, crossed_leaving(search->crossed[i]));
+    }
+}
+
+static void set_polyhedron(const struct search_lanes *restrict search,
+                           const uint32_t here[restrict LANES],
+                           const struct polyhedron *polyhedron,
+                           struct direction_lanes *restrict normal) {
+    for (uint32_t face = 0; face < polyhedron->count; face++) {
+        const struct direction outward =
+            search->scene->planes[polyhedron->first + face].normal;
+        for (int i = 0; i < LANES; i++) {
+            bool is = (here[i] != 0) & ((search->place[i] & 0xFF) == face);
+            set_normal(normal, i, is, outward, crossed_leaving(search->crossed[i]));
+        }
+    }
+}
+
+static struct frame frame_of(const struct scene *scene, uint8_t number) {
+    const struct frame world = {{REAL_LENGTH(0.0), REAL_LENGTH(0.0), REAL_LENGTH(0.0)},
+                                {{REAL_UNIT(1.0), REAL_UNIT(0.0), REAL_UNIT(0.0)},
+                                 {REAL_UNIT(0.0), REAL_UNIT(1.0), REAL_UNIT(0.0)},
+                                 {REAL_UNIT(0.0), REAL_UNIT(0.0), REAL_UNIT(1.0)}}};
+    return number == FRAME_WORLD ? world : scene->frames[number];
+}
+
+/* The lanes that have come to one primitive. */
+static void set_normals(const struct search_lanes *search, uint32_t index,
+                        const uint32_t here[LANES], struct hit_lanes *hit) {
+    const struct scene *scene = search->scene;
+    const struct primitive *primitive = &scene->primitives[index];
+    if (primitive->kind == PRIMITIVE_BALL) {
+        set_ball(search, here, scene->balls[primitive->index], &hit->where, &hit->normal);
+        return;
+    }
+    if (primitive->kind == PRIMITIVE_POLYHEDRON) {
+        set_polyhedron(search, here, &scene->polyhedra[primitive->index], &hit->normal);
+        return;
+    }
+    struct frame frame = frame_of(scene, primitive->frame);
+    set_flat(search, here, frame, &hit->normal);
+    if (primitive->kind == PRIMITIVE_QUADRIC) {
+        set_curved(search, here, scene->quadrics[primitive->index], frame,
+                   primitive->frame != FRAME_WORLD, &hit->where, &hit->normal);
+    }
+}
+
+void normals_find(const struct search_lanes *restrict search, struct hit_lanes *restrict hit) {
+    uint32_t left[LANES], here[LANES];
+    for (int i = 0; i < LANES; i++) {
+        left[i] = hit->is[i];
+    }
+    for (int first = 0; first < LANES; first++) {
+        if (left[first] == 0) {
+            continue;
+        }
+        uint32_t index = crossed_primitive(search->crossed[first]);
+        for (int i = 0; i < LANES; i++) {
+            bool same = crossed_primitive(search->crossed[i]) == index;
+            here[i] = same ? left[i] : 0;
+            left[i] = same ? 0 : left[i];
+        }
+        set_normals(search, index, here, hit);
+    }
+}
