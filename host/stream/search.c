@@ -85,7 +85,7 @@ static const struct local_lanes *view_from(struct search_lanes *restrict search,
         local->direction.y[i] = direction_dot(direction, frame.axis[1]);
         local->direction.z[i] = direction_dot(direction, frame.axis[2]);
     }
-    (void)set_slopes(local);
+    search->any_level_there[number % SEARCH_VIEWS] = set_slopes(local);
     return local;
 }
 
@@ -102,8 +102,11 @@ static void search_primitive(struct search_lanes *search, uint8_t index,
             search_quadric(search, index, &quadric, view_from(search, primitive->frame), chosen);
         }
     } else {
-        bool any_level = primitive->frame != FRAME_WORLD || search->any_level;
-        search_box(search, index, view_from(search, primitive->frame), any_level, chosen);
+        const struct local_lanes *local = view_from(search, primitive->frame);
+        bool any_level = local == &search->world
+                             ? search->any_level
+                             : search->any_level_there[primitive->frame % SEARCH_VIEWS];
+        search_box(search, index, local, any_level, chosen);
     }
 }
 

@@ -34,7 +34,8 @@ struct search_lanes {
     /* After the arrays, so that these begin where vectors like to. */
     const struct scene *scene;
     bool shadows;   /* only what can keep light off is looked at */
-    bool any_level; /* in some lane a component of the world's direction is zero */
+    /* Whether in some lane a component of the direction is zero: in the world, in the views. */
+    bool any_level, any_level_there[SEARCH_VIEWS];
     uint8_t frames[SEARCH_VIEWS]; /* of the views; FRAME_WORLD: none yet */
 };
 
