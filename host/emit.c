@@ -108,10 +108,10 @@ static void emit_primitives(FILE *out, const struct compiled_scene *scene) {
         emit_set(out, &scene->surfaces[i], features_primitive_words(scene));
         fprintf(out, ",\n");
     }
-    fprintf(out, "};\n\nstatic const struct primitive_set enclosed[] = {\n");
+    fprintf(out, "};\n\nstatic const struct primitive_set hidden_by[] = {\n");
     for (int i = 0; i < scene->primitive_count; i++) {
         fprintf(out, "    ");
-        emit_set(out, &scene->enclosed[i], features_primitive_words(scene));
+        emit_set(out, &scene->hidden_by[i], features_primitive_words(scene));
         fprintf(out, ",\n");
     }
     fprintf(out, "};\n");
@@ -249,7 +249,7 @@ static void emit_scene(FILE *out, const struct compiled_scene *scene, const char
         table(scene->box_count, "boxes"), table(scene->ball_count, "balls"),
         table(scene->polyhedron_count, "polyhedra"), table(scene->plane_count, "planes"),
         table(scene->quadric_count, "quadrics"), table(scene->surface_count, "surfaces"),
-        table(scene->primitive_count, "enclosed"), table(scene->program_length, "programs"),
+        table(scene->primitive_count, "hidden_by"), table(scene->program_length, "programs"),
         table(scene->pattern_count, "patterns"),
         table(scene->specular_table_count, "specular_tables"), table(scene->light_count, "lights"));
     emit_set(out, &scene->shadow_primitives, features_primitive_words(scene));
