@@ -148,7 +148,7 @@ static bool is_within_quadric(const struct compiled_scene *scene, int inner, int
 }
 
 /* Only convex primitives enclose: from a point within, a ray leaves them once. */
-static bool is_within(const struct compiled_scene *scene, int inner, int outer) {
+bool primitive_is_within(const struct compiled_scene *scene, int inner, int outer) {
     switch (scene->primitives[outer].kind) {
     case KIND_BOX:
         return is_within_box(scene, inner, outer);
@@ -161,9 +161,6 @@ static bool is_within(const struct compiled_scene *scene, int inner, int outer) 
     }
 }
 
-/* So far from each other that no rounding lets a ray be in both: it would never get out again. */
-#define GAP 0x1p-6
-
 /* Whether all of one primitive lies before another one along a direction, which need not have
  * length 1. */
 static bool lies_beyond(const struct compiled_scene *scene, int one, int other,
@@ -175,12 +172,12 @@ static bool lies_beyond(const struct compiled_scene *scene, int one, int other,
     for (int i = 0; i < 3; i++) {
         back[i] = -there[i];
     }
-    return primitive_reach(scene, one, there) + primitive_reach(scene, other, back) < -GAP;
+    return primitive_reach(scene, one, there) + primitive_reach(scene, other, back) < -COMPILE_GAP;
 }
 
 /* Whether two primitives are found to have no point in common: by a plane between them across an
  * axis of either, of the world, or across the way from one to the other. */
-static bool are_apart(const struct compiled_scene *scene, int one, int other) {
+bool primitives_are_apart(const struct compiled_scene *scene, int one, int other) {
     const uint8_t frames[3] = {WORLD_FRAME, scene->primitives[one].frame,
                                scene->primitives[other].frame};
     double from[3], to[3], radius;
@@ -205,10 +202,11 @@ void compile_enclosures(struct compiler *compiler) {
     int depth[COMPILED_PRIMITIVES_MOST] = {0};
     for (int i = 0; i < scene->primitive_count; i++) {
         for (int j = 0; j < scene->primitive_count; j++) {
-            bool within = i != j && is_within(scene, i, j);
+            bool within = i != j && primitive_is_within(scene, i, j);
             depth[i] += within;
-            if (within || (i != j && are_apart(scene, i, j))) {
+            if (within || (i != j && primitives_are_apart(scene, i, j))) {
                 compiled_set_include(&scene->hidden_by[j], i);
+                scene->report.hidden++;
             }
         }
     }
@@ -216,7 +214,7 @@ void compile_enclosures(struct compiler *compiler) {
         struct compiled_primitive *primitive = &scene->primitives[i];
         primitive->enclosure = NO_ENCLOSURE;
         for (int j = 0; j < scene->primitive_count; j++) {
-            if (i != j && is_within(scene, i, j) &&
+            if (i != j && primitive_is_within(scene, i, j) &&
                 (primitive->enclosure == NO_ENCLOSURE || depth[j] > depth[primitive->enclosure])) {
                 primitive->enclosure = (uint8_t)j;
             }

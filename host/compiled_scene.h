@@ -120,6 +120,7 @@ struct compiled_report {
     unsigned simplified; /* operations of CSG that say nothing */
     unsigned fused;      /* solids that a neighbour has taken in */
     unsigned bounded;    /* solids cut off where nothing is to be seen of them */
+    unsigned hidden;     /* pairs of primitives of which one is not met from within the other */
 };
 
 struct compiled_scene {

@@ -270,6 +270,9 @@ int scene_emit(FILE *out, const struct compiled_scene *scene, const char *name) 
     fprintf(out, "/* The tables of the scene \"%s\", made by `superframe compile`. */\n", symbol);
     fprintf(out, "/* scaled = (p - (%.17g, %.17g, %.17g)) * 2^%d */\n", scene->centre[0],
             scene->centre[1], scene->centre[2], scene->exponent);
+    fprintf(out, "/* solids shared %u, simplified %u, fused %u, bounded %u, pairs hidden %u */\n",
+            scene->report.shared, scene->report.simplified, scene->report.fused,
+            scene->report.bounded, scene->report.hidden);
     fprintf(out, "#include \"scene.h\"\n");
     features_emit_assertions(out, scene);
     void (*const emitters[])(FILE *, const struct compiled_scene *) = {
