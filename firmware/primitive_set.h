@@ -36,6 +36,13 @@ static inline void set_clear(struct primitive_set *set) {
     }
 }
 
+/* Takes out what is not in the other one. */
+static inline void set_restrict(struct primitive_set *set, const struct primitive_set *to) {
+    for (uint8_t i = 0; i < FEATURE_PRIMITIVE_WORDS; i++) {
+        set->word[i] &= to->word[i];
+    }
+}
+
 /* Enters what the set is outside of and leaves what it is inside of. */
 static inline void set_toggle(struct primitive_set *set, const struct primitive_set *which) {
     for (uint8_t i = 0; i < FEATURE_PRIMITIVE_WORDS; i++) {

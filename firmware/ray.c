@@ -113,18 +113,17 @@ static bool primitive_crossing(struct search *search, uint8_t index, bool inside
 }
 
 /* Whether the next crossing can be one of this primitive. What lies strictly within another can
- * only be entered from inside of that; and the ray leaves what is within before it leaves that. The
- * search for shadows keeps no account of all primitives: it looks at its own, always. */
+ * only be entered from inside of that; and a ray leaves what it is in before it crosses what lies
+ * around that or elsewhere. The search for shadows keeps account of its own primitives only. */
 static bool may_be_next(const struct search *search, uint8_t index,
                         const struct primitive_set *inside) {
-    if (search->only) {
-        return set_has(search->only, index);
+    const struct primitive_set *only = search->only;
+    if ((only && !set_has(only, index)) || sets_overlap(&search->scene->hidden_by[index], inside)) {
+        return false;
     }
     uint8_t enclosure = search->scene->primitives[index].enclosure;
-    if (set_has(inside, index)) {
-        return !sets_overlap(&search->scene->enclosed[index], inside);
-    }
-    return enclosure == ENCLOSURE_NONE || set_has(inside, enclosure);
+    return enclosure == ENCLOSURE_NONE || set_has(inside, enclosure) ||
+           (only && !set_has(only, enclosure));
 }
 
 /* The nearest crossing at or after `from`, and all the primitives that are crossed there. */
@@ -255,6 +254,7 @@ bool ray_is_shadowed(const struct scene *scene, const struct ray *ray, real_leng
     real_length from = LENGTH_EPSILON;
     struct crossing crossing;
     start_search(&search, scene, ray, &scene->shadow_primitives);
+    set_restrict(&inside, &scene->shadow_primitives);
     counts->shadow_rays++;
     while (!throws_shadow(scene, &inside)) {
         if (!next_crossing(&search, &inside, from, &crossing, &toggled, counts) ||

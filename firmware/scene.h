@@ -192,7 +192,8 @@ struct scene {
     const struct plane *planes;
     const struct quadric *quadrics;
     const struct primitive_set *surfaces; /* by surface: the primitives that it bounds */
-    const struct primitive_set *enclosed; /* by primitive: those whose enclosure it is */
+    /* By primitive: those that a ray leaves before it can cross this one. */
+    const struct primitive_set *hidden_by;
     const uint8_t *programs;
     const struct object *objects;     /* [OBJECT_AIR] first */
     const struct material *materials; /* [MATERIAL_AIR] first */

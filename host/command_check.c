@@ -45,10 +45,33 @@ static void print_indices(const struct compiled_scene *compiled) {
 }
 
 static void print_tables(const struct compiled_scene *compiled) {
+    unsigned boxes = 0;
+    for (unsigned i = 0; i < compiled->primitive_count; i++) {
+        boxes += compiled->primitives[i].kind == KIND_BOX;
+    }
     (void)printf("tables      %u primitives (%u boxes, %u balls), %u surfaces, %u bytes of "
                  "programs\n",
-                 compiled->primitive_count, compiled->box_count, compiled->ball_count,
-                 compiled->surface_count, compiled->program_length);
+                 compiled->primitive_count, boxes, compiled->ball_count, compiled->surface_count,
+                 compiled->program_length);
+}
+
+static void print_done(const char *what, unsigned count, const char *one, const char *many) {
+    (void)printf("%-11s %u %s\n", what, count, count == 1 ? one : many);
+}
+
+/* What the scene compiler made of the solids, so that a ray asks fewer of them. */
+static void print_optimisations(const struct compiled_scene *compiled) {
+    const struct compiled_report *report = &compiled->report;
+    print_done("shared", report->shared, "solid is the same as another one",
+               "solids are the same as others");
+    print_done("simplified", report->simplified, "operation of CSG says nothing",
+               "operations of CSG say nothing");
+    print_done("fused", report->fused, "solid is taken in by its neighbour",
+               "solids are taken in by their neighbours");
+    print_done("bounded", report->bounded, "solid ends where nothing more of it is seen",
+               "solids end where nothing more of them is seen");
+    print_done("hidden", report->hidden, "primitive cannot be met from within another one",
+               "pairs of primitives cannot be met one from within the other");
 }
 
 /* Whether each arithmetic can hold the scene: fx is the one whose ranges are narrow. */
@@ -83,6 +106,7 @@ int run_check(const struct options *options) {
         print_scaling(compiled);
         print_indices(compiled);
         print_tables(compiled);
+        print_optimisations(compiled);
         requirements_print(stdout, compiled);
         status = print_arithmetics(compiled);
     }

@@ -24,6 +24,9 @@
  * any arithmetic's rounding. */
 #define COMPILE_MARGIN 0x1p-4
 
+/* What is farther apart than this is so in every arithmetic: no rounding lets a ray be in both. */
+#define COMPILE_GAP 0x1p-6
+
 /* All lengths of the firmware end here (LENGTH_FAR). */
 #define COMPILE_FAR 2047.0
 
@@ -122,6 +125,11 @@ bool compile_optimise(struct compiler *compiler);
 
 /* Which primitives lie within which: what a ray need not be tried against. */
 void compile_enclosures(struct compiler *compiler);
+
+/* Whether one primitive lies strictly within a convex one; and whether two are found to have no
+ * point in common, by more than COMPILE_GAP. */
+bool primitive_is_within(const struct compiled_scene *scene, int inner, int outer);
+bool primitives_are_apart(const struct compiled_scene *scene, int one, int other);
 
 /* How far a primitive reaches along a direction of length 1; infinite where it has no end, or where
  * that is not known. */

@@ -6,23 +6,45 @@
 #include <string.h>
 
 static void count_uses(struct optimiser *optimiser) {
-    const struct compiled_scene *scene = optimiser->compiler->scene;
+    struct compiled_scene *scene = optimiser->compiler->scene;
     memset(optimiser->uses, 0, sizeof optimiser->uses);
     for (int i = 0; i < scene->program_length; i++) {
         if (scene->programs[i] < CODE_UNION) {
-            optimiser->uses[scene->programs[i]]++;
+            scene->report.shared += optimiser->uses[scene->programs[i]]++ > 0;
         }
     }
 }
 
-/* Programs only get shorter: they are written over from the front. */
+/* Takes an object out of the tables, and moves the later ones up. */
+static void remove_object(struct compiler *compiler, int object) {
+    struct compiled_scene *scene = compiler->scene;
+    size_t later = (size_t)(--scene->object_count - object);
+    memmove(&scene->objects[object], &scene->objects[object + 1], later * sizeof scene->objects[0]);
+    memmove(&scene->object_names[object], &scene->object_names[object + 1],
+            later * sizeof scene->object_names[0]);
+    memmove(&compiler->object_bounds[object], &compiler->object_bounds[object + 1],
+            later * sizeof compiler->object_bounds[0]);
+}
+
+/* Programs only get shorter: they are written over from the front. What is fused may turn out to be
+ * the same as something else, or apart from it. */
 static void rewrite_programs(struct optimiser *optimiser) {
     struct compiled_scene *scene = optimiser->compiler->scene;
     uint16_t place = 0;
-    for (int i = 1; i < scene->object_count; i++) {
-        csg_read(scene, &scene->objects[i], &optimiser->tree);
-        optimise_fuse(optimiser);
-        place = csg_write(scene, &scene->objects[i], &optimiser->tree, place);
+    int object = 1;
+    while (object < scene->object_count) {
+        csg_read(scene, &scene->objects[object], &optimiser->tree);
+        bool something = optimise_simplify(optimiser);
+        if (something) {
+            optimise_fuse(optimiser);
+            something = optimise_simplify(optimiser);
+        }
+        if (something) {
+            place = csg_write(scene, &scene->objects[object], &optimiser->tree, place);
+            object++;
+        } else {
+            remove_object(optimiser->compiler, object);
+        }
     }
     scene->program_length = place;
 }

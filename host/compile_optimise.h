@@ -12,6 +12,9 @@ struct optimiser {
     unsigned uses[COMPILED_DRAFTS_MOST]; /* how often programs name each primitive */
 };
 
+/* Leaves out operations that say nothing; false if nothing is left of the tree. */
+bool optimise_simplify(struct optimiser *optimiser);
+
 /* Primitives of the tree that one primitive can stand for. Those that can't be made for lack of
  * room are left as they are. */
 void optimise_fuse(struct optimiser *optimiser);

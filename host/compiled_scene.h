@@ -120,6 +120,7 @@ struct compiled_report {
     unsigned simplified; /* operations of CSG that say nothing */
     unsigned fused;      /* solids that a neighbour has taken in */
     unsigned bounded;    /* solids cut off where nothing is to be seen of them */
+    unsigned hidden;     /* pairs of primitives of which one is not met from within the other */
 };
 
 struct compiled_scene {
@@ -154,7 +155,7 @@ struct compiled_scene {
     struct compiled_plane planes[COMPILED_PLANES_MOST];
     struct compiled_quadric quadrics[COMPILED_DRAFTS_MOST];
     struct compiled_set surfaces[COMPILED_SURFACES_MOST];
-    struct compiled_set enclosed[COMPILED_PRIMITIVES_MOST];
+    struct compiled_set hidden_by[COMPILED_PRIMITIVES_MOST];
     uint8_t programs[COMPILED_PROGRAM_BYTES_MOST];
     struct compiled_object objects[COMPILED_OBJECTS_MOST];
     struct compiled_material materials[COMPILED_MATERIALS_MOST];

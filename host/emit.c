@@ -108,10 +108,10 @@ static void emit_primitives(FILE *out, const struct compiled_scene *scene) {
         emit_set(out, &scene->surfaces[i], features_primitive_words(scene));
         fprintf(out, ",\n");
     }
-    fprintf(out, "};\n\nstatic const struct primitive_set enclosed[] = {\n");
+    fprintf(out, "};\n\nstatic const struct primitive_set hidden_by[] = {\n");
     for (int i = 0; i < scene->primitive_count; i++) {
         fprintf(out, "    ");
-        emit_set(out, &scene->enclosed[i], features_primitive_words(scene));
+        emit_set(out, &scene->hidden_by[i], features_primitive_words(scene));
         fprintf(out, ",\n");
     }
     fprintf(out, "};\n");
@@ -249,7 +249,7 @@ static void emit_scene(FILE *out, const struct compiled_scene *scene, const char
         table(scene->box_count, "boxes"), table(scene->ball_count, "balls"),
         table(scene->polyhedron_count, "polyhedra"), table(scene->plane_count, "planes"),
         table(scene->quadric_count, "quadrics"), table(scene->surface_count, "surfaces"),
-        table(scene->primitive_count, "enclosed"), table(scene->program_length, "programs"),
+        table(scene->primitive_count, "hidden_by"), table(scene->program_length, "programs"),
         table(scene->pattern_count, "patterns"),
         table(scene->specular_table_count, "specular_tables"), table(scene->light_count, "lights"));
     emit_set(out, &scene->shadow_primitives, features_primitive_words(scene));
@@ -270,6 +270,9 @@ int scene_emit(FILE *out, const struct compiled_scene *scene, const char *name) 
     fprintf(out, "/* The tables of the scene \"%s\", made by `superframe compile`. */\n", symbol);
     fprintf(out, "/* scaled = (p - (%.17g, %.17g, %.17g)) * 2^%d */\n", scene->centre[0],
             scene->centre[1], scene->centre[2], scene->exponent);
+    fprintf(out, "/* solids shared %u, simplified %u, fused %u, bounded %u, pairs hidden %u */\n",
+            scene->report.shared, scene->report.simplified, scene->report.fused,
+            scene->report.bounded, scene->report.hidden);
     fprintf(out, "#include \"scene.h\"\n");
     features_emit_assertions(out, scene);
     void (*const emitters[])(FILE *, const struct compiled_scene *) = {

@@ -46,7 +46,7 @@ struct loaded {
     struct plane planes[COMPILED_PLANES_MOST];
     struct quadric quadrics[COMPILED_PRIMITIVES_MOST];
     struct primitive_set surfaces[COMPILED_SURFACES_MOST];
-    struct primitive_set enclosed[COMPILED_PRIMITIVES_MOST];
+    struct primitive_set hidden_by[COMPILED_PRIMITIVES_MOST];
     uint8_t programs[COMPILED_PROGRAM_BYTES_MOST];
     struct object objects[COMPILED_OBJECTS_MOST];
     struct material materials[COMPILED_MATERIALS_MOST];
@@ -96,7 +96,7 @@ static void load_solids(struct loaded *to, const struct compiled_scene *from) {
         to->primitives[i].index = primitive->index;
         to->primitives[i].frame = primitive->frame;
         to->primitives[i].enclosure = primitive->enclosure;
-        to->enclosed[i] = set_of(&from->enclosed[i]);
+        to->hidden_by[i] = set_of(&from->hidden_by[i]);
         to->primitives[i].left_for_good = primitive->left_for_good;
     }
     for (int i = 0; i < from->box_count; i++) {
@@ -248,7 +248,7 @@ static void load_scene(struct loaded *to, const struct compiled_scene *from) {
     scene->planes = to->planes;
     scene->quadrics = to->quadrics;
     scene->surfaces = to->surfaces;
-    scene->enclosed = to->enclosed;
+    scene->hidden_by = to->hidden_by;
     scene->programs = to->programs;
     scene->objects = to->objects;
     scene->materials = to->materials;
