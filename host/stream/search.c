@@ -39,19 +39,21 @@ static void choose_lanes(const struct search_lanes *restrict search, uint8_t ind
     const struct scene *scene = search->scene;
     const struct primitive *primitive = &scene->primitives[index];
     uint32_t bit = (uint32_t)1 << index;
-    uint32_t hidden_by = search->shadows ? 0 : scene->enclosed[index].word[0];
-    uint32_t enclosure = search->shadows || primitive->enclosure == ENCLOSURE_NONE
-                             ? 0
-                             : (uint32_t)1 << primitive->enclosure;
+    uint32_t hidden_by = scene->hidden_by[index].word[0];
+    uint32_t enclosure =
+        primitive->enclosure == ENCLOSURE_NONE ? 0 : (uint32_t)1 << primitive->enclosure;
+    if (search->shadows) {
+        enclosure &= scene->shadow_primitives.word[0];
+    }
     uint32_t barred = primitive->left_for_good ? bit : 0;
     uint32_t leaving = 0, entering = 0;
     for (int i = 0; i < LANES; i++) {
         uint32_t inside = search->inside[i];
         bool is_inside = (inside & bit) != 0;
-        bool may = search->active[i] != 0;
-        bool may_leave = may & is_inside & ((inside & hidden_by) == 0);
-        bool may_enter = may & !is_inside & ((inside & enclosure) == enclosure) &
-                         ((search->touch[i] & barred) == 0);
+        bool may = (search->active[i] != 0) & ((inside & hidden_by) == 0) &
+                   ((inside & enclosure) == enclosure);
+        bool may_leave = may & is_inside;
+        bool may_enter = may & !is_inside & ((search->touch[i] & barred) == 0);
         chosen->leave[i] = may_leave ? 1 : 0;
         chosen->enter[i] = may_enter ? 1 : 0;
         leaving += chosen->leave[i];

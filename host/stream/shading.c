@@ -56,6 +56,7 @@ static bool step_shadows(struct search_lanes *restrict search, struct way_lanes 
 static void cast_shadows(const struct scene *scene, const struct hit_lanes *restrict hit,
                          struct way_lanes *restrict way, struct search_lanes *restrict search,
                          struct render_counts *counts) {
+    const uint32_t among = scene->shadow_primitives.word[0];
     uint32_t shadowed[LANES];
     search->scene = scene;
     search->shadows = true;
@@ -63,7 +64,7 @@ static void cast_shadows(const struct scene *scene, const struct hit_lanes *rest
     search->world.direction = way->towards;
     for (int i = 0; i < LANES; i++) {
         search->surface[i] = hit->surface[i];
-        search->inside[i] = hit->inside_before[i];
+        search->inside[i] = hit->inside_before[i] & among;
         search->from[i] = LENGTH_EPSILON;
         search->active[i] = way->lit[i];
         counts->shadow_rays += way->lit[i];
