@@ -58,8 +58,9 @@ ifneq ($(filter test targets size size-keep,$(MAKECMDGOALS)),)
 BOOT_SETUP   := $(shell CC='$(CC)' SETUP='$(SETUP)' sh setup.sh quick >&2)
 endif
 BOOT_PACKAGE := $(if $(call has_package,$(BOOT_UNICORN)),$(BOOT_UNICORN))
-HOST_SOURCES += $(if $(BOOT_PACKAGE),host/processor/unicorn.c,host/processor/no_unicorn.c)
-BOOT_LIBS    := $(if $(BOOT_PACKAGE),$(shell pkg-config --libs $(BOOT_PACKAGE)))
+HOST_SOURCES += $(if $(BOOT_PACKAGE),host/processor/unicorn.c host/processor/unicorn_library.c,host/processor/no_unicorn.c)
+# It is loaded when a floppy is booted, not linked: see host/processor/unicorn_library.h.
+BOOT_LIBS    := $(if $(BOOT_PACKAGE),-ldl)
 TEST_SOURCES     := $(wildcard tests/*_test.c)
 REAL_TEST_SOURCES := $(wildcard tests/real/*_test.c)
 SCENE_FILES      := $(wildcard firmware/scenes/*.scene)
