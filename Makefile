@@ -170,6 +170,7 @@ include usb.mk
 include tests/measures.mk
 include tests/cost/cost.mk
 include tests/pov/pov.mk
+include tests/bench/bench.mk
 
 # ---- Running --------------------------------------------------------------------------------
 
