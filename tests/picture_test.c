@@ -17,7 +17,8 @@ static void set_register(unsigned index, unsigned value) {
     outp(0x00D2, (uint8_t)value);
 }
 
-/* picture_draw(), and with it: the memory is offered as the picture only where it is the picture. */
+/* picture_draw(), and with it: the memory is offered as the picture only where it is the picture.
+ */
 static enum picture_state draw(const struct native_screen *screen) {
     enum picture_state drawn = picture_draw(&board, screen, rgb);
     const uint8_t *plain = picture_in_memory(&board, screen);
