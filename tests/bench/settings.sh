@@ -10,6 +10,7 @@
 # BENCH_PAIRS        runs of each program against POV-Ray, at least 1
 # BENCH_MATCHES      comparisons at the same N: scene:depth
 # BENCH_EQUAL        scenes compared at equal error
+# BENCH_SEARCH=yes   looks for the cheapest settings at equal error though docs/bench/settings.tsv has some
 
 if [ "${BENCH:-part}" = all ]; then
     : "${BENCH_SCENES:=fig3 fig4a fig4b fig5 fig6a fig6b fig7-isolated fig7-frustum figA}"
