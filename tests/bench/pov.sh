@@ -101,8 +101,8 @@ cheapest() {
     shift 3
     least= best=
     for tail in "$@"; do
-        most=40 before=
-        for threshold in 1/32 1/64 1/128 1/256 1/512 1/1024 1/2048 1/4096; do
+        most=60 before=
+        for threshold in 1/32 1/64 1/128 1/256 1/512 1/1024 1/2048 1/4096 1/8192; do
             least_depth "$try" "$scene" "$threshold" "$tail" $most || continue
             most=$depth
             if [ -z "$least" ] || [ "$rays" -lt "$least" ]; then
