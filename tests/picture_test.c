@@ -101,6 +101,10 @@ static void the_picture_is_the_frame_memory_from_the_top_left(void **state) {
     assert_int_equal(shown(639, 399), 0x0A0B0C);
     assert_int_equal(shown(1, 0), 0);
     assert_ptr_equal(picture_in_memory(&board, NULL), board.memory);
+    outp(0x00DE, 0x00);
+    draw(NULL);
+    assert_true(is_black());
+    assert_null(picture_in_memory(&board, NULL));
 }
 
 /* Board: white at x = 0 and 1. PC: red (colour 2) at x = 1 and 2. */
