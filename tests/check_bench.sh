@@ -137,6 +137,13 @@ expect 'a match without N' 2 '"fig3" is no SCENE:DEPTH' bench BENCH_MATCHES=fig3
 expect 'instructions without what' 2 usage sh $bench/instructions.sh "$BUILD"
 expect 'nothing kept' 2 'none.txt cannot be read' sh $bench/instructions.sh "$BUILD" check "$folder/none.txt"
 
+# Where there is no povray, that is said and no more.
+mkdir "$folder/bin"
+for tool in sh awk sed cut tr date mkdir dirname cat; do
+    ln -s "$(command -v $tool)" "$folder/bin/$tool"
+done
+expect 'no povray' 0 'there is no povray' env "PATH=$folder/bin" sh $bench/bench.sh "$BUILD" pairs equal
+
 # ---- The tools ------------------------------------------------------------------------------
 
 timed=$BUILD/release/bench/timed

@@ -102,11 +102,11 @@ END
     section jobs.tsv 'Two workers' 'Seconds by the clock, in turn.'
     section renders.tsv 'Whole renders' \
         'A render as it is called by the shell; user CPU and peak memory of the process. A ray is one of the tree (`rays` of --stats); shadow rays come on top. ns_a_ray is user CPU over rays; first_write_seconds is CPU time, the loading of the program included.'
-    if [ -f "$kept" ]; then
+    if [ -f "$kept_instructions" ]; then
         printf '\n## Instructions a ray\n\n'
         echo "Kept in \`bench/instructions.txt\`; \`make bench-check\` fails where one grows by more than 2 %. Counted by callgrind, all that a render does between the scene's loading and the PNG."
         printf '\n```\n'
-        cat "$kept"
+        cat "$kept_instructions"
         printf '```\n'
     fi
 }
@@ -138,7 +138,7 @@ plot() {
 }
 
 stage_page() {
-    kept=$here/../../docs/bench/instructions.txt
+    kept_instructions=$here/../../docs/bench/instructions.txt
     summarise
     plot
     write_json > "$out/bench.json" || exit 1

@@ -131,11 +131,16 @@ user_of() {
     echo "$2"
 }
 
-# time_ours SCENE SIZE DEPTH THRESHOLD TAIL ARITHMETIC TIMES: wall, user, system, memory in KiB.
+# time_ours SCENE SIZE DEPTH THRESHOLD TAIL ARITHMETIC TIMES OPTION...: wall, user, system seconds of
+# one run on the average, memory in KiB.
 time_ours() {
-    "$tools/timed" "$7" "$superframe" render "$1" --size "$2" --depth "$3" --threshold "$4" \
-        --tail "$5" --arith "$6" --colour full --quiet -o "$out/ours.png" 2>> "$out/log" ||
-        complain "superframe render $1 --depth $3 failed; see $out/log"
+    time_scene=$1 time_size=$2 time_depth=$3 time_threshold=$4 time_tail=$5 time_arithmetic=$6
+    time_times=$7
+    shift 7
+    "$tools/timed" "$time_times" "$superframe" render "$time_scene" --size "$time_size" \
+        --depth "$time_depth" --threshold "$time_threshold" --tail "$time_tail" \
+        --arith "$time_arithmetic" --colour full --quiet -o "$out/ours.png" "$@" 2>> "$out/log" ||
+        complain "superframe render $time_scene --depth $time_depth failed; see $out/log"
 }
 
 # time_theirs SIZE TIMES: of $out/theirs.pov.
