@@ -5,6 +5,8 @@
 #include "board_internal.h"
 
 enum {
+    POSITION_X_MASK = 0x03FF,
+    POSITION_Y_MASK = 0x01FF,
     CONTROLLER_STATUS = 0x1F, /* index */
     STATUS_BLANK = 0x02,
     /* 17.73 ms at 56.4 Hz, at 0.4 us an access (the only figure known, an emulator's model). */

@@ -35,9 +35,6 @@ static inline bool board_decodes(const struct board *board, uint16_t port) {
     return (uint16_t)(port - board->desc.base) < BOARD_PORTS;
 }
 
-/* Bits of X and Y that count. */
-enum { POSITION_X_MASK = 0x03FF, POSITION_Y_MASK = 0x01FF };
-
 /* Counts a use of a behaviour; for those that are no violation in either profile. */
 static inline void board_note_use(struct board *board, enum board_behaviour behaviour) {
     struct board_note *entry = &board->notes[behaviour];

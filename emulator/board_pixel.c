@@ -18,15 +18,14 @@ static inline bool write_primary(struct board *board, unsigned offset, uint16_t 
     return true;
 }
 
-static inline bool write_x(struct board *board, unsigned offset, uint16_t value) {
-    uint32_t x = value & POSITION_X_MASK;
+static inline bool write_x(struct board *board, unsigned offset, uint16_t x) {
     if (x >= BOARD_WIDTH || board->y >= BOARD_HEIGHT) {
         return false;
     }
     board->accesses++;
     board->writes[offset][BUS_WORD - 1]++;
     board_note_use(board, BOARD_POSITION_WRITE);
-    board->x = (uint16_t)x;
+    board->x = x;
     board->is_wrapped = false;
     board->place = (int32_t)((board->y * (uint32_t)BOARD_WIDTH + x) * 3);
     return true;

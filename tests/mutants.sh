@@ -18,8 +18,8 @@ work=$BUILD/mutants
 # file | sed expression | what it breaks. A last field "survives: why" marks an equivalent mutant.
 mutants() {
     cat << 'END'
-board_internal.h|s/POSITION_X_MASK = 0x03FF/POSITION_X_MASK = 0x07FF/|X takes an eleventh bit
-board_internal.h|s/POSITION_Y_MASK = 0x01FF/POSITION_Y_MASK = 0x00FF/|Y loses its upper bit
+board.c|s/POSITION_X_MASK = 0x03FF/POSITION_X_MASK = 0x07FF/|X takes an eleventh bit
+board.c|s/POSITION_Y_MASK = 0x01FF/POSITION_Y_MASK = 0x00FF/|Y loses its upper bit
 board.c|s/x < BOARD_WIDTH \&\& y < BOARD_HEIGHT/x <= BOARD_WIDTH \&\& y < BOARD_HEIGHT/|X 640 is inside
 board.c|s/x < BOARD_WIDTH \&\& y < BOARD_HEIGHT/x < BOARD_WIDTH \&\& y <= BOARD_HEIGHT/|Y 400 is inside
 board.c|s/profile == BOARD_LATER \&\& x < BOARD_HIDDEN_WIDTH/profile == BOARD_LATER \&\& x <= BOARD_HIDDEN_WIDTH/|X 384 is a hidden block
@@ -49,9 +49,8 @@ board.c|s/board->log_count < BOARD_LOG_SIZE \&\&/board->log_count < BOARD_LOG_SI
 board_pixel.c|s/ || board->is_stepping/ || false/|the short way forgets to step X
 board_pixel.c|s/x >= BOARD_WIDTH/x > BOARD_WIDTH/|the short way takes X 640 for inside
 board_pixel.c|s/board->y >= BOARD_HEIGHT/board->y > BOARD_HEIGHT/|the short way takes Y 400 for inside
-board_pixel.c|s/value \& POSITION_X_MASK/value/|the short way takes all bits of X
 board_pixel.c|s/board->is_wrapped = false;//|the short way leaves X wrapped
-board_pixel.c|s/board->x = (uint16_t)x;//|the short way does not keep X
+board_pixel.c|s/board->x = x;//|the short way does not keep X
 board_pixel.c|s/board_note_use(board, BOARD_POSITION_WRITE);//|the short way does not count an X
 board_pixel.c|s/board_note_use(board, BOARD_PRIMARY_WRITE);//|the short way does not count a primary
 board_pixel.c|s/\[BUS_WORD - 1\]++/[BUS_BYTE - 1]++/|the short way counts X as a byte
