@@ -58,7 +58,9 @@ ifneq ($(filter test targets size size-keep,$(MAKECMDGOALS)),)
 BOOT_SETUP   := $(shell CC='$(CC)' SETUP='$(SETUP)' sh setup.sh quick >&2)
 endif
 BOOT_PACKAGE := $(if $(call has_package,$(BOOT_UNICORN)),$(BOOT_UNICORN))
-HOST_SOURCES += $(if $(BOOT_PACKAGE),host/processor/unicorn.c,host/processor/no_unicorn.c)
+HOST_SOURCES += $(if $(BOOT_PACKAGE),host/processor/unicorn.c host/processor/unicorn_library.c,host/processor/no_unicorn.c)
+# It is loaded when a floppy is booted, not linked: see host/processor/unicorn_library.h.
+BOOT_LIBS    := $(if $(BOOT_PACKAGE),-ldl)
 # Streams of rays, for the arithmetics that CPUs have in vectors: the sets of instructions that are
 # compiled for, one of which is taken at run time.
 STREAM_REALS   := f32 f64
@@ -75,7 +77,6 @@ STREAM_FLAGS   := -O3 -fno-trapping-math -fno-math-errno
 FLAGS_plain    :=
 FLAGS_avx2     := -march=x86-64-v3
 FLAGS_avx512   := -march=x86-64-v4 -mprefer-vector-width=512
-BOOT_LIBS    := $(if $(BOOT_PACKAGE),$(shell pkg-config --libs $(BOOT_PACKAGE)))
 TEST_SOURCES     := $(wildcard tests/*_test.c)
 REAL_TEST_SOURCES := $(wildcard tests/real/*_test.c)
 SCENE_FILES      := $(wildcard firmware/scenes/*.scene)
@@ -198,6 +199,7 @@ include usb.mk
 include tests/measures.mk
 include tests/cost/cost.mk
 include tests/pov/pov.mk
+include tests/bench/bench.mk
 
 # ---- Running --------------------------------------------------------------------------------
 
@@ -242,10 +244,10 @@ endef
 $(foreach arithmetic,$(ARITHMETICS),$(eval $(call real_test_rules,$(arithmetic))))
 
 FIRMWARE_IMAGES := $(BUILD)/release/firmware_fx.o $(BUILD)/release/firmware_f32.o $(BUILD)/release/firmware_f64.o
-TEST_SCRIPTS := tests/float_matrix.sh tests/trace_hash_matrix.sh tests/check_includes.sh tests/check_symbols.sh tests/check_recursion.sh tests/check_adapter.sh tests/check_usb_fuzz.sh tests/check_install.sh tests/check_measure.sh tests/targets/quick_test.sh tests/check_porting.sh
+TEST_SCRIPTS := tests/float_matrix.sh tests/trace_hash_matrix.sh tests/check_includes.sh tests/check_symbols.sh tests/check_recursion.sh tests/check_adapter.sh tests/check_usb_fuzz.sh tests/check_install.sh tests/check_measure.sh tests/targets/quick_test.sh tests/check_porting.sh tests/check_bench.sh
 
 .PHONY: test
-test: $(TEST_PROGRAMS) $(REAL_TEST_PROGRAMS) $(BUILD)/superframe $(BUILD)/sanitized/superframe $(FIRMWARE_IMAGES) strict fresh-prefix $(USB_TEST_PROGRAMS) ## Run every test (under the address and undefined-behaviour sanitizers)
+test: $(TEST_PROGRAMS) $(REAL_TEST_PROGRAMS) $(BUILD)/superframe $(BUILD)/sanitized/superframe $(FIRMWARE_IMAGES) strict fresh-prefix $(USB_TEST_PROGRAMS) $(BENCH_TOOLS) ## Run every test (under the address and undefined-behaviour sanitizers)
 	@sh tests/run.sh $(BUILD) $(TEST_SCRIPTS) $(TEST_PROGRAMS) $(REAL_TEST_PROGRAMS) $(USB_TEST_PROGRAMS)
 
 # ---- Measuring ------------------------------------------------------------------------------

@@ -51,17 +51,9 @@ struct access {
     bool is_read;
 };
 
-/* For what is no violation in either profile. */
-static inline void note(struct board *board, enum board_behaviour behaviour) {
-    struct board_note *entry = &board->notes[behaviour];
-    if (entry->count++ == 0) {
-        entry->first = board->accesses;
-    }
-}
-
 /* For what may be a violation. */
 static void report(struct board *board, enum board_behaviour behaviour, struct access access) {
-    note(board, behaviour);
+    board_note_use(board, behaviour);
     if (board->log_count < BOARD_LOG_SIZE &&
         board_behaviour_is_violation(behaviour, board->desc.profile)) {
         struct board_violation *entry = &board->log[board->log_count++];
@@ -82,25 +74,19 @@ static bool pixel_is_there(struct board *board, struct access access) {
         report(board, access.is_read ? BOARD_OUTSIDE_READ : BOARD_OUTSIDE_WRITE, access);
     }
     if (board->place >= BOARD_WIDTH * BOARD_HEIGHT * 3) {
-        note(board, BOARD_HIDDEN_ACCESS);
+        board_note_use(board, BOARD_HIDDEN_ACCESS);
     }
     return board->place >= 0;
 }
 
-/* True where nothing has to be reported: the common case, in one comparison. */
-static inline bool pixel_is_plain(const struct board *board) {
-    return (uint32_t)board->place < (uint32_t)(BOARD_WIDTH * BOARD_HEIGHT * 3) &&
-           !board->is_wrapped;
-}
-
 static inline void write_primary(struct board *board, unsigned primary, struct access access) {
-    if (pixel_is_plain(board) || pixel_is_there(board, access)) {
+    if (board_pixel_is_plain(board) || pixel_is_there(board, access)) {
         board->memory[(uint32_t)board->place + primary] = (uint8_t)access.value;
     }
 }
 
 static uint8_t read_primary(struct board *board, unsigned primary, struct access access) {
-    if (pixel_is_plain(board) || pixel_is_there(board, access)) {
+    if (board_pixel_is_plain(board) || pixel_is_there(board, access)) {
         return board->memory[(uint32_t)board->place + primary];
     }
     return 0xFF;
@@ -116,7 +102,7 @@ static void fill(struct board *board, struct access access) {
     if ((board->x & 3) != 0 || access.value != 0) {
         report(board, BOARD_FILL_UNSEEN, access);
     }
-    if (pixel_is_plain(board) || pixel_is_there(board, access)) {
+    if (board_pixel_is_plain(board) || pixel_is_there(board, access)) {
         /* Lines begin at a multiple of four pixels, so rounding the pixel rounds X. */
         uint32_t pixel = (uint32_t)board->place / 3 & ~(uint32_t)3;
         for (uint32_t i = 0; i < 4 * 3; i++) {
@@ -129,7 +115,7 @@ static void fill(struct board *board, struct access access) {
 
 static void write_data(struct board *board, struct access access) {
     uint8_t value = (uint8_t)access.value;
-    note(board, BOARD_DATA_WRITE);
+    board_note_use(board, BOARD_DATA_WRITE);
     board->controller[board->index] = value;
     board->controller_written[board->index] = 1;
     if (board_index_is_start_address(board->index)) {
@@ -143,7 +129,7 @@ static void write_data(struct board *board, struct access access) {
 
 static uint8_t read_data(struct board *board, struct access access) {
     if (board->desc.profile == BOARD_LATER && board->index == CONTROLLER_STATUS) {
-        note(board, BOARD_STATUS_READ);
+        board_note_use(board, BOARD_STATUS_READ);
         bool is_blank = board->accesses % FRAME_ACCESSES >= FRAME_SHOWN_ACCESSES;
         return is_blank ? STATUS_BLANK : 0;
     }
@@ -151,7 +137,7 @@ static uint8_t read_data(struct board *board, struct access access) {
         access.value = board->controller[board->index];
         report(board, BOARD_UNWRITTEN_READ, access);
     } else {
-        note(board, BOARD_DATA_READ);
+        board_note_use(board, BOARD_DATA_READ);
     }
     return board->controller[board->index];
 }
@@ -161,7 +147,7 @@ static void write_mode(struct board *board, struct access access) {
     board->mode = mode;
     board->is_stepping = board->desc.profile == BOARD_LATER && (mode & BOARD_MODE_STEP) != 0;
     if (mode == 0x00 || mode == 0x01 || mode == 0x03) {
-        note(board, BOARD_MODE_WRITE);
+        board_note_use(board, BOARD_MODE_WRITE);
     } else {
         report(board, BOARD_MODE_UNKNOWN, access);
     }
@@ -178,14 +164,14 @@ static void step_x(struct board *board, struct access access) {
 static void write_byte(struct board *board, unsigned offset, struct access access) {
     switch (offset) {
     case 0x0:
-        note(board, BOARD_INDEX_WRITE);
+        board_note_use(board, BOARD_INDEX_WRITE);
         board->index = (uint8_t)access.value;
         break;
     case 0x2:
         write_data(board, access);
         break;
     case 0x4:
-        note(board, BOARD_POSITION_LOW_WRITE);
+        board_note_use(board, BOARD_POSITION_LOW_WRITE);
         set_x(board, (board->x & 0xFF00U) | access.value);
         break;
     case 0x5:
@@ -193,7 +179,7 @@ static void write_byte(struct board *board, unsigned offset, struct access acces
         set_x(board, (board->x & 0x00FFU) | (unsigned)access.value << 8);
         break;
     case 0x6:
-        note(board, BOARD_POSITION_LOW_WRITE);
+        board_note_use(board, BOARD_POSITION_LOW_WRITE);
         set_y(board, (board->y & 0xFF00U) | access.value);
         break;
     case 0x7:
@@ -201,15 +187,15 @@ static void write_byte(struct board *board, unsigned offset, struct access acces
         set_y(board, (board->y & 0x00FFU) | (unsigned)access.value << 8);
         break;
     case 0x8:
-        note(board, BOARD_PRIMARY_WRITE);
+        board_note_use(board, BOARD_PRIMARY_WRITE);
         write_primary(board, 0, access);
         break;
     case 0xA:
-        note(board, BOARD_PRIMARY_WRITE);
+        board_note_use(board, BOARD_PRIMARY_WRITE);
         write_primary(board, 1, access);
         break;
     case 0xC:
-        note(board, BOARD_PRIMARY_WRITE);
+        board_note_use(board, BOARD_PRIMARY_WRITE);
         write_primary(board, 2, access);
         if (board->is_stepping) {
             step_x(board, access);
@@ -227,11 +213,11 @@ static void write_byte(struct board *board, unsigned offset, struct access acces
 static void write_word(struct board *board, unsigned offset, struct access access) {
     switch (offset) {
     case 0x4:
-        note(board, BOARD_POSITION_WRITE);
+        board_note_use(board, BOARD_POSITION_WRITE);
         set_x(board, access.value);
         break;
     case 0x6:
-        note(board, BOARD_POSITION_WRITE);
+        board_note_use(board, BOARD_POSITION_WRITE);
         set_y(board, access.value);
         break;
     case 0x8:
@@ -255,26 +241,29 @@ static void write_half(struct board *board, uint16_t port, unsigned value) {
     if (offset < BOARD_PORTS) {
         write_byte(board, offset, access);
     } else {
-        note(board, BOARD_FOREIGN_WRITE);
+        board_note_use(board, BOARD_FOREIGN_WRITE);
     }
 }
 
 static void write_split(struct board *board, uint16_t port, uint16_t value) {
     uint16_t next = (uint16_t)(port + 1);
     if (board_decodes(board, port) || board_decodes(board, next)) {
-        note(board, BOARD_WORD_SPLIT);
+        board_note_use(board, BOARD_WORD_SPLIT);
         write_half(board, port, value);
         write_half(board, next, (unsigned)value >> 8);
     } else {
-        note(board, BOARD_FOREIGN_WRITE);
+        board_note_use(board, BOARD_FOREIGN_WRITE);
     }
 }
 
-/* Whatever board_write() doesn't do itself. */
-static void write_any(struct board *board, uint16_t port, uint16_t value, unsigned width) {
+void board_write_any(struct board *board, uint16_t port, uint16_t value, unsigned width) {
     unsigned offset = (uint16_t)(port - board->desc.base);
     bool is_decoded = offset < BOARD_PORTS;
     struct access access = {port, value, (uint8_t)width, false};
+    board->accesses++;
+    if (is_decoded) {
+        board->writes[offset][width - 1]++;
+    }
     if (is_decoded && width == BUS_BYTE) {
         access.value &= 0xFF;
         write_byte(board, offset, access);
@@ -283,25 +272,8 @@ static void write_any(struct board *board, uint16_t port, uint16_t value, unsign
     } else if (width == BUS_WORD && (port & 1) != 0) {
         write_split(board, port, value);
     } else {
-        note(board, BOARD_FOREIGN_WRITE);
+        board_note_use(board, BOARD_FOREIGN_WRITE);
     }
-}
-
-/* Nine writes of ten are a byte of a pixel and have nothing to report: they are done here, without
- * a further call, and write_byte() would do the same with them. */
-void board_write(struct board *board, uint16_t port, uint16_t value, unsigned width) {
-    unsigned offset = (uint16_t)(port - board->desc.base);
-    board->accesses++;
-    if (offset < BOARD_PORTS) {
-        board->writes[offset][width - 1]++;
-        bool is_primary = offset == 0x8 || offset == 0xA || offset == 0xC;
-        if (is_primary && width == BUS_BYTE && pixel_is_plain(board) && !board->is_stepping) {
-            note(board, BOARD_PRIMARY_WRITE);
-            board->memory[(uint32_t)board->place + offset / 2 - 4] = (uint8_t)value;
-            return;
-        }
-    }
-    write_any(board, port, value, width);
 }
 
 /* ---- Reads ---------------------------------------------------------------------------------- */
@@ -321,7 +293,7 @@ static uint8_t read_byte(struct board *board, unsigned offset, struct access acc
     case 0x8:
     case 0xA:
     case 0xC:
-        note(board, BOARD_PRIMARY_READ);
+        board_note_use(board, BOARD_PRIMARY_READ);
         return read_primary(board, offset / 2 - 4, access);
     case 0x4:
     case 0x6:
@@ -381,7 +353,7 @@ uint16_t board_read(struct board *board, uint16_t port, unsigned width) {
     uint16_t next = (uint16_t)(port + 1);
     if (width == BUS_WORD && (port & 1) != 0 &&
         (board_decodes(board, port) || board_decodes(board, next))) {
-        note(board, BOARD_WORD_SPLIT);
+        board_note_use(board, BOARD_WORD_SPLIT);
         unsigned low = read_half(board, port);
         return (uint16_t)(low | (unsigned)read_half(board, next) << 8);
     }

@@ -35,4 +35,21 @@ static inline bool board_decodes(const struct board *board, uint16_t port) {
     return (uint16_t)(port - board->desc.base) < BOARD_PORTS;
 }
 
+/* Counts a use of a behaviour; for those that are no violation in either profile. */
+static inline void board_note_use(struct board *board, enum board_behaviour behaviour) {
+    struct board_note *entry = &board->notes[behaviour];
+    if (entry->count++ == 0) {
+        entry->first = board->accesses;
+    }
+}
+
+/* True where an access to the pixel has nothing to report: in one comparison. */
+static inline bool board_pixel_is_plain(const struct board *board) {
+    return (uint32_t)board->place < (uint32_t)(BOARD_WIDTH * BOARD_HEIGHT * 3) &&
+           !board->is_wrapped;
+}
+
+/* board_write() for every write, those included that it does itself. */
+void board_write_any(struct board *board, uint16_t port, uint16_t value, unsigned width);
+
 #endif

@@ -106,6 +106,12 @@ enum picture_state picture_draw(const struct board *board, const struct native_s
     return state;
 }
 
+const uint8_t *picture_in_memory(const struct board *board, const struct native_screen *native) {
+    bool is_plain = (board->mode & BOARD_MODE_SHOWN) != 0 && native == NULL &&
+                    picture_timing(board).state == PICTURE_OK && start_block(board) == 0;
+    return is_plain ? board->memory : NULL;
+}
+
 uint32_t picture_crc(const uint8_t rgb[PICTURE_BYTES]) {
     return (uint32_t)crc32(crc32(0, NULL, 0), rgb, PICTURE_BYTES);
 }

@@ -43,6 +43,11 @@ const char *picture_state_text(enum picture_state state);
 enum picture_state picture_draw(const struct board *board, const struct native_screen *native,
                                 uint8_t rgb[PICTURE_BYTES]);
 
+/* The PICTURE_BYTES that picture_draw() would draw, where they lie in the board's memory as they
+ * are (the board shown, set up, not scrolled, native NULL): valid until the next port access. NULL:
+ * they have to be drawn. */
+const uint8_t *picture_in_memory(const struct board *board, const struct native_screen *native);
+
 /* CRC-32 (IEEE 802.3, as in zlib and PNG) of the 768,000 bytes. */
 uint32_t picture_crc(const uint8_t rgb[PICTURE_BYTES]);
 

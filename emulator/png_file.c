@@ -8,6 +8,7 @@
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
+#include <zlib.h>
 
 enum { MAXIMUM_SIDE = 16384, MAXIMUM_PIXELS = 64 * 1024 * 1024 };
 
@@ -65,6 +66,15 @@ static bool size_is_allowed(unsigned width, unsigned height) {
 
 /* ---- Writing -------------------------------------------------------------------------------- */
 
+/* Differences to the left, then runs of equal bytes: a rendered picture is flat areas and slopes.
+ * Against libpng's own choice the files of the built-in scenes are a third larger and written in a
+ * quarter of the time (`make bench`). The window stays large though runs look back one byte only:
+ * zlib moves a small one along all the time, which took as long again. */
+static void compress_fast(png_structp png) {
+    png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
+    png_set_compression_strategy(png, Z_RLE);
+}
+
 /* Everything that libpng may jump out of. It has no locals that change after setjmp(), so none
  * can be lost; false: it jumped. */
 static bool write_all(png_structp png, png_infop info, const uint8_t *rgb, unsigned width,
@@ -97,6 +107,7 @@ enum png_status write_png(FILE *file, const uint8_t *rgb, unsigned width, unsign
         return fail(error, PNG_OUT_OF_MEMORY, "out of memory");
     }
     png_set_write_fn(png, file, write_bytes, flush_bytes);
+    compress_fast(png);
     write_all(png, info, rgb, width, height);
     png_destroy_write_struct(&png, &info);
     return error->status;

@@ -10,27 +10,39 @@ static void hash_buffer(struct trace_hash *hash) {
     hash->used = 0;
 }
 
-void trace_hash_add(struct trace_hash *hash, uint16_t port, uint16_t value, unsigned width) {
+static inline void keep(struct trace_hash *hash, uint16_t port, uint16_t value, unsigned width) {
     uint8_t *bytes = hash->buffer + hash->used;
-    bytes[0] = (uint8_t)port;
-    bytes[1] = (uint8_t)(port >> 8);
-    bytes[2] = (uint8_t)width;
-    bytes[3] = (uint8_t)value;
+    /* Four bytes taken off one number: the compiler makes one store of them. */
+    uint32_t head = port | (uint32_t)width << 16 | (uint32_t)value << 24;
+    bytes[0] = (uint8_t)head;
+    bytes[1] = (uint8_t)(head >> 8);
+    bytes[2] = (uint8_t)(head >> 16);
+    bytes[3] = (uint8_t)(head >> 24);
     bytes[4] = width == BUS_BYTE ? 0 : (uint8_t)(value >> 8);
     hash->used += 5;
     hash->writes++;
+}
+
+static inline void hash_if_full(struct trace_hash *hash) {
     if (hash->used == TRACE_HASH_BUFFER) {
         hash_buffer(hash);
     }
 }
 
+void trace_hash_add(struct trace_hash *hash, uint16_t port, uint16_t value, unsigned width) {
+    keep(hash, port, value, width);
+    hash_if_full(hash);
+}
+
+/* A full buffer is hashed last: until then the write itself would have to be saved over the call.
+ */
 static void hash_write(struct bus *bus, uint16_t port, uint16_t value, unsigned width) {
     struct trace_hash *hash = (struct trace_hash *)bus;
-    trace_hash_add(hash, port, value, width);
+    keep(hash, port, value, width);
     if (hash->inner != NULL) {
-        bus_write(hash->inner, port, value, width);
-        bus_fail(bus, hash->inner->status);
+        bus_pass_on(bus, hash->inner, port, value, width);
     }
+    hash_if_full(hash);
 }
 
 static uint16_t hash_read(struct bus *bus, uint16_t port, unsigned width) {

@@ -51,22 +51,16 @@ const char *cost_cpu_text(enum cost_cpu cpu) {
     return cpus[cpu].name;
 }
 
-static void count(struct cost_bus *cost_bus, uint16_t port, unsigned width, bool is_read) {
-    for (unsigned cpu = 0; cpu < COST_CPUS; cpu++) {
-        cost_bus->clocks[cpu] += cost_clocks((enum cost_cpu)cpu, port, width, is_read);
-    }
-    if (width == BUS_WORD && (port & 1) != 0) {
-        cost_bus->odd_words++;
-    }
+static inline void count_odd(struct cost_bus *cost_bus, uint16_t port, unsigned width) {
+    cost_bus->odd_words += width == BUS_WORD && (port & 1) != 0;
 }
 
 static void cost_write(struct bus *bus, uint16_t port, uint16_t value, unsigned width) {
     struct cost_bus *cost_bus = (struct cost_bus *)bus;
     cost_bus->writes[width - 1]++;
-    count(cost_bus, port, width, false);
+    count_odd(cost_bus, port, width);
     if (cost_bus->inner != NULL) {
-        bus_write(cost_bus->inner, port, value, width);
-        bus_fail(bus, cost_bus->inner->status);
+        bus_pass_on(bus, cost_bus->inner, port, value, width);
     }
 }
 
@@ -74,7 +68,7 @@ static uint16_t cost_read(struct bus *bus, uint16_t port, unsigned width) {
     struct cost_bus *cost_bus = (struct cost_bus *)bus;
     uint16_t value = 0xFFFF;
     cost_bus->reads[width - 1]++;
-    count(cost_bus, port, width, true);
+    count_odd(cost_bus, port, width);
     if (cost_bus->inner != NULL) {
         value = bus_read(cost_bus->inner, port, width);
         bus_fail(bus, cost_bus->inner->status);
@@ -103,8 +97,14 @@ uint64_t cost_bus_cycles(const struct cost_bus *cost_bus) {
            cost_bus->odd_words;
 }
 
+uint64_t cost_bus_clocks(const struct cost_bus *cost_bus, enum cost_cpu cpu) {
+    return (cost_bus->writes[0] + cost_bus->writes[1]) * cpus[cpu].out +
+           (cost_bus->reads[0] + cost_bus->reads[1]) * cpus[cpu].in +
+           cost_bus->odd_words * cpus[cpu].odd_word;
+}
+
 double cost_bus_seconds(const struct cost_bus *cost_bus, const struct cost_machine *machine,
                         double bus_wait_ns) {
-    return (double)cost_bus->clocks[machine->cpu] / (machine->megahertz * 1e6) +
+    return (double)cost_bus_clocks(cost_bus, machine->cpu) / (machine->megahertz * 1e6) +
            (double)cost_bus_cycles(cost_bus) * bus_wait_ns * 1e-9;
 }

@@ -38,7 +38,6 @@ struct cost_bus {
     uint64_t reads[2];  /* by width - 1 */
     uint64_t writes[2]; /* by width - 1 */
     uint64_t odd_words; /* words at odd ports, of all reads and writes */
-    uint64_t clocks[COST_CPUS];
 };
 
 /* Sets up *cost_bus before inner, which may be NULL: the accesses are counted only. */
@@ -46,6 +45,9 @@ void cost_bus_init(struct cost_bus *cost_bus, struct bus *inner);
 
 /* Bus accesses so far: a word at an odd port is two. */
 uint64_t cost_bus_cycles(const struct cost_bus *cost_bus);
+
+/* The clocks of all accesses so far, as cost_clocks() has them. */
+uint64_t cost_bus_clocks(const struct cost_bus *cost_bus, enum cost_cpu cpu);
 
 /* Seconds that a machine spends in the IN and OUT instructions alone. bus_wait_ns, 0 or more, is
  * added for each bus access: 0 for the bare CPU; about 400 is what an emulator's model adds up to

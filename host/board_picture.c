@@ -57,6 +57,10 @@ static bool write_rgb(struct output *output, const uint8_t *rgb, unsigned height
 
 static bool write_screen(struct output *output, const struct board *board,
                          const struct native_screen *native) {
+    const uint8_t *plain = picture_in_memory(board, native);
+    if (plain != NULL) {
+        return write_rgb(output, plain, PICTURE_HEIGHT);
+    }
     uint8_t *rgb = malloc(PICTURE_BYTES);
     if (rgb == NULL) {
         complain("out of memory");

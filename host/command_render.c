@@ -144,6 +144,7 @@ static int render_rows(struct render_run *run) {
     job.exposed_context = run->exposures;
     progress_begin(&progress, job.last_row - job.first_row, options->quiet);
     interrupt_catch();
+    port_chain_time(run->chain);
     (void)bus_bind(&run->chain->hash.bus);
     bool is_rendered = render(&job, &run->totals, &error);
     progress_end(&progress);
@@ -205,6 +206,7 @@ static int write_results(struct render_run *run) {
                                         .totals = &run->totals,
                                         .chain = run->chain,
                                         .board = &run->options->board,
+                                        .began = &run->began,
                                         .total_seconds = stopwatch_seconds(&run->began),
                                         .photograph =
                                             run->exposures != NULL ? run->exposures->rgb : NULL};

@@ -48,6 +48,10 @@ void port_chain_record(struct port_chain *chain, FILE *file, enum trace_format f
     chain->is_recording = true;
 }
 
+void port_chain_time(struct port_chain *chain) {
+    first_write_await(&chain->first, &chain->hash.inner);
+}
+
 enum bus_status port_chain_finish(struct port_chain *chain) {
     enum bus_status status = bus_flush(&chain->hash.bus);
     if (chain->is_recording) {

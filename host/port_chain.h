@@ -12,6 +12,7 @@
 #include "bus.h"
 #include "cost_bus.h"
 #include "fault_bus.h"
+#include "first_write.h"
 #include "native_screen.h"
 #include "picture.h"
 #include "trace_hash.h"
@@ -25,6 +26,7 @@ struct port_chain {
     bool is_counting;
     struct cost_bus cost;
     struct fault_bus faults;
+    struct first_write first; /* has_happened: port_chain_time() was asked for it */
     bool has_board;
     struct board_bus board_bus;
     struct bus null_bus; /* in the board's place where there is none */
@@ -53,6 +55,9 @@ void port_chain_count(struct port_chain *chain);
 
 /* A recorder. The file stays the caller's. */
 void port_chain_record(struct port_chain *chain, FILE *file, enum trace_format format);
+
+/* Notes when the first write comes, in chain->first. After all of the above. */
+void port_chain_time(struct port_chain *chain);
 
 /* Ends the recording, if there is one; the status of the whole chain. No access may follow. */
 enum bus_status port_chain_finish(struct port_chain *chain);

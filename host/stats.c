@@ -5,6 +5,7 @@
 #include <inttypes.h>
 
 #include "stats_cost.h"
+#include "stopwatch.h"
 
 void stats_write_string(FILE *out, const char *text) {
     (void)fputc('"', out);
@@ -113,6 +114,11 @@ void stats_write(FILE *out, const struct run_stats *stats) {
     }
     if (stats->processor != NULL) {
         write_processor(out, stats);
+    }
+    if (stats->began != NULL && chain->first.has_happened) {
+        (void)fprintf(out,
+                      "  \"first_write_seconds\": %.6f,\n  \"first_write_cpu_seconds\": %.6f,\n",
+                      stopwatch_between(stats->began, &chain->first.at), chain->first.cpu_seconds);
     }
     if (stats->totals != NULL) {
         (void)fprintf(out, "  \"render_seconds\": %.6f,\n", stats->totals->seconds);

@@ -19,6 +19,7 @@ struct run_stats {
     const struct render_totals *totals; /* of a render; NULL: a replay, which has only the ports */
     struct port_chain *chain;           /* its picture is drawn if it has a board */
     double total_seconds;
+    const struct timespec *began;      /* of the command, for the first write; NULL: not told */
     const struct board_options *board; /* for the cost of the ports; NULL: not told */
     const struct processor_report
         *processor;            /* of a run on an emulated CPU; NULL: there was none */

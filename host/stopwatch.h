@@ -11,10 +11,16 @@ static inline struct timespec stopwatch_start(void) {
     return now;
 }
 
+/* Seconds from one reading to a later one. */
+static inline double stopwatch_between(const struct timespec *began, const struct timespec *ended) {
+    return (double)(ended->tv_sec - began->tv_sec) +
+           (double)(ended->tv_nsec - began->tv_nsec) * 1e-9;
+}
+
 /* Seconds since then. */
 static inline double stopwatch_seconds(const struct timespec *began) {
     struct timespec now = stopwatch_start();
-    return (double)(now.tv_sec - began->tv_sec) + (double)(now.tv_nsec - began->tv_nsec) * 1e-9;
+    return stopwatch_between(began, &now);
 }
 
 #endif

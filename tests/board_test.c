@@ -183,6 +183,37 @@ static void with_the_wrapping_board_x_640_is_x_0_of_the_same_line_and_is_reporte
     assert_int_equal(board_violations(&board), 3);
 }
 
+/* Writes X and Y after an X that lies outside, in one order or the other, then red. */
+static void write_red_at(const struct board_desc *desc, uint16_t x, uint16_t y, bool x_is_last) {
+    power_on_desc(desc);
+    outpw(0x00D4, 650);
+    outpw(x_is_last ? 0x00D6 : 0x00D4, x_is_last ? y : x);
+    outpw(x_is_last ? 0x00D4 : 0x00D6, x_is_last ? x : y);
+    outp(0x00D8, 0x5A);
+}
+
+/* All edges of the memory, then don't-care bits, on every kind of board. */
+static void x_and_y_name_the_same_pixel_in_either_order(void **state) {
+    static const uint16_t xs[] = {0, 383, 384, 639, 640, 650, 1023, 1024, 0xFD23, 0xFE80};
+    static const uint16_t ys[] = {0, 399, 400, 407, 408, 415, 416, 511, 512, 0xFF45};
+    static struct board other;
+    (void)state;
+    for (unsigned i = 0; i < 400; i++) {
+        struct board_desc desc = board_default_desc(i & 1 ? BOARD_LATER : BOARD_1987);
+        desc.outside = i & 2 ? BOARD_OUTSIDE_WRAPS : BOARD_OUTSIDE_IGNORED;
+        write_red_at(&desc, xs[i / 4 % 10], ys[i / 40], false);
+        other = board;
+        write_red_at(&desc, xs[i / 4 % 10], ys[i / 40], true);
+        assert_int_equal(board.x, other.x);
+        assert_int_equal(board.y, other.y);
+        assert_memory_equal(board.memory, other.memory, sizeof board.memory);
+        assert_int_equal(board_violations(&board), board_violations(&other));
+        for (int behaviour = 0; behaviour < BOARD_BEHAVIOURS; behaviour++) {
+            assert_int_equal(board.notes[behaviour].count, other.notes[behaviour].count);
+        }
+    }
+}
+
 static void the_hidden_blocks_belong_to_the_later_board_only(void **state) {
     (void)state;
     power_on(BOARD_LATER);
@@ -262,6 +293,7 @@ int main(void) {
         cmocka_unit_test(outside_writes_are_ignored_reads_give_ff_and_both_are_reported),
         cmocka_unit_test(nothing_written_outside_shows_anywhere),
         cmocka_unit_test(with_the_wrapping_board_x_640_is_x_0_of_the_same_line_and_is_reported),
+        cmocka_unit_test(x_and_y_name_the_same_pixel_in_either_order),
         cmocka_unit_test(the_hidden_blocks_belong_to_the_later_board_only),
         cmocka_unit_test(a_word_zero_to_red_clears_four_pixels_of_the_later_board),
         cmocka_unit_test(a_fill_that_nobody_has_seen_rounds_x_down_and_is_reported),

@@ -126,6 +126,30 @@ static void the_picture_is_named_after_the_scene(void **state) {
                   2);
 }
 
+/* The number of a key of the statistics. */
+static double number_of(const char *stats, const char *key) {
+    char start[64];
+    (void)snprintf(start, sizeof start, "\n  \"%s\": ", key);
+    const char *found = strstr(stats, start);
+    assert_non_null(found);
+    return strtod(found + strlen(start), NULL);
+}
+
+static void the_first_port_is_written_between_start_and_end(void **state) {
+    (void)state;
+    assert_status("superframe render " TINY "--stats -", 0);
+    const char *stats = text_of("out");
+    assert_true(number_of(stats, "first_write_seconds") > 0);
+    assert_true(number_of(stats, "first_write_seconds") < number_of(stats, "total_seconds"));
+    assert_true(number_of(stats, "first_write_cpu_seconds") > 0);
+    assert_true(number_of(stats, "first_write_cpu_seconds") < 60);
+    /* A replay has no start that would count. */
+    assert_status("superframe render " TINY "--bus trace:a.trace && superframe replay a.trace "
+                  "-o a.png --stats -",
+                  0);
+    assert_null(strstr(text_of("out"), "first_write"));
+}
+
 static void stats_have_every_key(void **state) {
     (void)state;
     static const char *const keys[] = {
@@ -243,6 +267,7 @@ int main(void) {
         TEST(help_and_version),
         TEST(scenes_are_a_name_a_tab_and_a_sentence),
         TEST(the_picture_is_named_after_the_scene),
+        TEST(the_first_port_is_written_between_start_and_end),
         TEST(stats_have_every_key),
         TEST(jobs_do_not_show),
         TEST(traces_replay_to_the_same_picture),

@@ -83,8 +83,8 @@ static void reads_and_words_at_odd_ports_are_counted_apart(void **state) {
     assert_int_equal(cost.reads[1], 2);
     assert_int_equal(cost.odd_words, 2);
     assert_int_equal(cost_bus_cycles(&cost), 6);
-    assert_int_equal(cost.clocks[COST_8086], 8 + 8 + 12 + 12);
-    assert_int_equal(cost.clocks[COST_80286], 5 + 5 + 7 + 5);
+    assert_int_equal(cost_bus_clocks(&cost, COST_8086), 8 + 8 + 12 + 12);
+    assert_int_equal(cost_bus_clocks(&cost, COST_80286), 5 + 5 + 7 + 5);
     assert_int_equal(bus_flush(&cost.bus), BUS_OK);
 }
 

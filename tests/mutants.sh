@@ -31,7 +31,7 @@ board.c|s/(board->x \& 3) != 0 || access.value != 0/(board->x \& 3) != 0/|a fill
 board.c|s/(board->x \& 3) != 0 || access.value != 0/(board->x \& 1) != 0 || access.value != 0/|a fill at X 2 is not reported
 board.c|s/i < 4 \* 3; i++/i < 3 * 3; i++/|the fill takes three pixels
 board.c|s/\/ 3 \& ~(uint32_t)3/\/ 3/|the fill begins at X
-board.c|s/report(board, BOARD_RED_WORD_WRITE, access);/note(board, BOARD_RED_WORD_WRITE);/|the fill in 1987 is not logged
+board.c|s/report(board, BOARD_RED_WORD_WRITE, access);/board_note_use(board, BOARD_RED_WORD_WRITE);/|the fill in 1987 is not logged
 board.c|s/board->controller_written\[board->index\] = 1;//|no index counts as written
 board.c|s/if (value != 0xFF) {/if (value == 0xFF) {/|the usual start address is reported
 board.c|s/mode == 0x00 || mode == 0x01 || mode == 0x03/mode <= 0x03/|mode 02 is not reported
@@ -44,15 +44,24 @@ board.c|s/return (uint16_t)(0xFF00U | read_data(board, access))/return read_data
 board.c|s/access.value = (uint16_t)(0xFF00U | read_primary/access.value = (uint16_t)(0x0000U | read_primary/|a primary reads 00 above
 board.c|s/board->accesses % FRAME_ACCESSES >= FRAME_SHOWN_ACCESSES/board->accesses % FRAME_ACCESSES < FRAME_SHOWN_ACCESSES/|blank and shown are swapped
 board.c|s/return is_blank ? STATUS_BLANK : 0/return is_blank ? 1 : 0/|the status has the wrong bit
-board.c|s/if (entry->count++ == 0)/if (entry->count++ <= 1)/|the first access of a behaviour is the second
+board_internal.h|s/if (entry->count++ == 0)/if (entry->count++ <= 1)/|the first access of a behaviour is the second
 board.c|s/board->log_count < BOARD_LOG_SIZE \&\&/board->log_count < BOARD_LOG_SIZE - 1 \&\&/|the log is one short
-board.c|s/\&\& !board->is_stepping/\&\& true/|the short way forgets to step X
+board_pixel.c|s/ || board->is_stepping/ || false/|the short way forgets to step X
+board_pixel.c|s/x >= BOARD_WIDTH/x > BOARD_WIDTH/|the short way takes X 640 for inside
+board_pixel.c|s/board->y >= BOARD_HEIGHT/board->y > BOARD_HEIGHT/|the short way takes Y 400 for inside
+board_pixel.c|s/board->is_wrapped = false;//|the short way leaves X wrapped
+board_pixel.c|s/board->x = x;//|the short way does not keep X
+board_pixel.c|s/board_note_use(board, BOARD_POSITION_WRITE);//|the short way does not count an X
+board_pixel.c|s/board_note_use(board, BOARD_PRIMARY_WRITE);//|the short way does not count a primary
+board_pixel.c|s/\[BUS_WORD - 1\]++/[BUS_BYTE - 1]++/|the short way counts X as a byte
+board_pixel.c|s/offset == 0x4 \&\& width == BUS_WORD/offset == 0x4/|the short way takes a byte to X for a word
 board.c|s/ | (unsigned)read_half(board, next) << 8/ | (unsigned)read_half(board, port) << 8/|a split read gives its low byte twice
 board_internal.h|s/0x000003FFU/0x000001FFU/|index 09 is not of the initialisation
 board_report.c|s/>= grade)/> grade)/|the grade asked for is not counted
 board_setup.c|s/(base \& 0xF1FF) == BOARD_FACTORY_BASE/(base \& 0xF0FF) == BOARD_FACTORY_BASE/|01D0 is offered
 board_setup.c|s/\&\& base <= 0x0CD0/\&\& base <= 0x0ED0/|0ED0 is offered
-board.c|s/bool is_primary = offset == 0x8 || offset == 0xA || offset == 0xC;/bool is_primary = false;/|the short way is never taken|survives: write_byte() does the same, only slower
+board_pixel.c|s/if (!is_done) {/if (true) {/|a short write is done twice
+board_pixel.c|s/bool is_primary = offset == 0x8 || offset == 0xA || offset == 0xC;/bool is_primary = false;/|the short way is never taken|survives: write_byte() does the same, only slower
 END
 }
 

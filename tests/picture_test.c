@@ -17,6 +17,17 @@ static void set_register(unsigned index, unsigned value) {
     outp(0x00D2, (uint8_t)value);
 }
 
+/* picture_draw(), and with it: the memory is offered as the picture only where it is the picture.
+ */
+static enum picture_state draw(const struct native_screen *screen) {
+    enum picture_state drawn = picture_draw(&board, screen, rgb);
+    const uint8_t *plain = picture_in_memory(&board, screen);
+    if (plain != NULL) {
+        assert_memory_equal(plain, rgb, PICTURE_BYTES);
+    }
+    return drawn;
+}
+
 static bool is_black(void) {
     for (size_t i = 0; i < PICTURE_BYTES; i++) {
         if (rgb[i] != 0) {
@@ -30,7 +41,7 @@ static void nothing_is_shown_before_the_initialisation(void **state) {
     (void)state;
     power_on_noise(BOARD_1987, 1);
     outp(0x00DE, 0x01);
-    assert_int_equal(picture_draw(&board, NULL, rgb), PICTURE_NOT_INITIALISED);
+    assert_int_equal(draw(NULL), PICTURE_NOT_INITIALISED);
     assert_true(is_black());
 }
 
@@ -69,7 +80,7 @@ static void timing_that_gives_another_size_is_reported_and_shows_nothing(void **
         assert_int_equal(timing.state, PICTURE_WRONG_TIMING);
         assert_int_equal(timing.width, cases[i].width);
         assert_int_equal(timing.height, cases[i].height);
-        assert_int_equal(picture_draw(&board, NULL, rgb), PICTURE_WRONG_TIMING);
+        assert_int_equal(draw(NULL), PICTURE_WRONG_TIMING);
         assert_true(is_black());
     }
 }
@@ -83,12 +94,17 @@ static void the_picture_is_the_frame_memory_from_the_top_left(void **state) {
     put_pixel(639, 0, 0x040506);
     put_pixel(0, 1, 0x070809);
     put_pixel(639, 399, 0x0A0B0C);
-    assert_int_equal(picture_draw(&board, NULL, rgb), PICTURE_OK);
+    assert_int_equal(draw(NULL), PICTURE_OK);
     assert_int_equal(shown(0, 0), 0x010203);
     assert_int_equal(shown(639, 0), 0x040506);
     assert_int_equal(shown(0, 1), 0x070809);
     assert_int_equal(shown(639, 399), 0x0A0B0C);
     assert_int_equal(shown(1, 0), 0);
+    assert_ptr_equal(picture_in_memory(&board, NULL), board.memory);
+    outp(0x00DE, 0x00);
+    draw(NULL);
+    assert_true(is_black());
+    assert_null(picture_in_memory(&board, NULL));
 }
 
 /* Board: white at x = 0 and 1. PC: red (colour 2) at x = 1 and 2. */
@@ -110,7 +126,7 @@ static void the_mode_chooses_among_three_pictures(void **state) {
     put_pixel(1, 0, 0xFFFFFF);
     for (unsigned i = 0; i < 4; i++) {
         outp(0x00DE, cases[i].mode);
-        assert_int_equal(picture_draw(&board, &native, rgb), PICTURE_OK);
+        assert_int_equal(draw(&native), PICTURE_OK);
         for (unsigned x = 0; x < 4; x++) {
             assert_int_equal(shown(x, 0), cases[i].pixels[x]);
         }
@@ -122,7 +138,7 @@ static void the_pcs_screen_passes_a_board_that_is_not_initialised(void **state) 
     native_screen_init(&native);
     native.pixels[640] = 7;
     power_on_noise(BOARD_1987, 5);
-    assert_int_equal(picture_draw(&board, &native, rgb), PICTURE_NOT_INITIALISED);
+    assert_int_equal(draw(&native), PICTURE_NOT_INITIALISED);
     assert_int_equal(shown(0, 1), 0xFFFFFF);
     assert_int_equal(shown(0, 0), 0x000000);
 }
@@ -139,7 +155,7 @@ static void a_colour_whose_palette_entry_is_black_lets_the_board_through(void **
     outp(0x00DE, 0x01);
     put_pixel(0, 0, 0xABCDEF);
     put_pixel(1, 0, 0xABCDEF);
-    picture_draw(&board, &native, rgb);
+    draw(&native);
     assert_int_equal(shown(0, 0), 0xABCDEF);
     assert_int_equal(shown(1, 0), 0x112233);
 }
@@ -155,7 +171,7 @@ static void the_later_board_scrolls_by_the_complemented_start_address(void **sta
         put_pixel(8 + 3, 16 + 5, 0x222222);
         set_register(0x0C, 0xFF);
         set_register(0x0D, 0xFF - 81);
-        picture_draw(&board, NULL, rgb);
+        draw(NULL);
         if (profile == BOARD_LATER) {
             assert_int_equal(shown(3, 5), 0x222222);
             assert_int_equal(shown(11, 21), 0x000000);
@@ -176,17 +192,17 @@ static void scrolling_shows_the_hidden_blocks_and_wraps_after_2048(void **state)
     put_pixel(0, 0, 0x111111);
     put_pixel(383, 407, 0x222222);
     set_register(0x0D, 0xFF - 80);
-    picture_draw(&board, NULL, rgb);
+    draw(NULL);
     assert_int_equal(shown(383, 384 + 7), 0x222222);
     assert_int_equal(shown(384, 384), 0x111111);
     set_register(0x0C, 0xF8); /* start 0700h + 80 = 1872 */
     put_pixel(0, 0, 0x333333);
-    picture_draw(&board, NULL, rgb);
+    draw(NULL);
     /* Block 0 is 2048 - 1872 = 176 blocks on: row 2, column 16. */
     assert_int_equal(shown(16 * 8, 2 * 16), 0x333333);
     set_register(0x0C, 0xF7); /* 0800h more: the same picture */
     set_register(0x0D, 0xFF);
-    picture_draw(&board, NULL, rgb);
+    draw(NULL);
     assert_int_equal(shown(0, 0), 0x333333);
 }
 

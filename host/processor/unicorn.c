@@ -7,7 +7,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unicorn/unicorn.h>
+
+#include "unicorn_library.h"
 
 enum {
     BOOT_SEGMENT = 0x1FC0,
@@ -42,6 +43,7 @@ struct block_length {
 struct run {
     const struct processor_job *job;
     struct processor_report *report;
+    struct unicorn_library unicorn;
     uc_engine *engine;
     struct pc98_ports ports;
     bool is_over; /* report->end and reason say why */
@@ -62,17 +64,17 @@ end_run(struct run *run, enum processor_end end, const char *format, ...) {
     va_start(arguments, format);
     (void)vsnprintf(run->report->reason, sizeof run->report->reason, format, arguments);
     va_end(arguments);
-    (void)uc_emu_stop(run->engine);
+    (void)run->unicorn.emu_stop(run->engine);
 }
 
 static uint32_t get_register(struct run *run, int number) {
     uint32_t value = 0;
-    (void)uc_reg_read(run->engine, number, &value);
+    (void)run->unicorn.reg_read(run->engine, number, &value);
     return value;
 }
 
 static void set_register(struct run *run, int number, uint32_t value) {
-    (void)uc_reg_write(run->engine, number, &value);
+    (void)run->unicorn.reg_write(run->engine, number, &value);
 }
 
 /* ---- Hooks ----------------------------------------------------------------------------------- */
@@ -85,7 +87,8 @@ static void enter_block(uc_engine *engine, uint64_t address, uint32_t size, void
     (void)size;
     if (block->address != (uint32_t)address || block->instructions == 0) {
         uc_tb translated;
-        if (uc_ctl_request_cache(engine, address, &translated) != UC_ERR_OK) {
+        if (run->unicorn.ctl(engine, UC_CTL_READ_WRITE(UC_CTL_TB_REQUEST_CACHE, 2), address,
+                             &translated) != UC_ERR_OK) {
             end_run(run, PROCESSOR_LOST, "the code there cannot be read");
             return;
         }
@@ -135,7 +138,7 @@ static void read_disk(struct run *run) {
     if ((eax & 0xFF) == DRIVE_2HD && (eax >> 8 & 0x0F) == DISK_READ &&
         pc98_disk_place(ecx & 0xFF, edx >> 8 & 0xFF, edx & 0xFF, bytes, &offset) &&
         to + bytes <= MEMORY_BYTES &&
-        uc_mem_write(run->engine, to, run->job->disk + offset, bytes) == UC_ERR_OK) {
+        run->unicorn.mem_write(run->engine, to, run->job->disk + offset, bytes) == UC_ERR_OK) {
         status = 0;
         memset(run->blocks, 0, sizeof run->blocks); /* there may be other code now */
     }
@@ -148,7 +151,7 @@ static void read_disk(struct run *run) {
 static void take_interrupt(uc_engine *engine, uint32_t number, void *context) {
     struct run *run = context;
     uint32_t control = 0;
-    (void)uc_reg_read(engine, UC_X86_REG_CR0, &control);
+    (void)run->unicorn.reg_read(engine, UC_X86_REG_CR0, &control);
     if (number == INTERRUPT_DISK && (control & 1) == 0) {
         read_disk(run);
         return;
@@ -196,8 +199,8 @@ static bool add_hooks(struct run *run) {
         void *function;
         /* Unicorn takes a function as void *, which C99 knows no conversion for. */
         memcpy(&function, &hooks[i].function, sizeof function);
-        if (uc_hook_add(run->engine, &handle, hooks[i].type, function, run, (uint64_t)1,
-                        (uint64_t)0, hooks[i].instruction) != UC_ERR_OK) {
+        if (run->unicorn.hook_add(run->engine, &handle, hooks[i].type, function, run, (uint64_t)1,
+                                  (uint64_t)0, hooks[i].instruction) != UC_ERR_OK) {
             return false;
         }
     }
@@ -209,21 +212,22 @@ static bool prepare(struct run *run) {
     const uint8_t drive = DRIVE_2HD;
     const uint16_t segment = BOOT_SEGMENT;
     const uint16_t stack_segment = 0x30, stack = 0x00F0;
-    if (uc_open(UC_ARCH_X86, UC_MODE_16, &run->engine) != UC_ERR_OK) {
+    if (run->unicorn.open(UC_ARCH_X86, UC_MODE_16, &run->engine) != UC_ERR_OK) {
         return false;
     }
     for (size_t i = 0; i < sizeof regions / sizeof regions[0]; i++) {
-        if (uc_mem_map(run->engine, regions[i].begin, regions[i].length, UC_PROT_ALL) !=
+        if (run->unicorn.mem_map(run->engine, regions[i].begin, regions[i].length, UC_PROT_ALL) !=
             UC_ERR_OK) {
             return false;
         }
     }
-    return uc_mem_write(run->engine, DRIVE_BYTE, &drive, 1) == UC_ERR_OK &&
-           uc_mem_write(run->engine, 16 * BOOT_SEGMENT, run->job->disk, PC98_SECTOR_BYTES) ==
-               UC_ERR_OK &&
-           uc_reg_write(run->engine, UC_X86_REG_CS, &segment) == UC_ERR_OK &&
-           uc_reg_write(run->engine, UC_X86_REG_SS, &stack_segment) == UC_ERR_OK &&
-           uc_reg_write(run->engine, UC_X86_REG_SP, &stack) == UC_ERR_OK && add_hooks(run);
+    return run->unicorn.mem_write(run->engine, DRIVE_BYTE, &drive, 1) == UC_ERR_OK &&
+           run->unicorn.mem_write(run->engine, 16 * BOOT_SEGMENT, run->job->disk,
+                                  PC98_SECTOR_BYTES) == UC_ERR_OK &&
+           run->unicorn.reg_write(run->engine, UC_X86_REG_CS, &segment) == UC_ERR_OK &&
+           run->unicorn.reg_write(run->engine, UC_X86_REG_SS, &stack_segment) == UC_ERR_OK &&
+           run->unicorn.reg_write(run->engine, UC_X86_REG_SP, &stack) == UC_ERR_OK &&
+           add_hooks(run);
 }
 
 /* Where the CPU stands; the base of a protected segment is taken as 0. */
@@ -234,13 +238,13 @@ static void describe_place(struct run *run) {
     for (int i = 0; i < PROCESSOR_REGISTERS; i++) {
         report->registers[i] = get_register(run, register_numbers[i]);
     }
-    (void)uc_reg_read(run->engine, UC_X86_REG_CR0, &control);
+    (void)run->unicorn.reg_read(run->engine, UC_X86_REG_CR0, &control);
     report->is_protected = (control & 1) != 0;
     report->address = report->registers[REGISTER_EIP];
     if (!report->is_protected) {
         report->address += 16 * (report->registers[REGISTER_CS] & 0xFFFF);
     }
-    if (uc_mem_read(run->engine, TEXT_BASE, vram, sizeof vram) == UC_ERR_OK) {
+    if (run->unicorn.mem_read(run->engine, TEXT_BASE, vram, sizeof vram) == UC_ERR_OK) {
         pc98_text_read(vram, &report->text);
     }
 }
@@ -248,7 +252,7 @@ static void describe_place(struct run *run) {
 /* Why Unicorn has come back by itself. */
 static void judge(struct run *run, uc_err error) {
     if (error != UC_ERR_OK) {
-        end_run(run, PROCESSOR_LOST, "%s", uc_strerror(error));
+        end_run(run, PROCESSOR_LOST, "%s", run->unicorn.strerror(error));
     } else if ((get_register(run, UC_X86_REG_EFLAGS) & FLAG_INTERRUPTS) != 0) {
         end_run(run, PROCESSOR_LOST, "waits for an interrupt; there are none");
     } else {
@@ -268,14 +272,18 @@ void processor_run(const struct processor_job *job, struct processor_report *rep
     run->report = report;
     run->ports.bus = job->bus;
     run->ports.escape_after = job->escape_after;
+    if (!unicorn_library_load(&run->unicorn, report->reason, sizeof report->reason)) {
+        free(run);
+        return;
+    }
     if (prepare(run)) {
-        judge(run, uc_emu_start(run->engine, 16 * BOOT_SEGMENT, UINT32_MAX, 0, 0));
+        judge(run, run->unicorn.emu_start(run->engine, 16 * BOOT_SEGMENT, UINT32_MAX, 0, 0));
         describe_place(run);
     } else {
         (void)snprintf(report->reason, sizeof report->reason, "Unicorn could not be set up");
     }
     if (run->engine != NULL) {
-        (void)uc_close(run->engine);
+        (void)run->unicorn.close(run->engine);
     }
     free(run);
 }

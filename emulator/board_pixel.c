@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: MIT */
+/* The writes of a picture, X and three primaries a pixel, done without a further call. */
+#include "board.h"
+
+#include "board_internal.h"
+
+/* Both do what board_write_any() would do, and nothing where that has more to do. They have a file
+ * of their own because a compiler that sees both makes room for the long way in the short one. */
+
+static inline bool write_primary(struct board *board, unsigned offset, uint16_t value) {
+    if (!board_pixel_is_plain(board) || board->is_stepping) {
+        return false;
+    }
+    board->accesses++;
+    board->writes[offset][BUS_BYTE - 1]++;
+    board_note_use(board, BOARD_PRIMARY_WRITE);
+    board->memory[(uint32_t)board->place + offset / 2 - 4] = (uint8_t)value;
+    return true;
+}
+
+static inline bool write_x(struct board *board, unsigned offset, uint16_t x) {
+    if (x >= BOARD_WIDTH || board->y >= BOARD_HEIGHT) {
+        return false;
+    }
+    board->accesses++;
+    board->writes[offset][BUS_WORD - 1]++;
+    board_note_use(board, BOARD_POSITION_WRITE);
+    board->x = x;
+    board->is_wrapped = false;
+    board->place = (int32_t)((board->y * (uint32_t)BOARD_WIDTH + x) * 3);
+    return true;
+}
+
+void board_write(struct board *board, uint16_t port, uint16_t value, unsigned width) {
+    unsigned offset = (uint16_t)(port - board->desc.base);
+    bool is_primary = offset == 0x8 || offset == 0xA || offset == 0xC;
+    bool is_done = (is_primary && width == BUS_BYTE && write_primary(board, offset, value)) ||
+                   (offset == 0x4 && width == BUS_WORD && write_x(board, offset, value));
+    if (!is_done) {
+        board_write_any(board, port, value, width);
+    }
+}
