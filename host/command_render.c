@@ -205,6 +205,7 @@ static int write_results(struct render_run *run) {
                                         .totals = &run->totals,
                                         .chain = run->chain,
                                         .board = &run->options->board,
+                                        .adapter = run->adapter.usb != NULL ? &run->adapter : NULL,
                                         .total_seconds = stopwatch_seconds(&run->began),
                                         .photograph =
                                             run->exposures != NULL ? run->exposures->rgb : NULL};

@@ -26,8 +26,9 @@ struct usb_limits {
 struct usb_counts {
     uint64_t frames;        /* made of the accesses */
     uint64_t payload_bytes; /* in them */
-    uint64_t wire_bytes;    /* sent, with headers and CRCs, each sending counted */
-    uint64_t resent;        /* frames sent more than once */
+    uint64_t sent_bytes;    /* with headers and CRCs, each sending counted */
+    uint64_t received_bytes;
+    uint64_t resent; /* frames sent more than once, each sending after the first */
     uint64_t timeouts, stalls, reconnects, restarts;
 };
 

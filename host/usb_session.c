@@ -80,7 +80,7 @@ static enum usb_link_status send_one(struct usb_bus *usb_bus, uint32_t sequence)
     const struct usb_header header = {
         USB_VERSION, USB_KIND_RUN, usb_bus->session, sequence, 0, (uint16_t)count, 0, 0};
     size_t length = usb_frame_pack(frame, &header, journal->bytes + begin);
-    usb_bus->counts.wire_bytes += length;
+    usb_bus->counts.sent_bytes += length;
     if (sequence <= usb_bus->highest_sent) {
         usb_bus->counts.resent++;
     } else {
@@ -195,6 +195,7 @@ static enum usb_link_status listen(struct usb_bus *usb_bus, unsigned timeout_ms)
         usb_bus->link, usb_bus->input + usb_bus->input_count,
         sizeof usb_bus->input - usb_bus->input_count, timeout_ms, &count);
     if (status == USB_LINK_OK) {
+        usb_bus->counts.received_bytes += count;
         usb_bus->input_count += count;
         take_input(usb_bus);
     }
@@ -227,7 +228,7 @@ static enum usb_link_status greet(struct usb_bus *usb_bus, bool is_start) {
     size_t length = usb_frame_pack(frame, &header, payload);
     usb_bus->is_greeted = false;
     while (!has_failed(usb_bus)) {
-        usb_bus->counts.wire_bytes += length;
+        usb_bus->counts.sent_bytes += length;
         enum usb_link_status status = usb_bus->link->operations->send(usb_bus->link, frame, length);
         while (status == USB_LINK_OK && !usb_bus->is_greeted && !has_failed(usb_bus)) {
             status = listen(usb_bus, usb_bus->limits.reply_ms);

@@ -92,6 +92,7 @@ static enum usb_link_status hid_link_send(struct usb_link *link, const uint8_t *
         if (hid_write(hid->device, report, sizeof report) < 0) {
             return lose(hid);
         }
+        hid->link.transfers++;
     }
     return USB_LINK_OK;
 }
@@ -110,6 +111,7 @@ static enum usb_link_status hid_link_receive(struct usb_link *link, uint8_t *byt
         if (got < 0) {
             return lose(hid);
         }
+        hid->link.transfers += got > 0;
         size_t length = usb_report_length(report, (size_t)got);
         if (length > 0 && length <= room) {
             memcpy(bytes, report + 1, length);

@@ -136,6 +136,7 @@ static void submit(struct bulk_transfer *transfer) {
 static void LIBUSB_CALL out_is_done(struct libusb_transfer *transfer) {
     struct bulk_transfer *own = transfer->user_data;
     own->is_busy = false;
+    own->owner->link.transfers++;
     switch (transfer->status) {
     case LIBUSB_TRANSFER_COMPLETED:
     case LIBUSB_TRANSFER_CANCELLED:
@@ -161,6 +162,7 @@ static void LIBUSB_CALL in_is_done(struct libusb_transfer *transfer) {
     switch (transfer->status) {
     case LIBUSB_TRANSFER_COMPLETED:
     case LIBUSB_TRANSFER_TIMED_OUT:
+        own->owner->link.transfers++;
         enqueue(own->owner, own->bytes, (size_t)transfer->actual_length);
         submit(own);
         break;
