@@ -33,6 +33,17 @@ USB_TEST_OBJECTS := $(patsubst tests/%.c,$(BUILD)/sanitized/tests/%.o,$(wildcard
 $(USB_TEST_PROGRAMS): $(BUILD)/sanitized/tests/usb/%_test: $(USB_TEST_OBJECTS)
 	$(CC) $(LDFLAGS_sanitized) -o $@ $^ -lcmocka -lusb-1.0 -l$* $(UMOCKDEV_LIBS) -lpthread
 
+# ---- The real kernel: Debian's, in an emulated PC, with virtual adapters plugged in -------------
+
+KERNEL_TEST := $(BUILD)/kernel
+
+.PHONY: test-kernel
+test-kernel: $(BUILD)/superframe $(BUILD)/sanitized/superframe $(LIBRARIES) ## Draw over USB and HID through the real Linux USB stack, as an ordinary user
+	@sh tests/kernel/fetch.sh $(KERNEL_TEST)/debian
+	@$(MAKE) --no-print-directory -s install PREFIX=/usr/local DESTDIR='$(abspath $(KERNEL_TEST))/installed'
+	@sh tests/kernel/initramfs.sh $(KERNEL_TEST)/debian/system $(KERNEL_TEST)/installed $(KERNEL_TEST)/guest
+	@sh tests/kernel/run.sh $(KERNEL_TEST)/guest $(BUILD)/sanitized/superframe $(BUILD)/superframe
+
 # ---- Bytes on the cable -------------------------------------------------------------------------
 
 $(BUILD)/release/tests/bench/usb_bytes.o: tests/bench/usb_bytes.c $(BUILD)/flags | setup

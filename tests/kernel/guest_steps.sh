@@ -8,7 +8,7 @@ failures=0
 # verdict STATUS WHAT: what was printed last goes with what did not hold.
 verdict() {
     if [ "$1" -eq 0 ]; then
-        echo "ok - $2"
+        echo "ok - $2, $(cut -d " " -f 1 /proc/uptime) s"
     else
         echo "not ok - $2"
         sed 's/^/    /' /tmp/out

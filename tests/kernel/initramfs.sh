@@ -16,8 +16,7 @@ busybox=$(cd "$system" && pwd)/bin/busybox
 # The loader looks into the unpacked packages first, then into this machine's libraries.
 libraries_of() {
     LD_LIBRARY_PATH="$system/lib/x86_64-linux-gnu:$system/usr/lib/x86_64-linux-gnu" ldd "$@" |
-        sed -n -e 's/.*=> \(\/[^ ]*\) .*/\1/p' -e "s|.*=> \($system[^ ]*\) .*|\1|p" \
-            -e 's/^[[:space:]]*\(\/[^ ]*\) (.*/\1/p' -e 's/.*=> not found/&/p' | sort -u
+        sed -n -e 's/.*=> \([^ ]*\).*/\1/p' -e 's/^[[:space:]]*\(\/lib[^ ]*\) .*/\1/p' | sort -u
 }
 
 rm -rf "$folder"
@@ -37,8 +36,11 @@ cp "$installed/usr/local/lib/udev/rules.d/70-superframe.rules" "$root/usr/local/
 for library in $(libraries_of "$installed/usr/local/bin/superframe" "$system/bin/udevadm" \
     "$system/bin/kmod" "$system/usr/sbin/usbip"); do
     case $library in
+    not)
+        echo 'initramfs: a library that the guest needs is not here: see ldd' >&2
+        exit 2
+        ;;
     *ld-linux*) cp -L "$library" "$root/lib64/" ;;
-    /*) cp -L "$library" "$root/lib/x86_64-linux-gnu/" ;;
     *) cp -L "$library" "$root/lib/x86_64-linux-gnu/" ;;
     esac
 done

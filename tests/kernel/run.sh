@@ -31,11 +31,14 @@ fail() {
     exit 1
 }
 
-# The port that the system has chosen is in the first line that a server prints.
 start_server() {
     "$adapter" adapter --listen 127.0.0.1:0 --serial "$1" -o "$log/$1.png" > "$log/$1.txt" 2>&1 &
     servers="$servers $!"
-    for _ in $(seq 200); do
+}
+
+# The port that the system has chosen is in the first line that a server prints.
+wait_for_server() {
+    for _ in $(seq 400); do
         port=$(sed -n 's/^listening on 127.0.0.1 port \([0-9]*\);.*/\1/p' "$log/$1.txt")
         [ -z "$port" ] || break
         sleep 0.05
@@ -48,7 +51,11 @@ rm -rf "$log"
 mkdir -p "$log" || exit 1
 ports=
 for name in $names; do
+    : > "$log/$name.txt"
     start_server "$name"
+done
+for name in $names; do
+    wait_for_server "$name"
 done
 
 # The kernel hands words of its command line that it does not know to the first process.
