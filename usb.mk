@@ -28,10 +28,10 @@ $(BUILD)/sanitized/tests/usb/%.o: tests/usb/%.c $(BUILD)/flags | setup
 
 # Not the whole program: libunicorn, where it is linked, has functions of GLib's names.
 USB_TEST_OBJECTS := $(patsubst tests/%.c,$(BUILD)/sanitized/tests/%.o,$(wildcard tests/usb/*.c)) $(sanitized_HAL) \
-                    $(patsubst %.c,$(BUILD)/sanitized/%.o,$(wildcard emulator/board*.c host/usb_*.c host/usb/libusb*.c) host/usb/hidapi.c)
+                    $(patsubst %.c,$(BUILD)/sanitized/%.o,$(wildcard emulator/board*.c host/usb_*.c host/usb/libusb*.c) emulator/picture.c emulator/native_screen.c host/usb/hidapi.c)
 
 $(USB_TEST_PROGRAMS): $(BUILD)/sanitized/tests/usb/%_test: $(USB_TEST_OBJECTS)
-	$(CC) $(LDFLAGS_sanitized) -o $@ $^ -lcmocka -lusb-1.0 -l$* $(UMOCKDEV_LIBS) -lpthread
+	$(CC) $(LDFLAGS_sanitized) -o $@ $^ -lcmocka -lusb-1.0 -l$* $(UMOCKDEV_LIBS) -lz -lpthread
 
 # ---- The real kernel: Debian's, in an emulated PC, with virtual adapters plugged in -------------
 
