@@ -27,7 +27,7 @@ known=$(entries $page docs/superframe-trace.1)
 all=
 for command in $commands; do
     grep -q "^\.B superframe $command" $page || complain "$page: no synopsis of $command"
-    options=$("$SUPERFRAME" "$command" --help | sed -n 's/^  [-a-z, ]*\(--[a-z-]*\).*/\1/p')
+    options=$("$SUPERFRAME" "$command" --help | sed -n 's|^ *\(-., \)\{0,1\}\(--[a-z-]*\).*|\2|p')
     [ -n "$options" ] || complain "$command --help lists no option"
     all="$all $options"
     for option in $options; do
