@@ -33,6 +33,14 @@ USB_TEST_OBJECTS := $(patsubst tests/%.c,$(BUILD)/sanitized/tests/%.o,$(wildcard
 $(USB_TEST_PROGRAMS): $(BUILD)/sanitized/tests/usb/%_test: $(USB_TEST_OBJECTS)
 	$(CC) $(LDFLAGS_sanitized) -o $@ $^ -lcmocka -lusb-1.0 -l$* $(UMOCKDEV_LIBS) -lz -lpthread
 
+# ---- Without the libraries: what says so stands in for them ---------------------------------------
+
+WITHOUT_USB := $(filter-out $(BUILD)/release/host/usb/%.o,$(release_LIBRARY)) $(BUILD)/release/host/main.o \
+               $(BUILD)/release/host/usb/no_libusb.o $(BUILD)/release/host/usb/no_hidapi.o
+
+$(BUILD)/superframe_without_usb: $(WITHOUT_USB) $(BUILD)/sources
+	$(CC) $(LDFLAGS_release) -o $@ $(filter %.o,$^) $(filter-out $(USB_LIBS),$(LIBS))
+
 # ---- The real kernel: Debian's, in an emulated PC, with virtual adapters plugged in -------------
 
 KERNEL_TEST := $(BUILD)/kernel

@@ -44,10 +44,10 @@ static int open_backend(struct adapter_bus *adapter, const struct usb_backend *b
                  options->serial != NULL ? " " : "",
                  options->serial != NULL ? options->serial : "");
     }
-    for (unsigned refused_ms = 0;
+    for (unsigned denied_ms = 0;
          options->waits && (status == USB_OPEN_ABSENT ||
-                            (status == USB_OPEN_REFUSED && refused_ms < WAIT_SETTLE_MS));) {
-        refused_ms += status == USB_OPEN_REFUSED ? WAIT_POLL_MS : 0;
+                            (status == USB_OPEN_DENIED && denied_ms < WAIT_SETTLE_MS));) {
+        denied_ms += status == USB_OPEN_DENIED ? WAIT_POLL_MS : 0;
         if (*interrupt_noted() != 0) {
             complain("interrupted before an adapter came");
             return STATUS_SIGNAL + *interrupt_noted();
@@ -94,7 +94,7 @@ int adapter_bus_verify(struct adapter_bus *adapter, const struct options *option
     struct usb_verification *found = &adapter->verification;
     if (!usb_bus_verify(adapter->usb, options->adapter.verify_percent, options->overrides.seed,
                         found)) {
-        complain("--verify: %s", adapter->usb->reason);
+        complain("--verify: given up after %" PRIu64 " pixels", found->pixels);
         return STATUS_FAILED;
     }
     adapter->is_verified = true;

@@ -187,6 +187,9 @@ static int write_results(struct render_run *run) {
     }
     if (run->options->adapter.verify_percent > 0 &&
         adapter_bus_verify(&run->adapter, run->options) != STATUS_DONE) {
+        if (run->adapter.usb->bus.status != BUS_OK) {
+            explain_adapter(run);
+        }
         return STATUS_FAILED;
     }
     if (run->exposures != NULL) {

@@ -36,7 +36,7 @@ enum usb_open_status usb_choose(const struct usb_found *found, unsigned count, c
         for (unsigned i = 0; i < count; i++) {
             if (!found[i].is_accessible) {
                 usb_explain_access(reason, found[i].path);
-                return USB_OPEN_REFUSED;
+                return USB_OPEN_DENIED;
             }
         }
         (void)snprintf(reason, USB_LINK_REASON_SIZE,

@@ -139,7 +139,7 @@ static enum usb_open_status open_device(struct hid_link *hid, const char *serial
     if (hid->device == NULL) {
         if (errno == EACCES || errno == EPERM) {
             usb_explain_access(reason, found[index].path);
-            return USB_OPEN_REFUSED;
+            return USB_OPEN_DENIED;
         }
         (void)snprintf(reason, USB_LINK_REASON_SIZE, "%.100s: can't be opened: %s",
                        found[index].path, errno != 0 ? strerror(errno) : "hidapi does not say why");

@@ -359,7 +359,7 @@ static enum usb_open_status claim(struct bulk_link *bulk, const struct usb_found
     if (error == LIBUSB_ERROR_ACCESS) {
         bulk->handle = NULL;
         usb_explain_access(reason, found->path);
-        return USB_OPEN_REFUSED;
+        return USB_OPEN_DENIED;
     }
     if (error == 0) {
         error = find_endpoints(bulk, found->device)
