@@ -56,7 +56,7 @@ static int open_backend(struct adapter_bus *adapter, const struct usb_backend *b
         status = backend->open(options->serial, &adapter->link, reason);
     }
     if (status != USB_OPEN_OK) {
-        complain("--bus %s: %s", backend->name, reason);
+        complain("--bus %s: %s; nothing was drawn", backend->name, reason);
         return STATUS_FAILED;
     }
     return STATUS_DONE;
