@@ -118,8 +118,8 @@ static enum usb_link_status hid_link_receive(struct usb_link *link, uint8_t *byt
             *count = length;
             return USB_LINK_OK;
         }
-        if (got == 0 && left <= 0) {
-            return USB_LINK_TIMEOUT;
+        if (left <= 0) {
+            return USB_LINK_TIMEOUT; /* also if empty reports come without end */
         }
     }
 }
