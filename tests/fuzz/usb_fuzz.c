@@ -185,16 +185,16 @@ static enum usb_link_status liar_reopen(struct usb_link *link, unsigned timeout_
 static void be_host(const uint8_t *bytes, size_t count) {
     static const struct usb_link_operations lies = {liar_send, liar_receive, liar_reopen, NULL};
     struct liar liar = {{&lies, 0, ""}, bytes, count, 0, 0, NULL};
-    const struct usb_limits limits = {1, 2, 1, 2, 1, NULL};
+    const struct usb_limits limits = {1000, 2, 1, 2, 1, NULL};
     struct usb_verification found;
     struct usb_bus *usb_bus = usb_bus_new(&liar.link, 0x00D0, &limits);
     if (usb_bus == NULL) {
         abort();
     }
     liar.usb_bus = usb_bus;
-    for (unsigned y = 0; y < 8; y++) {
+    for (unsigned y = 0; y < 2; y++) {
         bus_write(&usb_bus->bus, 0x00D6, (uint16_t)y, BUS_WORD);
-        for (unsigned x = 0; x < 640; x++) {
+        for (unsigned x = 0; x < 400; x++) {
             bus_write(&usb_bus->bus, 0x00D4, (uint16_t)x, BUS_WORD);
             for (unsigned i = 0; i < 3; i++) {
                 bus_write(&usb_bus->bus, (uint16_t)(0x00D8 + 2 * i), (x * (y + i)) & 0xFF,
