@@ -59,7 +59,7 @@ for name in $names; do
 done
 
 # The kernel hands words of its command line that it does not know to the first process.
-timeout -k 5 240 qemu-system-x86_64 -accel tcg -m 512 -nodefaults -no-user-config -display none \
+timeout -k 5 600 qemu-system-x86_64 -accel tcg -m 512 -nodefaults -no-user-config -display none \
     -no-reboot -kernel "$folder/kernel" -initrd "$folder/initramfs" \
     -append "console=ttyS0 quiet panic=-1$ports" -serial "file:$log/guest.txt" \
     -netdev user,id=net,restrict=off -device e1000,netdev=net,romfile= > "$log/qemu.txt" 2>&1 < /dev/null
