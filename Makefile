@@ -40,7 +40,7 @@ HOST_SOURCES     := $(wildcard host/*.c)
 # USB_LIBUSB=no and USB_HIDAPI=no leave it out; USB_HIDAPI=hidapi-libusb takes the other flavour.
 USB_LIBUSB ?= libusb-1.0
 USB_HIDAPI ?= hidapi-hidraw
-ifneq ($(filter test ci,$(MAKECMDGOALS)),)
+ifneq ($(filter test test-kernel ci,$(MAKECMDGOALS)),)
 # The tests speak to the real libraries: they must be there before it is asked which are.
 setup_of_usb := $(shell CC='$(CC)' SETUP='$(SETUP)' sh setup.sh usb >&2)
 endif
@@ -244,10 +244,10 @@ endef
 $(foreach arithmetic,$(ARITHMETICS),$(eval $(call real_test_rules,$(arithmetic))))
 
 FIRMWARE_IMAGES := $(BUILD)/release/firmware_fx.o $(BUILD)/release/firmware_f32.o $(BUILD)/release/firmware_f64.o
-TEST_SCRIPTS := tests/float_matrix.sh tests/trace_hash_matrix.sh tests/check_includes.sh tests/check_symbols.sh tests/check_recursion.sh tests/check_adapter.sh tests/check_usb_fuzz.sh tests/check_install.sh tests/check_measure.sh tests/targets/quick_test.sh tests/check_porting.sh tests/check_bench.sh
+TEST_SCRIPTS := tests/float_matrix.sh tests/trace_hash_matrix.sh tests/check_includes.sh tests/check_symbols.sh tests/check_recursion.sh tests/check_adapter.sh tests/check_usb_fuzz.sh tests/check_usb_bytes.sh tests/check_without_usb.sh tests/check_install.sh tests/check_measure.sh tests/targets/quick_test.sh tests/check_porting.sh tests/check_bench.sh tests/check_manual.sh
 
 .PHONY: test
-test: $(TEST_PROGRAMS) $(REAL_TEST_PROGRAMS) $(BUILD)/superframe $(BUILD)/sanitized/superframe $(FIRMWARE_IMAGES) strict fresh-prefix $(USB_TEST_PROGRAMS) $(BENCH_TOOLS) ## Run every test (under the address and undefined-behaviour sanitizers)
+test: $(TEST_PROGRAMS) $(REAL_TEST_PROGRAMS) $(BUILD)/superframe $(BUILD)/sanitized/superframe $(FIRMWARE_IMAGES) strict fresh-prefix $(BUILD)/usb_bytes $(BUILD)/superframe_without_usb $(USB_TEST_PROGRAMS) $(BENCH_TOOLS) ## Run every test (under the address and undefined-behaviour sanitizers)
 	@sh tests/run.sh $(BUILD) $(TEST_SCRIPTS) $(TEST_PROGRAMS) $(REAL_TEST_PROGRAMS) $(USB_TEST_PROGRAMS)
 
 # ---- Measuring ------------------------------------------------------------------------------
@@ -294,6 +294,7 @@ lint-tidy: | setup
 # The groups of setup.sh that a goal needs, besides `build`. All are installed in one go, before
 # anything is compiled.
 SETUP_FOR_test := test quick
+SETUP_FOR_test-kernel := test usb kernel
 SETUP_FOR_lint := lint
 SETUP_FOR_paper := paper
 SETUP_FOR_measure := paper

@@ -33,6 +33,7 @@ usb|pc|libusb-1.0|libusb-1.0-0-dev
 usb|pc|hidapi-hidraw|libhidapi-dev
 usb|pc|umockdev-1.0|libumockdev-dev
 usb|tool|umockdev-run|umockdev
+kernel|tool|qemu-system-x86_64|qemu-system-x86
 lint|tool|clang-format|clang-format
 lint|tool|clang-tidy|clang-tidy
 lint|tool|cppcheck|cppcheck

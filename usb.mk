@@ -28,10 +28,29 @@ $(BUILD)/sanitized/tests/usb/%.o: tests/usb/%.c $(BUILD)/flags | setup
 
 # Not the whole program: libunicorn, where it is linked, has functions of GLib's names.
 USB_TEST_OBJECTS := $(patsubst tests/%.c,$(BUILD)/sanitized/tests/%.o,$(wildcard tests/usb/*.c)) $(sanitized_HAL) \
-                    $(patsubst %.c,$(BUILD)/sanitized/%.o,$(wildcard emulator/board*.c host/usb_*.c host/usb/libusb*.c) host/usb/hidapi.c)
+                    $(patsubst %.c,$(BUILD)/sanitized/%.o,$(wildcard emulator/board*.c host/usb_*.c host/usb/libusb*.c) emulator/picture.c emulator/native_screen.c host/usb/hidapi.c)
 
 $(USB_TEST_PROGRAMS): $(BUILD)/sanitized/tests/usb/%_test: $(USB_TEST_OBJECTS)
-	$(CC) $(LDFLAGS_sanitized) -o $@ $^ -lcmocka -lusb-1.0 -l$* $(UMOCKDEV_LIBS) -lpthread
+	$(CC) $(LDFLAGS_sanitized) -o $@ $^ -lcmocka -lusb-1.0 -l$* $(UMOCKDEV_LIBS) -lz -lpthread
+
+# ---- Without the libraries: what says so stands in for them ---------------------------------------
+
+WITHOUT_USB := $(filter-out $(BUILD)/release/host/usb/%.o,$(release_LIBRARY)) $(BUILD)/release/host/main.o \
+               $(BUILD)/release/host/usb/no_libusb.o $(BUILD)/release/host/usb/no_hidapi.o
+
+$(BUILD)/superframe_without_usb: $(WITHOUT_USB) $(BUILD)/sources
+	$(CC) $(LDFLAGS_release) -o $@ $(filter %.o,$^) $(filter-out $(USB_LIBS),$(LIBS))
+
+# ---- The real kernel: Debian's, in an emulated PC, with virtual adapters plugged in -------------
+
+KERNEL_TEST := $(BUILD)/kernel
+
+.PHONY: test-kernel
+test-kernel: $(BUILD)/superframe $(BUILD)/sanitized/superframe $(LIBRARIES) ## Draw over USB and HID through the real Linux USB stack, as an ordinary user
+	@sh tests/kernel/fetch.sh $(KERNEL_TEST)/debian
+	@$(MAKE) --no-print-directory -s install PREFIX=/usr/local DESTDIR='$(abspath $(KERNEL_TEST))/installed'
+	@sh tests/kernel/initramfs.sh $(KERNEL_TEST)/debian/system $(KERNEL_TEST)/installed $(KERNEL_TEST)/guest
+	@sh tests/kernel/run.sh $(KERNEL_TEST)/guest $(BUILD)/sanitized/superframe $(BUILD)/superframe
 
 # ---- Bytes on the cable -------------------------------------------------------------------------
 

@@ -15,6 +15,7 @@
 enum {
     WAIT_POLL_MS = 100,
     WAIT_REOPEN_MS = 60000, /* for a replug in the middle, with --wait */
+    WAIT_SETTLE_MS = 3000, /* with --wait: for udev to let us in to an adapter that has just come */
     RANGES_SIZE = 256
 };
 
@@ -43,7 +44,10 @@ static int open_backend(struct adapter_bus *adapter, const struct usb_backend *b
                  options->serial != NULL ? " " : "",
                  options->serial != NULL ? options->serial : "");
     }
-    while (status == USB_OPEN_ABSENT && options->waits) {
+    for (unsigned denied_ms = 0;
+         options->waits && (status == USB_OPEN_ABSENT ||
+                            (status == USB_OPEN_DENIED && denied_ms < WAIT_SETTLE_MS));) {
+        denied_ms += status == USB_OPEN_DENIED ? WAIT_POLL_MS : 0;
         if (*interrupt_noted() != 0) {
             complain("interrupted before an adapter came");
             return STATUS_SIGNAL + *interrupt_noted();
@@ -52,7 +56,7 @@ static int open_backend(struct adapter_bus *adapter, const struct usb_backend *b
         status = backend->open(options->serial, &adapter->link, reason);
     }
     if (status != USB_OPEN_OK) {
-        complain("--bus %s: %s", backend->name, reason);
+        complain("--bus %s: %s; nothing was drawn", backend->name, reason);
         return STATUS_FAILED;
     }
     return STATUS_DONE;
@@ -87,21 +91,50 @@ int adapter_bus_open(struct adapter_bus *adapter, const struct options *options)
 }
 
 int adapter_bus_verify(struct adapter_bus *adapter, const struct options *options) {
-    struct usb_verification found;
+    struct usb_verification *found = &adapter->verification;
     if (!usb_bus_verify(adapter->usb, options->adapter.verify_percent, options->overrides.seed,
-                        &found)) {
-        complain("--verify: %s", adapter->usb->reason);
+                        found)) {
+        complain("--verify: given up after %" PRIu64 " pixels", found->pixels);
         return STATUS_FAILED;
     }
-    if (found.wrong_lines > 0) {
+    adapter->is_verified = true;
+    if (found->wrong_lines > 0) {
         complain("--verify: %u lines of the board still differ after %u repairs, the first is %u; "
                  "%" PRIu64 " pixels were repaired",
-                 found.wrong_lines, (unsigned)USB_REPAIRS_MOST, found.first_wrong, found.repaired);
+                 found->wrong_lines, (unsigned)USB_REPAIRS_MOST, found->first_wrong,
+                 found->repaired);
         return STATUS_FAILED;
     }
     complain("--verify: %" PRIu64 " pixels read back, %" PRIu64 " differed and were repaired",
-             found.pixels, found.repaired);
+             found->pixels, found->repaired);
     return STATUS_DONE;
+}
+
+void adapter_bus_write_stats(const struct adapter_bus *adapter, FILE *out) {
+    const struct usb_counts *counts = &adapter->usb->counts;
+    const struct {
+        const char *key;
+        uint64_t count;
+    } entries[] = {{"bytes_out", counts->sent_bytes},
+                   {"bytes_in", counts->received_bytes},
+                   {"transfers", adapter->link->transfers},
+                   {"frames", counts->frames},
+                   {"resent", counts->resent},
+                   {"timeouts", counts->timeouts},
+                   {"stalls", counts->stalls},
+                   {"reconnects", counts->reconnects},
+                   {"restarts", counts->restarts}};
+    (void)fprintf(out, "  \"adapter\": {\"bus\": \"%s\"", adapter->name);
+    for (size_t i = 0; i < sizeof entries / sizeof entries[0]; i++) {
+        (void)fprintf(out, ", \"%s\": %" PRIu64, entries[i].key, entries[i].count);
+    }
+    if (adapter->is_verified) {
+        (void)fprintf(out,
+                      ", \"verified_pixels\": %" PRIu64 ", \"repaired_pixels\": %" PRIu64 "},\n",
+                      adapter->verification.pixels, adapter->verification.repaired);
+    } else {
+        (void)fputs(", \"verified_pixels\": null, \"repaired_pixels\": null},\n", out);
+    }
 }
 
 static bool is_row_there(const struct usb_bus *usb, unsigned row, unsigned lines) {

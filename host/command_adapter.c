@@ -127,7 +127,8 @@ static void send_to_guest(void *context, const uint8_t *bytes, size_t count) {
     }
 }
 
-/* The picture goes out whenever a guest has left the device, and at the end. */
+/* The picture goes out before anybody can come, so that a name that can't be written is known at
+ * once, whenever a guest has left the device, and at the end. */
 static void write_screen(struct server *server) {
     struct output output;
     if (server->options->output == NULL) {
@@ -226,6 +227,10 @@ static void serve(struct server *server) {
 }
 
 int run_adapter(const struct options *options) {
+    if (options->output != NULL && strcmp(options->output, "-") == 0) {
+        return bad_input("-o -: standard output says where the adapter listens; allowed is a "
+                         "file's name");
+    }
     struct server *server = calloc(1, sizeof *server);
     struct board_desc desc = board_default_desc(options->profile);
     desc.base = options->base;
@@ -243,7 +248,10 @@ int run_adapter(const struct options *options) {
     usb_device_init(&server->device, &server->board_bus.bus, options->base,
                     options->adapter.serial != NULL ? options->adapter.serial : "VIRTUAL", true);
     interrupt_catch();
-    server->status = start_listening(server);
+    write_screen(server);
+    if (server->status == STATUS_DONE) {
+        server->status = start_listening(server);
+    }
     if (server->status == STATUS_DONE) {
         serve(server);
         for (unsigned i = 0; i < GUESTS_MOST; i++) {

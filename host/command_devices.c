@@ -17,7 +17,8 @@ static bool list_backend(const struct usb_backend *backend) {
     for (unsigned i = 0; i < count; i++) {
         (void)printf("%s\t%s\t%s%s\n", backend->name,
                      found[i].serial[0] != '\0' ? found[i].serial : "-", found[i].path,
-                     found[i].is_accessible ? "" : "\tno permission: 70-superframe.rules lacks");
+                     found[i].is_accessible ? ""
+                                            : "\tno permission: 70-superframe.rules is lacking");
     }
     return true;
 }

@@ -188,6 +188,9 @@ static int write_results(struct render_run *run) {
     }
     if (run->options->adapter.verify_percent > 0 &&
         adapter_bus_verify(&run->adapter, run->options) != STATUS_DONE) {
+        if (run->adapter.usb->bus.status != BUS_OK) {
+            explain_adapter(run);
+        }
         return STATUS_FAILED;
     }
     if (run->exposures != NULL) {
@@ -207,6 +210,7 @@ static int write_results(struct render_run *run) {
                                         .chain = run->chain,
                                         .board = &run->options->board,
                                         .began = &run->began,
+                                        .adapter = run->adapter.usb != NULL ? &run->adapter : NULL,
                                         .total_seconds = stopwatch_seconds(&run->began),
                                         .photograph =
                                             run->exposures != NULL ? run->exposures->rgb : NULL};

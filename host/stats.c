@@ -112,6 +112,9 @@ void stats_write(FILE *out, const struct run_stats *stats) {
     if (stats->board != NULL && chain->is_counting) {
         write_cost(out, stats);
     }
+    if (stats->adapter != NULL) {
+        adapter_bus_write_stats(stats->adapter, out);
+    }
     if (stats->processor != NULL) {
         write_processor(out, stats);
     }

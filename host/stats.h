@@ -7,6 +7,7 @@
 #include <stdint.h>
 #include <stdio.h>
 
+#include "adapter_bus.h"
 #include "board_options.h"
 #include "port_chain.h"
 #include "processor.h"
@@ -22,7 +23,8 @@ struct run_stats {
     const struct timespec *began;      /* of the command, for the first write; NULL: not told */
     const struct board_options *board; /* for the cost of the ports; NULL: not told */
     const struct processor_report
-        *processor;            /* of a run on an emulated CPU; NULL: there was none */
+        *processor;                    /* of a run on an emulated CPU; NULL: there was none */
+    const struct adapter_bus *adapter; /* at the end of a cable; NULL: there was none */
     const uint8_t *photograph; /* of a multiple exposure, PICTURE_BYTES; NULL: none was taken */
 };
 

@@ -36,7 +36,7 @@ enum usb_open_status usb_choose(const struct usb_found *found, unsigned count, c
         for (unsigned i = 0; i < count; i++) {
             if (!found[i].is_accessible) {
                 usb_explain_access(reason, found[i].path);
-                return USB_OPEN_REFUSED;
+                return USB_OPEN_DENIED;
             }
         }
         (void)snprintf(reason, USB_LINK_REASON_SIZE,
@@ -53,7 +53,8 @@ enum usb_open_status usb_choose(const struct usb_found *found, unsigned count, c
 
 void usb_explain_access(char *reason, const char *path) {
     (void)snprintf(reason, USB_LINK_REASON_SIZE,
-                   "%.100s: this user may not open it; the udev rule 70-superframe.rules is "
-                   "lacking (make install puts it there), or the adapter was plugged in before it",
+                   "%.60s: this user may not open it; the udev rule 70-superframe.rules is lacking "
+                   "(make install puts it there) or came after the adapter, or this user does "
+                   "not sit at the machine",
                    path);
 }

@@ -20,6 +20,8 @@ struct usb_found {
 enum usb_open_status {
     USB_OPEN_OK,
     USB_OPEN_ABSENT, /* no such adapter: it may be plugged in yet */
+    USB_OPEN_DENIED, /* this user may not open it: udev takes a moment with one that has just come
+                      */
     USB_OPEN_REFUSED /* it is there, but can't be had: waiting does not help */
 };
 

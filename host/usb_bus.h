@@ -5,6 +5,7 @@
 #define SUPERFRAME_USB_BUS_H
 
 #include <signal.h>
+#include <time.h>
 
 #include "board.h"
 #include "bus.h"
@@ -26,8 +27,9 @@ struct usb_limits {
 struct usb_counts {
     uint64_t frames;        /* made of the accesses */
     uint64_t payload_bytes; /* in them */
-    uint64_t wire_bytes;    /* sent, with headers and CRCs, each sending counted */
-    uint64_t resent;        /* frames sent more than once */
+    uint64_t sent_bytes;    /* with headers and CRCs, each sending counted */
+    uint64_t received_bytes;
+    uint64_t resent; /* frames sent more than once, each sending after the first */
     uint64_t timeouts, stalls, reconnects, restarts;
 };
 
@@ -56,6 +58,7 @@ struct usb_bus {
     uint32_t sent, acked;  /* the last one sent, the last one known to have been run */
     uint32_t highest_sent; /* in this session */
     unsigned credits, failures;
+    struct timespec waiting_since; /* for something that brings the session on */
     unsigned read_most;
     bool is_gap_known; /* a gap after acked has been seen: its further replies say nothing new */
     bool must_ask;     /* a reply did not know the session */

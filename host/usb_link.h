@@ -40,6 +40,7 @@ struct usb_link_operations {
 /* The first member of a back end's own struct. */
 struct usb_link {
     const struct usb_link_operations *operations;
+    uint64_t transfers; /* handed over, and come, so far: bulk transfers or reports */
     char reason[USB_LINK_REASON_SIZE]; /* of the last LOST, in words; "" if there is none */
 };
 

@@ -8,6 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "stopwatch.h"
+
 enum { REOPEN_SLICE_MS = 200, JOURNAL_MOST = 256 << 20 };
 
 void usb_bus_give_up(struct usb_bus *usb_bus, enum bus_status status, const char *format, ...) {
@@ -30,6 +32,12 @@ static uint64_t next_random(struct usb_bus *usb_bus) {
     z = (z ^ z >> 30) * 0xBF58476D1CE4E5B9U;
     z = (z ^ z >> 27) * 0x94D049BB133111EBU;
     return z ^ z >> 31;
+}
+
+/* Something went on: patience begins anew. */
+static void note_progress(struct usb_bus *usb_bus) {
+    usb_bus->failures = 0;
+    usb_bus->waiting_since = stopwatch_start();
 }
 
 /* ---- The journal --------------------------------------------------------------------------- */
@@ -80,7 +88,7 @@ static enum usb_link_status send_one(struct usb_bus *usb_bus, uint32_t sequence)
     const struct usb_header header = {
         USB_VERSION, USB_KIND_RUN, usb_bus->session, sequence, 0, (uint16_t)count, 0, 0};
     size_t length = usb_frame_pack(frame, &header, journal->bytes + begin);
-    usb_bus->counts.wire_bytes += length;
+    usb_bus->counts.sent_bytes += length;
     if (sequence <= usb_bus->highest_sent) {
         usb_bus->counts.resent++;
     } else {
@@ -118,7 +126,7 @@ static void take_run_reply(struct usb_bus *usb_bus, const struct usb_header *hea
     }
     if (header->last > usb_bus->acked) {
         usb_bus->acked = header->last;
-        usb_bus->failures = 0;
+        note_progress(usb_bus);
         usb_bus->is_gap_known = false;
         if (usb_bus->sent < usb_bus->acked) {
             usb_bus->sent = usb_bus->acked;
@@ -195,8 +203,14 @@ static enum usb_link_status listen(struct usb_bus *usb_bus, unsigned timeout_ms)
         usb_bus->link, usb_bus->input + usb_bus->input_count,
         sizeof usb_bus->input - usb_bus->input_count, timeout_ms, &count);
     if (status == USB_LINK_OK) {
+        usb_bus->counts.received_bytes += count;
         usb_bus->input_count += count;
         take_input(usb_bus);
+        /* One that never falls silent would never be found to be silent. */
+        if (stopwatch_seconds(&usb_bus->waiting_since) * 1000 >
+            (double)usb_bus->limits.reply_ms * (usb_bus->limits.retries + 1)) {
+            usb_bus_give_up(usb_bus, BUS_TIMEOUT, "the adapter talks, but does not answer");
+        }
     }
     return status;
 }
@@ -226,8 +240,9 @@ static enum usb_link_status greet(struct usb_bus *usb_bus, bool is_start) {
     usb_put16(payload, usb_bus->base);
     size_t length = usb_frame_pack(frame, &header, payload);
     usb_bus->is_greeted = false;
+    usb_bus->waiting_since = stopwatch_start();
     while (!has_failed(usb_bus)) {
-        usb_bus->counts.wire_bytes += length;
+        usb_bus->counts.sent_bytes += length;
         enum usb_link_status status = usb_bus->link->operations->send(usb_bus->link, frame, length);
         while (status == USB_LINK_OK && !usb_bus->is_greeted && !has_failed(usb_bus)) {
             status = listen(usb_bus, usb_bus->limits.reply_ms);
@@ -381,6 +396,7 @@ void usb_session_seal(struct usb_bus *usb_bus) {
         !remember(usb_bus, encoder->payload, encoder->used)) {
         return;
     }
+    usb_bus->waiting_since = stopwatch_start();
     usb_bus->counts.frames++;
     usb_bus->counts.payload_bytes += encoder->used;
     if (fill_window(usb_bus)) {
@@ -396,6 +412,7 @@ void usb_session_seal(struct usb_bus *usb_bus) {
 }
 
 bool usb_session_finish(struct usb_bus *usb_bus) {
+    usb_bus->waiting_since = stopwatch_start();
     while (!has_failed(usb_bus) && usb_bus->acked < usb_bus->sealed) {
         step(usb_bus);
     }

@@ -211,6 +211,42 @@ static void an_interrupt_ends_it_with_its_picture(void **state) {
     assert_int_equal(access(picture_path, R_OK), 0);
 }
 
+/* The exit status of the program with these words; what it says is in said. */
+static int run_adapter_with(const char *words, char *said, size_t size) {
+    char command[1024];
+    (void)snprintf(command, sizeof command, "timeout 20 '%s' adapter %s 2>&1", getenv("SUPERFRAME"),
+                   words);
+    FILE *pipe = popen(command, "r");
+    assert_non_null(pipe);
+    said[fread(said, 1, size - 1, pipe)] = '\0';
+    int status = pclose(pipe);
+    assert_true(WIFEXITED(status));
+    return WEXITSTATUS(status);
+}
+
+static void what_cannot_be_served_is_refused_before_anybody_comes(void **state) {
+    static const struct {
+        const char *words;
+        int status;
+        const char *said;
+    } cases[] = {{"--listen 127.0.0.1:0 -o /nonexistent/x.png", 1, "cannot be written"},
+                 {"--listen 127.0.0.1:0 -o -", 2, "allowed is a file's name"},
+                 {"--listen 127.0.0.1:65536", 2, "with a port 0..65535"},
+                 {"--listen somewhere", 2, "allowed are an address in numbers and a port"},
+                 {"--listen [::1:5", 2, "[ADDRESS]:PORT"},
+                 {"--listen 203.0.113.1:0", 1, "can't listen"}};
+    char said[1024], busy[64];
+    (void)state;
+    for (unsigned i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        assert_int_equal(run_adapter_with(cases[i].words, said, sizeof said), cases[i].status);
+        assert_non_null(strstr(said, cases[i].said));
+        assert_null(strstr(said, "listening on"));
+    }
+    (void)snprintf(busy, sizeof busy, "--listen 127.0.0.1:%d", port_number);
+    assert_int_equal(run_adapter_with(busy, said, sizeof said), 1);
+    assert_non_null(strstr(said, "Address already in use"));
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(a_guest_draws_by_bulk, start_server, stop_server),
@@ -218,6 +254,8 @@ int main(void) {
         cmocka_unit_test_setup_teardown(a_rendered_scene_is_the_same_behind_the_cable, start_server,
                                         stop_server),
         cmocka_unit_test_setup_teardown(the_list_is_shown_and_a_second_guest_is_refused,
+                                        start_server, stop_server),
+        cmocka_unit_test_setup_teardown(what_cannot_be_served_is_refused_before_anybody_comes,
                                         start_server, stop_server),
         cmocka_unit_test_setup_teardown(an_interrupt_ends_it_with_its_picture, start_server,
                                         stop_server),

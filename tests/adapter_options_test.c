@@ -88,7 +88,7 @@ static void the_adapter_that_is_meant_is_found_among_several(void **state) {
     assert_non_null(strstr(reason, "1209:9801"));
     found[0].is_accessible = false;
     found[0].serial[0] = '\0';
-    assert_int_equal(usb_choose(found, 2, "A", &index, reason), USB_OPEN_REFUSED);
+    assert_int_equal(usb_choose(found, 2, "A", &index, reason), USB_OPEN_DENIED);
     assert_non_null(strstr(reason, "70-superframe.rules"));
 }
 

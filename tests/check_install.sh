@@ -33,6 +33,10 @@ place=$(mktemp -d) || exit 2
 trap 'rm -rf "$place"' EXIT
 cp -R docs/examples/. "$place" || exit 2
 
+# Who sits at the machine may open an adapter: udev looks there for what is not Debian's.
+grep -q 'ATTR{idVendor}=="1209".*TAG+="uaccess"' "$prefix/lib/udev/rules.d/70-superframe.rules" ||
+    wrong 'the udev rule is not installed'
+
 # Every header stands for itself, in C99.
 for header in "$prefix"/include/superframe/*.h; do
     printf '#include <superframe/%s>\n' "$(basename "$header")" > "$place/alone.c"

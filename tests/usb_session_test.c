@@ -271,6 +271,87 @@ static void garbage_for_an_answer_is_given_up(void **state) {
     usb_bus_free(usb_bus);
 }
 
+/* Noise, without end. */
+static enum usb_link_status babble(struct usb_link *link, uint8_t *bytes, size_t room,
+                                   unsigned timeout_ms, size_t *count) {
+    static uint64_t random = 1;
+    (void)link;
+    (void)timeout_ms;
+    *count = room < 64 ? room : 64;
+    for (size_t i = 0; i < *count; i++) {
+        bytes[i] = (uint8_t)next_random(&random);
+    }
+    return USB_LINK_OK;
+}
+
+/* The adapter behind the cable answers the hello, and falls to babbling then. */
+static enum usb_link_status greet_and_babble(struct usb_link *link, uint8_t *bytes, size_t room,
+                                             unsigned timeout_ms, size_t *count) {
+    enum usb_link_status status = cable_receive(&cable.link, bytes, room, timeout_ms, count);
+    return status == USB_LINK_OK && cable.device.adapter.last == 0
+               ? status
+               : babble(link, bytes, room, timeout_ms, count);
+}
+
+static enum usb_link_status send_by_cable(struct usb_link *link, const uint8_t *bytes,
+                                          size_t count) {
+    (void)link;
+    return cable_send(&cable.link, bytes, count);
+}
+
+static void noise_without_end_is_given_up(void **state) {
+    static const struct usb_link_operations babblers[2] = {
+        {send_by_cable, babble, NULL, NULL}, {send_by_cable, greet_and_babble, NULL, NULL}};
+    const struct cable_faults none = {0};
+    struct usb_limits limits = quick_limits(1);
+    (void)state;
+    limits.reply_ms = 20;
+    for (unsigned i = 0; i < 2; i++) {
+        struct usb_link link = {.operations = &babblers[i]};
+        plug_in(&none, 2);
+        struct usb_bus *usb_bus = usb_bus_new(&link, 0x00D0, &limits);
+        assert_non_null(usb_bus);
+        assert_int_equal(usb_bus->bus.status, i == 0 ? BUS_TIMEOUT : BUS_OK);
+        paint(2);
+        draw(&usb_bus->bus);
+        assert_int_equal(bus_flush(&usb_bus->bus), BUS_TIMEOUT);
+        assert_non_null(strstr(usb_bus->reason, "talks, but does not answer"));
+        usb_bus_free(usb_bus);
+    }
+}
+
+static enum usb_link_status take_anything(struct usb_link *link, const uint8_t *bytes,
+                                          size_t count) {
+    (void)link;
+    (void)bytes;
+    (void)count;
+    return USB_LINK_OK;
+}
+
+/* What an adapter of version 2 says to whatever it is told. */
+static enum usb_link_status speak_version_2(struct usb_link *link, uint8_t *bytes, size_t room,
+                                            unsigned timeout_ms, size_t *count) {
+    const struct usb_header header = {2, USB_KIND_REPLY, 0, 0, 0, 0, USB_STATUS_BAD_VERSION, 1};
+    (void)link;
+    (void)timeout_ms;
+    assert_true(room >= USB_OVERHEAD);
+    *count = usb_frame_pack(bytes, &header, NULL);
+    return USB_LINK_OK;
+}
+
+static void another_version_of_the_protocol_is_refused(void **state) {
+    static const struct usb_link_operations of_another_version = {take_anything, speak_version_2,
+                                                                  NULL, NULL};
+    struct usb_link link = {.operations = &of_another_version};
+    struct usb_limits limits = quick_limits(1);
+    (void)state;
+    struct usb_bus *usb_bus = usb_bus_new(&link, 0x00D0, &limits);
+    assert_non_null(usb_bus);
+    assert_int_equal(usb_bus->bus.status, BUS_PROTOCOL);
+    assert_non_null(strstr(usb_bus->reason, "version 2 of the protocol; allowed is 1"));
+    usb_bus_free(usb_bus);
+}
+
 static void another_base_than_the_adapters_is_refused(void **state) {
     const struct cable_faults none = {0};
     struct usb_limits limits = quick_limits(1);
@@ -308,6 +389,8 @@ int main(void) {
         cmocka_unit_test(an_adapter_that_stays_away_is_given_up_with_what_is_there),
         cmocka_unit_test(an_adapter_that_says_nothing_is_given_up),
         cmocka_unit_test(garbage_for_an_answer_is_given_up),
+        cmocka_unit_test(noise_without_end_is_given_up),
+        cmocka_unit_test(another_version_of_the_protocol_is_refused),
         cmocka_unit_test(another_base_than_the_adapters_is_refused),
         cmocka_unit_test(ports_of_others_are_refused),
     };

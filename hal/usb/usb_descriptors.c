@@ -23,189 +23,67 @@ enum {
     STRING_SERIAL = 3
 };
 
-/* clang-format off: a line is an item of the specification */
+/* In the tables a line is an item of the specification. */
+/* clang-format off */
 static const uint8_t device_table[18] = {
-    18,
-    TYPE_DEVICE,
-    0x01,
-    0x02, /* USB 2.01: from there on the BOS descriptor is asked for */
-    0,
-    0,
-    0,
-    64, /* the class is the interfaces' */
-    LOW(USB_VENDOR_ID),
-    HIGH(USB_VENDOR_ID),
-    LOW(USB_PRODUCT_ID),
-    HIGH(USB_PRODUCT_ID),
-    LOW(0x0100),
-    HIGH(0x0100),
-    1,
-    2,
-    STRING_SERIAL,
-    1};
+    18, TYPE_DEVICE,
+    0x01, 0x02, /* USB 2.01: from there on the BOS descriptor is asked for */
+    0, 0, 0,    /* the class is the interfaces' */
+    64,
+    LOW(USB_VENDOR_ID), HIGH(USB_VENDOR_ID),
+    LOW(USB_PRODUCT_ID), HIGH(USB_PRODUCT_ID),
+    LOW(0x0100), HIGH(0x0100),
+    1, 2, STRING_SERIAL,
+    1 /* configuration */
+};
 
 /* Full speed; at high speed the bulk packets are larger. 100 mA. */
-static const uint8_t configuration_table[CONFIGURATION_BYTES] = {9,
-                                                                 TYPE_CONFIGURATION,
-                                                                 CONFIGURATION_BYTES,
-                                                                 0,
-                                                                 USB_INTERFACES,
-                                                                 1,
-                                                                 0,
-                                                                 0x80,
-                                                                 50,
-                                                                 9,
-                                                                 4,
-                                                                 USB_BULK_INTERFACE,
-                                                                 0,
-                                                                 2,
-                                                                 0xFF,
-                                                                 0,
-                                                                 USB_VERSION,
-                                                                 0,
-                                                                 7,
-                                                                 5,
-                                                                 USB_BULK_OUT,
-                                                                 2,
-                                                                 64,
-                                                                 0,
-                                                                 0,
-                                                                 7,
-                                                                 5,
-                                                                 USB_BULK_IN,
-                                                                 2,
-                                                                 64,
-                                                                 0,
-                                                                 0,
-                                                                 9,
-                                                                 4,
-                                                                 USB_HID_INTERFACE,
-                                                                 0,
-                                                                 2,
-                                                                 3,
-                                                                 0,
-                                                                 0,
-                                                                 0,
-                                                                 HID_BYTES,
-                                                                 TYPE_HID,
-                                                                 0x11,
-                                                                 0x01,
-                                                                 0,
-                                                                 1,
-                                                                 TYPE_REPORT,
-                                                                 REPORT_DESCRIPTOR_BYTES,
-                                                                 0,
-                                                                 7,
-                                                                 5,
-                                                                 USB_HID_OUT,
-                                                                 3,
-                                                                 USB_REPORT_BYTES,
-                                                                 0,
-                                                                 1,
-                                                                 7,
-                                                                 5,
-                                                                 USB_HID_IN,
-                                                                 3,
-                                                                 USB_REPORT_BYTES,
-                                                                 0,
-                                                                 1};
+static const uint8_t configuration_table[CONFIGURATION_BYTES] = {
+    9, TYPE_CONFIGURATION, CONFIGURATION_BYTES, 0, USB_INTERFACES, 1, 0, 0x80, 50,
+    9, 4, USB_BULK_INTERFACE, 0, 2, 0xFF, 0, USB_VERSION, 0,
+    7, 5, USB_BULK_OUT, 2, 64, 0, 0,
+    7, 5, USB_BULK_IN, 2, 64, 0, 0,
+    9, 4, USB_HID_INTERFACE, 0, 2, 3, 0, 0, 0,
+    HID_BYTES, TYPE_HID, 0x11, 0x01, 0, 1, TYPE_REPORT, REPORT_DESCRIPTOR_BYTES, 0,
+    7, 5, USB_HID_OUT, 3, USB_REPORT_BYTES, 0, 1,
+    7, 5, USB_HID_IN, 3, USB_REPORT_BYTES, 0, 1
+};
 
 enum { BULK_OUT_SIZE_PLACE = 22, BULK_IN_SIZE_PLACE = 29 }; /* of wMaxPacketSize above */
 
 /* Vendor page FF00h, one collection: 64 bytes in, 64 out, 32 as a feature. */
-static const uint8_t report_table[REPORT_DESCRIPTOR_BYTES] = {0x06, 0x00,
-                                                              0xFF, 0x09,
-                                                              0x01, 0xA1,
-                                                              0x01, 0x15,
-                                                              0x00, 0x26,
-                                                              0xFF, 0x00,
-                                                              0x75, 0x08,
-                                                              0x95, USB_REPORT_BYTES,
-                                                              0x09, 0x02,
-                                                              0x81, 0x02,
-                                                              0x95, USB_REPORT_BYTES,
-                                                              0x09, 0x03,
-                                                              0x91, 0x02,
-                                                              0x95, USB_FEATURE_BYTES,
-                                                              0x09, 0x04,
-                                                              0xB1, 0x02,
-                                                              0xC0};
+static const uint8_t report_table[REPORT_DESCRIPTOR_BYTES] = {
+    0x06, 0x00, 0xFF,       /* usage page FF00h */
+    0x09, 0x01,             /* usage 1 */
+    0xA1, 0x01,             /* application collection */
+    0x15, 0x00,             /* values from 0 */
+    0x26, 0xFF, 0x00,       /* to 255 */
+    0x75, 0x08,             /* of 8 bits */
+    0x95, USB_REPORT_BYTES, 0x09, 0x02, 0x81, 0x02,
+    0x95, USB_REPORT_BYTES, 0x09, 0x03, 0x91, 0x02,
+    0x95, USB_FEATURE_BYTES, 0x09, 0x04, 0xB1, 0x02,
+    0xC0
+};
 
 /* One capability: the platform's that Microsoft defined for MS OS 2.0. */
-static const uint8_t bos_table[BOS_BYTES] = {5,         TYPE_BOS,
-                                             BOS_BYTES, 0,
-                                             1,         28,
-                                             0x10,      5,
-                                             0,         0xDF,
-                                             0x60,      0xDD,
-                                             0xD8,      0x89,
-                                             0x45,      0xC7,
-                                             0x4C,      0x9C,
-                                             0xD2,      0x65,
-                                             0x9D,      0x9E,
-                                             0x64,      0x8A,
-                                             0x9F,      0x00,
-                                             0x00,      0x03,
-                                             0x06,      MICROSOFT_BYTES,
-                                             0,         USB_MICROSOFT_REQUEST,
-                                             0};
+static const uint8_t bos_table[BOS_BYTES] = {
+    5, TYPE_BOS, BOS_BYTES, 0, 1,
+    28, 0x10, 5, 0,
+    0xDF, 0x60, 0xDD, 0xD8, 0x89, 0x45, 0xC7, 0x4C, /* D8DD60DF-4589-4CC7-9CD2-659D9E648A9F */
+    0x9C, 0xD2, 0x65, 0x9D, 0x9E, 0x64, 0x8A, 0x9F,
+    0x00, 0x00, 0x03, 0x06, /* Windows 8.1 and later */
+    MICROSOFT_BYTES, 0, USB_MICROSOFT_REQUEST, 0
+};
 
-/* Set header, subsets of the configuration and of the function, compatible id, and the head of the
- * registry property, whose name and value follow as UTF-16. */
-static const uint8_t microsoft_table[] = {10,
-                                          0,
-                                          0,
-                                          0,
-                                          0x00,
-                                          0x00,
-                                          0x03,
-                                          0x06,
-                                          MICROSOFT_BYTES,
-                                          0,
-                                          8,
-                                          0,
-                                          1,
-                                          0,
-                                          0,
-                                          0,
-                                          168,
-                                          0,
-                                          8,
-                                          0,
-                                          2,
-                                          0,
-                                          USB_BULK_INTERFACE,
-                                          0,
-                                          160,
-                                          0,
-                                          20,
-                                          0,
-                                          3,
-                                          0,
-                                          'W',
-                                          'I',
-                                          'N',
-                                          'U',
-                                          'S',
-                                          'B',
-                                          0,
-                                          0,
-                                          0,
-                                          0,
-                                          0,
-                                          0,
-                                          0,
-                                          0,
-                                          0,
-                                          0,
-                                          132,
-                                          0,
-                                          4,
-                                          0,
-                                          7,
-                                          0,
-                                          42,
-                                          0};
+/* The MS OS 2.0 set; the registry property's name and value follow as UTF-16. */
+static const uint8_t microsoft_table[] = {
+    10, 0, 0, 0, 0x00, 0x00, 0x03, 0x06, MICROSOFT_BYTES, 0, /* set header */
+    8, 0, 1, 0, 0, 0, 168, 0,                               /* subset of the configuration */
+    8, 0, 2, 0, USB_BULK_INTERFACE, 0, 160, 0,              /* subset of the function */
+    20, 0, 3, 0,                                            /* compatible id */
+    'W', 'I', 'N', 'U', 'S', 'B', 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+    132, 0, 4, 0, 7, 0, 42, 0 /* registry property: a list of strings, a name of 42 bytes */
+};
 /* clang-format on */
 
 static const char guids_name[] = "DeviceInterfaceGUIDs";

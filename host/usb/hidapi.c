@@ -92,6 +92,7 @@ static enum usb_link_status hid_link_send(struct usb_link *link, const uint8_t *
         if (hid_write(hid->device, report, sizeof report) < 0) {
             return lose(hid);
         }
+        hid->link.transfers++;
     }
     return USB_LINK_OK;
 }
@@ -110,14 +111,15 @@ static enum usb_link_status hid_link_receive(struct usb_link *link, uint8_t *byt
         if (got < 0) {
             return lose(hid);
         }
+        hid->link.transfers += got > 0;
         size_t length = usb_report_length(report, (size_t)got);
         if (length > 0 && length <= room) {
             memcpy(bytes, report + 1, length);
             *count = length;
             return USB_LINK_OK;
         }
-        if (got == 0 && left <= 0) {
-            return USB_LINK_TIMEOUT;
+        if (left <= 0) {
+            return USB_LINK_TIMEOUT; /* also if empty reports come without end */
         }
     }
 }
@@ -137,7 +139,7 @@ static enum usb_open_status open_device(struct hid_link *hid, const char *serial
     if (hid->device == NULL) {
         if (errno == EACCES || errno == EPERM) {
             usb_explain_access(reason, found[index].path);
-            return USB_OPEN_REFUSED;
+            return USB_OPEN_DENIED;
         }
         (void)snprintf(reason, USB_LINK_REASON_SIZE, "%.100s: can't be opened: %s",
                        found[index].path, errno != 0 ? strerror(errno) : "hidapi does not say why");

@@ -136,6 +136,7 @@ static void submit(struct bulk_transfer *transfer) {
 static void LIBUSB_CALL out_is_done(struct libusb_transfer *transfer) {
     struct bulk_transfer *own = transfer->user_data;
     own->is_busy = false;
+    own->owner->link.transfers++;
     switch (transfer->status) {
     case LIBUSB_TRANSFER_COMPLETED:
     case LIBUSB_TRANSFER_CANCELLED:
@@ -161,6 +162,7 @@ static void LIBUSB_CALL in_is_done(struct libusb_transfer *transfer) {
     switch (transfer->status) {
     case LIBUSB_TRANSFER_COMPLETED:
     case LIBUSB_TRANSFER_TIMED_OUT:
+        own->owner->link.transfers++;
         enqueue(own->owner, own->bytes, (size_t)transfer->actual_length);
         submit(own);
         break;
@@ -357,7 +359,7 @@ static enum usb_open_status claim(struct bulk_link *bulk, const struct usb_found
     if (error == LIBUSB_ERROR_ACCESS) {
         bulk->handle = NULL;
         usb_explain_access(reason, found->path);
-        return USB_OPEN_REFUSED;
+        return USB_OPEN_DENIED;
     }
     if (error == 0) {
         error = find_endpoints(bulk, found->device)

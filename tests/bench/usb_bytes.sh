@@ -15,7 +15,10 @@ What the picture of each built-in scene costs between host and adapter, with hea
 acknowledgements go the other way. A pixel is the board's, four port accesses; the paper's 320 x 200
 rendered pixels are 2 x 2 of them. Seconds are the limits of the wire: bulk at full speed 1,216,000
 bytes a second, at high speed 53,248,000; HID with a report of 63 bytes a frame (1 ms) or microframe
-(125 us). Made by `make usb-table`.
+(125 us). Each scene in full colour, and in the 8 digital colours of the random dither where that goes:
+each dithered pixel takes 2 x 2 dots, for which fig4a and fig4b at 640 x 400 have no room. Made by
+`make usb-table`; `tests/check_usb_bytes.sh` holds fig3 to at most 3.2 bytes a pixel, and dithered ones
+to 0.5.
 
 | scene | pixels | bytes | bytes a pixel | bulk full speed, s | bulk high speed, s | HID full speed, s | HID high speed, s |
 |---|---|---|---|---|---|---|---|

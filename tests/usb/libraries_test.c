@@ -13,6 +13,7 @@
 #include <cmocka.h>
 
 #include "mock_adapter.h"
+#include "picture.h"
 #include "usb_backends.h"
 #include "usb_bus.h"
 
@@ -206,6 +207,47 @@ static void one_that_stays_away_or_silent_is_an_error_in_time(void **state) {
     }
 }
 
+/* Runs a command line; what it prints, on both streams, is in output. */
+static int run(const char *line, char *output, size_t size) {
+    FILE *pipe = popen(line, "r");
+    assert_non_null(pipe);
+    output[fread(output, 1, size - 1, pipe)] = '\0';
+    return pclose(pipe);
+}
+
+static void the_program_draws_a_scene_and_verifies_it(void **state) {
+    static const char *const buses[2] = {"usb --verify", "hid --verify=10"};
+    static const struct mock_faults none;
+    static uint8_t rgb[PICTURE_BYTES];
+    char line[512], output[4096], emulated[9], crc[9];
+    const char *program = getenv("SUPERFRAME");
+    (void)state;
+    assert_non_null(program);
+    (void)snprintf(line, sizeof line,
+                   "'%s' render fig3 --size 64x40 --quiet -o /dev/null --stats -", program);
+    assert_int_equal(run(line, output, sizeof output), 0);
+    const char *place = strstr(output, "\"frame_crc\": \"");
+    assert_non_null(place);
+    assert_int_equal(sscanf(place, "\"frame_crc\": \"%8[0-9a-f]", emulated), 1);
+    for (unsigned i = 0; i < 2; i++) {
+        mock_plug(&none);
+        (void)snprintf(line, sizeof line,
+                       "'%s' render fig3 --size 64x40 --quiet --stats - --bus %s 2>&1", program,
+                       buses[i]);
+        int status = run(line, output, sizeof output);
+        if (status != 0 || strstr(output, "pixels read back, 0 differed") == NULL) {
+            print_message("%s", output);
+        }
+        assert_int_equal(status, 0);
+        assert_non_null(strstr(output, "pixels read back, 0 differed"));
+        assert_non_null(strstr(output, "\"repaired_pixels\": 0}"));
+        (void)picture_draw(mock_board(), NULL, rgb);
+        (void)snprintf(crc, sizeof crc, "%08lx", (unsigned long)picture_crc(rgb));
+        assert_string_equal(crc, emulated);
+        mock_remove();
+    }
+}
+
 int main(int argc, char **argv) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_adapter_is_listed_by_both_ways),
@@ -217,6 +259,7 @@ int main(int argc, char **argv) {
         cmocka_unit_test(an_unplugged_adapter_goes_on_where_it_was),
         cmocka_unit_test(one_that_was_switched_off_gets_everything_again),
         cmocka_unit_test(one_that_stays_away_or_silent_is_an_error_in_time),
+        cmocka_unit_test(the_program_draws_a_scene_and_verifies_it),
     };
     (void)argc;
     (void)mock_enter(argv);

@@ -1,0 +1,155 @@
+/* SPDX-License-Identifier: MIT */
+/* What the statistics say of the cable is what went over it. */
+#include <stdlib.h>
+
+#include "usb_fixture.h"
+
+#include "adapter_bus.h"
+
+static struct cable cable;
+static struct adapter_bus adapter;
+
+/* A link that counts by itself what it hands on to the cable, each call as one transfer. */
+static struct {
+    struct usb_link link; /* the first member */
+    size_t sent, received, calls;
+} meter;
+
+static enum usb_link_status meter_send(struct usb_link *link, const uint8_t *bytes, size_t count) {
+    meter.sent += count;
+    meter.calls++;
+    link->transfers++;
+    return cable.link.operations->send(&cable.link, bytes, count);
+}
+
+static enum usb_link_status meter_receive(struct usb_link *link, uint8_t *bytes, size_t room,
+                                          unsigned timeout_ms, size_t *count) {
+    enum usb_link_status status =
+        cable.link.operations->receive(&cable.link, bytes, room, timeout_ms, count);
+    meter.received += status == USB_LINK_OK ? *count : 0;
+    meter.calls += status == USB_LINK_OK;
+    link->transfers += status == USB_LINK_OK;
+    return status;
+}
+
+static enum usb_link_status meter_reopen(struct usb_link *link, unsigned timeout_ms) {
+    (void)link;
+    return cable.link.operations->reopen(&cable.link, timeout_ms);
+}
+
+static void meter_close(struct usb_link *link) {
+    (void)link;
+}
+
+static void plug_in(const struct cable_faults *faults) {
+    static const struct usb_link_operations operations = {meter_send, meter_receive, meter_reopen,
+                                                          meter_close};
+    struct usb_limits limits = quick_limits(3);
+    power_on(BOARD_1987);
+    cable_plug(&cable, faults, 3, &board_bus.bus, &board);
+    memset(&meter, 0, sizeof meter);
+    memset(&adapter, 0, sizeof adapter);
+    meter.link.operations = &operations;
+    limits.retries = 50;
+    adapter.name = "usb";
+    adapter.link = &meter.link;
+    adapter.usb = usb_bus_new(&meter.link, 0x00D0, &limits);
+    assert_non_null(adapter.usb);
+}
+
+static void draw(void) {
+    for (unsigned y = 0; y < 40; y++) {
+        (void)bus_read(&adapter.usb->bus, 0x00DE, BUS_BYTE); /* waits for its reply */
+        bus_write(&adapter.usb->bus, 0x00D6, (uint16_t)y, BUS_WORD);
+        for (unsigned x = 0; x < BOARD_WIDTH; x++) {
+            bus_write(&adapter.usb->bus, 0x00D4, (uint16_t)x, BUS_WORD);
+            for (unsigned i = 0; i < 3; i++) {
+                bus_write(&adapter.usb->bus, (uint16_t)(0x00D8 + 2 * i),
+                          (uint16_t)((x * (y + 3 * i + 1)) & 0xFF), BUS_BYTE);
+            }
+        }
+    }
+    assert_int_equal(bus_flush(&adapter.usb->bus), BUS_OK);
+}
+
+static const char *written(void) {
+    static char text[1024];
+    FILE *file = tmpfile();
+    assert_non_null(file);
+    adapter_bus_write_stats(&adapter, file);
+    rewind(file);
+    text[fread(text, 1, sizeof text - 1, file)] = '\0';
+    (void)fclose(file);
+    return text;
+}
+
+static unsigned long count_of(const char *key) {
+    char quoted[64];
+    (void)snprintf(quoted, sizeof quoted, "\"%s\": ", key);
+    const char *place = strstr(written(), quoted);
+    assert_non_null(place);
+    return strtoul(place + strlen(quoted), NULL, 10);
+}
+
+static void a_good_cable_is_counted_byte_by_byte(void **state) {
+    const struct cable_faults none = {0};
+    (void)state;
+    plug_in(&none);
+    draw();
+    assert_int_equal(count_of("bytes_out"), meter.sent);
+    assert_int_equal(count_of("bytes_in"), meter.received);
+    assert_int_equal(count_of("transfers"), meter.calls);
+    assert_int_equal(count_of("frames"), cable.device.adapter.last);
+    assert_int_equal(count_of("resent") + count_of("timeouts") + count_of("stalls") +
+                         count_of("reconnects") + count_of("restarts"),
+                     0);
+    assert_non_null(strstr(written(), "\"bus\": \"usb\""));
+    assert_non_null(strstr(written(), "\"verified_pixels\": null, \"repaired_pixels\": null},\n"));
+    adapter_bus_close(&adapter);
+}
+
+static void what_goes_wrong_shows_in_the_counts(void **state) {
+    static const struct {
+        const char *key;
+        struct cable_faults faults;
+    } cases[] = {{"resent", {.lose = 20}},
+                 {"timeouts", {.lose_reply = 2}},
+                 {"stalls", {.stall = 8}},
+                 {"reconnects", {.unplug = 10, .unplugs_most = 1000}},
+                 {"restarts", {.unplug = 20, .power_cycle = 1, .unplugs_most = 1000}}};
+    (void)state;
+    for (unsigned i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        plug_in(&cases[i].faults);
+        draw();
+        assert_true(count_of(cases[i].key) > 0);
+        assert_int_equal(count_of("reconnects"), cable.unplugs);
+        assert_int_equal(count_of("restarts"), cable.power_cycles);
+        assert_int_equal(count_of("bytes_out"), meter.sent);
+        assert_int_equal(count_of("bytes_in"), meter.received);
+        adapter_bus_close(&adapter);
+    }
+}
+
+static void verified_and_repaired_pixels_are_counted(void **state) {
+    const struct cable_faults none = {0};
+    static struct options options;
+    (void)state;
+    plug_in(&none);
+    draw();
+    board.memory[3 * 17] ^= 0x40;
+    board.memory[3 * (BOARD_WIDTH + 5) + 2] ^= 0x01;
+    options.adapter.verify_percent = 100;
+    assert_int_equal(adapter_bus_verify(&adapter, &options), 0);
+    assert_int_equal(count_of("verified_pixels"), 40 * BOARD_WIDTH);
+    assert_int_equal(count_of("repaired_pixels"), 2);
+    adapter_bus_close(&adapter);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_good_cable_is_counted_byte_by_byte),
+        cmocka_unit_test(what_goes_wrong_shows_in_the_counts),
+        cmocka_unit_test(verified_and_repaired_pixels_are_counted),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
