@@ -74,22 +74,13 @@ posix() {
         tests/targets/posix_main.c $objects -lm
 }
 
-# pc98 MODE OPTIONS LOAD_ADDRESS ROOM: the image, the boot sector, the disk.
+. $here/pc98/disk.sh
+
+# pc98 MODE OPTIONS LOAD_ADDRESS ROOM: the renderer's disk.
+# shellcheck disable=SC2086 # lists of words
 pc98() {
-    # -Wa,-march: the assembler refuses what a 386 without 387 does not have.
-    $CC $2 -march=i386 -mno-80387 -Wa,-march=i386+no87 $flags $gnu -fno-pic -fno-pie -no-pie \
-        -static -fno-stack-protector -fno-asynchronous-unwind-tables -fcf-protection=none \
-        -mpreferred-stack-boundary=2 -Wl,--build-id=none "-DTARGET_TITLE=\"$name\"" \
-        -I$here/pc98 -Wl,--defsym=load_address="$3",--defsym=room="$4" -Wl,-T,$here/pc98/link.ld \
-        -o "$folder/image.elf" $firmware $here/pc98/main.c $here/pc98/machine.c \
-        $here/pc98/ports.c $here/common/memory.c "$here/pc98/start_$1.S"
-    objcopy -O binary "$folder/image.elf" "$folder/image.bin"
-    bytes=$(wc -c < "$folder/image.bin")
-    $CC -m16 -DIMAGE_SECTORS=$(((bytes + 1023) / 1024)) -nostdlib -static -no-pie \
-        -Wl,--build-id=none -Wl,-T,$here/pc98/boot.ld -Wl,--oformat=binary \
-        -o "$folder/boot.bin" $here/pc98/boot.S
-    cat "$folder/boot.bin" "$folder/image.bin" > "$folder/disk.hdm"
-    truncate -s 1261568 "$folder/disk.hdm"
+    pc98_disk "$1" "$2" "$3" "$4" $flags $gnu "-DTARGET_TITLE=\"$name\"" $firmware \
+        $here/pc98/main.c
 }
 
 pc98_flat() {
