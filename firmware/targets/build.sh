@@ -33,11 +33,18 @@ else
     cp firmware/features/full/feature_set.h "$folder/tables/feature_set.h"
 fi
 
+# fx has a folder for each kind of CPU; the bits are the same.
+real=$arithmetic
+case $arithmetic-$target in
+fx-cortex-m0) real=fx_16 ;;
+fx-cortex-* | fx-rv32im | fx-gcc-m32 | fx-powerpc | fx-386-* | fx-qemu-486*) real=fx_32 ;;
+esac
+
 # What every compiler gets. Copies are loops: see common/memory.c.
 flags="-std=c99 -pedantic -Wall -Wextra -Wconversion -Wshadow -Werror -ffreestanding
  -ffp-contract=off -ffunction-sections -fdata-sections
  -DTARGET_IMAGE=image_$arithmetic -DTARGET_SCENE=$symbol
- -Ifirmware/real/$arithmetic -I$folder/tables -Ihal -Ifirmware -I$here/common"
+ -Ifirmware/real/$real -I$folder/tables -Ihal -Ifirmware -I$here/common"
 firmware="firmware/*.c $folder/scene.c"
 gnu='-fno-tree-loop-distribute-patterns -fstack-usage -fcallgraph-info=su -nostdlib -Wl,--gc-sections'
 records="$here/common/frame.c $here/common/port_records.c"
