@@ -31,11 +31,11 @@ static inline int64_t fixed_rounded(int64_t v, unsigned shift) {
     return (v + ((int64_t)1 << (shift - 1)) + (v >> 63)) >> shift;
 }
 
-/* The low 32 bits of an exact result, and whether they are all of it, brought into a 32-bit format.
- * The result is negative where `negative` says so, if they are not. */
-static inline int32_t fixed_ended(int32_t low, bool fits, bool negative) {
+/* The low 32 bits of an exact result, and whether they are all of it, brought into a 32-bit format;
+ * if they are not, the end is that of the sign of `sign`. */
+static inline int32_t fixed_ended(int32_t low, bool fits, int32_t sign) {
     if (!fits) {
-        return negative ? -FIXED_MOST : FIXED_MOST;
+        return sign < 0 ? -FIXED_MOST : FIXED_MOST;
     }
     return low + (low == INT32_MIN);
 }
@@ -43,7 +43,7 @@ static inline int32_t fixed_ended(int32_t low, bool fits, bool negative) {
 /* v brought into a 32-bit format. */
 static inline int32_t fixed_saturated(enum fixed_operation operation, int64_t v) {
     fixed_watch(operation, v, v > FIXED_MOST || v < -(int64_t)FIXED_MOST);
-    return fixed_ended((int32_t)v, fixed_fits(v), v < 0);
+    return fixed_ended((int32_t)v, fixed_fits(v), (int32_t)(v >> 32));
 }
 
 /* v / 2^shift to nearest, which is known to fit, 1 <= shift <= 32. */
@@ -58,7 +58,7 @@ static inline int32_t fixed_result(enum fixed_operation operation, int64_t v, un
     v = fixed_with_half(v, shift);
     int32_t low = fixed_shifted(v, shift, &fits);
     fixed_watch(operation, v >> shift, !fits || low == INT32_MIN);
-    return fixed_ended(low, fits, v < 0);
+    return fixed_ended(low, fits, (int32_t)(v >> 32));
 }
 
 /* a + b and a - b, brought into a 32-bit format. What does not fit has the sign of a. */
@@ -66,14 +66,14 @@ static inline int32_t fixed_added(enum fixed_operation operation, int32_t a, int
     bool fits;
     int32_t low = fixed_sum(a, b, &fits);
     fixed_watch(operation, (int64_t)a + b, !fits || low == INT32_MIN);
-    return fixed_ended(low, fits, a < 0);
+    return fixed_ended(low, fits, a);
 }
 
 static inline int32_t fixed_subtracted(enum fixed_operation operation, int32_t a, int32_t b) {
     bool fits;
     int32_t low = fixed_difference(a, b, &fits);
     fixed_watch(operation, (int64_t)a - b, !fits || low == INT32_MIN);
-    return fixed_ended(low, fits, a < 0);
+    return fixed_ended(low, fits, a);
 }
 
 static inline uint32_t fixed_magnitude(int32_t a) {

@@ -46,7 +46,8 @@ flags="-std=c99 -pedantic -Wall -Wextra -Wconversion -Wshadow -Werror -ffreestan
  -DTARGET_IMAGE=image_$arithmetic -DTARGET_SCENE=$symbol
  -Ifirmware/real/$real -I$folder/tables -Ihal -Ifirmware -I$here/common"
 firmware="firmware/*.c $folder/scene.c"
-gnu='-fno-tree-loop-distribute-patterns -fstack-usage -fcallgraph-info=su -nostdlib -Wl,--gc-sections'
+# Without -fno-tree-pre gcc follows a number that was saturated as one of 64 bits, and multiplies it so.
+gnu='-fno-tree-pre -fno-tree-loop-distribute-patterns -fstack-usage -fcallgraph-info=su -nostdlib -Wl,--gc-sections'
 records="$here/common/frame.c $here/common/port_records.c"
 semihosting="$records $here/common/memory.c $here/common/semihosting_sink.c"
 # A square root for those without one.
