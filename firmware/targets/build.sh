@@ -33,6 +33,17 @@ else
     cp firmware/features/full/feature_set.h "$folder/tables/feature_set.h"
 fi
 
+# A multiple exposure takes a camera whose shutter is opened eight times.
+case $target in
+386-* | qemu-486* | wasm)
+    if grep -q SHOW_EXPOSURES "$folder/scene.c"; then
+        echo "build.sh: $target shows one picture, and \"$scene\" is a multiple exposure;" \
+            'allowed are colour = "full", "bits:1" to "bits:8" and "dither"' >&2
+        exit 1
+    fi
+    ;;
+esac
+
 # fx has a folder for each kind of CPU; the bits are the same.
 real=$arithmetic
 case $arithmetic-$target in

@@ -29,10 +29,10 @@ for real in fx fx_32 fx_16; do
         fi
     done
 done
-# The port accesses have no arithmetic.
-for source in hal/bus.c hal/null_bus.c; do
-    avr-gcc -mmcu=atmega2560 -std=c99 -pedantic -Wall -Wextra -Werror -Os -Ihal -c \
-        -o "$work/hal.o" "$source" || failures=$((failures + 1))
+# All of hal/ but the encoder for USB: its table of 50 KB is larger than such a machine's objects.
+for source in hal/*.c hal/usb/*.c; do
+    [ "$source" = hal/usb/usb_encoder.c ] || avr-gcc -mmcu=atmega2560 -std=c99 -pedantic -Wall -Wextra \
+        -Werror -Os -Ihal -Ihal/usb -c -o "$work/hal.o" "$source" || failures=$((failures + 1))
 done
 echo "int of 16 bits: $failures wrong"
 [ $failures -eq 0 ]
