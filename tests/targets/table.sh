@@ -4,7 +4,8 @@
 #
 # The page's lines between "<!-- targets -->" and "<!-- end of targets -->" are replaced. The
 # reference is what the native program gives in the same run. TARGETS and FLOAT_TARGETS name fewer
-# targets; JOBS run at a time (2), each for TARGET_TIMEOUT seconds at most (1500).
+# targets; JOBS run at a time (2), each for TARGET_TIMEOUT seconds at most (1500). SIZE and DEPTH are
+# the picture's: 320x200 and 10 in the page, less for a trial.
 # Exit status: 0 every hash is the native one, 1 one is not, and the page is as it was.
 set -eu
 
@@ -12,8 +13,8 @@ page=$1
 BUILD=${BUILD:-build}
 SUPERFRAME=${SUPERFRAME:-$BUILD/superframe}
 TARGET_TIMEOUT=${TARGET_TIMEOUT:-1500}
-SIZE=320x200
-DEPTH=10
+SIZE=${SIZE:-320x200}
+DEPTH=${DEPTH:-10}
 export BUILD SUPERFRAME TARGET_TIMEOUT SIZE DEPTH
 here=$(dirname "$0")
 work=$BUILD/targets/table
@@ -34,14 +35,22 @@ native_hash() {
 
 # All runs as "TARGET ARITHMETIC SCENE FOLDER", the longest ones first: they are at the lists' ends.
 runs() {
-    for scene in fig3 fig4b; do
-        for target in $TARGETS; do
-            echo "$target fx $scene $work/$target-fx-$scene"
-        done
+    {
         for target in $FLOAT_TARGETS; do
-            echo "$target f32 $scene $work/$target-f32-$scene"
+            echo "$target f32"
         done
-    done | awk '{ line[NR] = $0 } END { for (i = NR; i > 0; i--) print line[i] }'
+        for target in $TARGETS; do
+            echo "$target fx"
+        done
+    } | awk -v work="$work" '
+        { line[NR] = $0 }
+        END {
+            for (i = NR; i > 0; i--) {
+                split(line[i], part, " ")
+                print line[i], "fig3", work "/" part[1] "-" part[2] "-fig3"
+                print line[i], "fig4b", work "/" part[1] "-" part[2] "-fig4b"
+            }
+        }'
 }
 
 # What a row says; the name, then what it is.
