@@ -7,6 +7,7 @@
 # SCENE       what `superframe compile` takes; SIZE and DEPTH go with it, - is the scene's own
 # FEATURES    minimal: what the scene requires; full: everything
 # FOLDER      where image.elf (or .wasm, .hdm) is made
+# FIT         any: an image whose stack does not fit the machine's memory is built all the same
 # SUPERFRAME  the program (build/superframe); CC the native compiler (gcc)
 #
 # Exit status: 0 built, 1 not.
@@ -150,4 +151,25 @@ wasm) wasm ;;
     echo "build.sh: no target \"$target\"" >&2
     exit 1
     ;;
+esac
+
+# fits ROOM SECTION...: the sections and the worst stack share so many bytes.
+fits() {
+    room=$1
+    shift
+    fixed=$(size -A "$folder/image.elf" |
+        awk -v names=" $* " 'index(names, " " $1 " ") { sum += $2 } END { print sum + 0 }')
+    deep=$(sh $here/stack.sh "$target" "$folder")
+    [ $((fixed + deep)) -le "$room" ] || [ "${FIT:-}" = any ] || {
+        echo "build.sh: $scene does not fit $target: memory of $fixed bytes and a stack of $deep, where" \
+            "$room are there; choose a smaller --size or --depth, minimal features, or another target" >&2
+        exit 1
+    }
+}
+
+case $target in
+cortex-m0) fits 16384 .data .bss ;;
+cortex-m3 | cortex-m4f | rv32im) fits 65536 .data .bss ;;
+386-flat | qemu-486) fits 192512 .text .rodata .data .bss ;;
+386-real | qemu-486-real) fits 65532 .text .rodata .data .bss ;;
 esac

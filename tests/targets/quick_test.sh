@@ -127,6 +127,13 @@ lacking_feature() {
         -I"$work/lacking" -Ifirmware -Ihal "$work/lacking/scene.c"
 }
 
+# A scene whose stack does not fit the machine is refused when it is built, with what would fit.
+too_large() {
+    expect 1 'fig5 does not fit 386-real: .* choose a smaller --size or --depth, minimal features' \
+        sh firmware/targets/build.sh 386-real fx fig5 $SIZE $DEPTH full "$work/large"
+    expect 0 '' sh firmware/targets/build.sh 386-real fx fig5 $SIZE $DEPTH minimal "$work/large"
+}
+
 # --minimal knows every feature that there is.
 feature_names() {
     "$SUPERFRAME" compile fig3 --minimal -o - | grep -o 'FEATURE_[A-Z_]* =' | sort > "$work/minimal.txt"
@@ -167,4 +174,5 @@ bad_images
 screens
 exposures
 lacking_feature
+too_large
 [ $failures -eq 0 ]

@@ -22,23 +22,9 @@ section() {
         awk -v names=" $* " 'index(names, " " $1 " ") { sum += $2 } END { print sum + 0 }'
 }
 
-# The worst stack. A function of the compiler's library takes at most 32 bytes (the largest is
-# __aeabi_ldivmod's kin; a leaf pushes up to 6 registers).
-stack() {
-    case $target in
-    386-*) entry=pc98_main calls='pc98_main>firmware/image.c:image_draw
-firmware/image.c:image_draw>firmware/targets/pc98/main.c:next_row
-firmware/targets/pc98/main.c:next_row>firmware/image.c:image_row' ;;
-    rv32im) entry=frame_draw calls='frame_draw>firmware/image.c:image_draw' ;;
-    *) entry=reset calls='frame_draw>firmware/image.c:image_draw' ;;
-    esac
-    # shellcheck disable=SC2086 # lines become words
-    awk -v entry=$entry -v library=32 -v calls="$(echo $calls)" -f "$here/stack.awk" "$folder"/*.ci
-}
-
 # build SIZE
 build() {
-    sh firmware/targets/build.sh "$target" "$arithmetic" fig3 "$1" 10 "$features" "$folder" \
+    FIT=any sh firmware/targets/build.sh "$target" "$arithmetic" fig3 "$1" 10 "$features" "$folder" \
         > "$folder.log" 2>&1 || fail 'not built'
 }
 
@@ -54,7 +40,7 @@ build 320x200
 if [ "$target" = wasm ]; then
     sizes="$(wc -c < "$folder/image.wasm") - - -"
 else
-    deep=$(stack)
+    deep=$(sh firmware/targets/stack.sh "$target" "$folder")
     sizes="$(section .text .ARM.exidx) $(section .rodata) $(($(section .bss .data) + deep)) $deep"
 fi
 echo "$target $arithmetic fig3 $features $sizes $count" > "$folder.size"
