@@ -228,6 +228,12 @@ static const char *table(int count, const char *name) {
     return count > 0 ? name : "0";
 }
 
+/* By enum compiled_show; firmware/targets/build.sh looks for the last one. */
+static const char *const show_names[] = {[COMPILED_FULL] = "SHOW_FULL",
+                                         [COMPILED_BITS] = "SHOW_BITS",
+                                         [COMPILED_DITHER] = "SHOW_DITHER",
+                                         [COMPILED_EXPOSURES] = "SHOW_EXPOSURES"};
+
 static void emit_scene(FILE *out, const struct compiled_scene *scene, const char *name) {
     fprintf(out, "\nextern const struct scene scene_%s;\n\nconst struct scene scene_%s = {\n", name,
             name);
@@ -253,7 +259,7 @@ static void emit_scene(FILE *out, const struct compiled_scene *scene, const char
         table(scene->pattern_count, "patterns"),
         table(scene->specular_table_count, "specular_tables"), table(scene->light_count, "lights"));
     emit_set(out, &scene->shadow_primitives, features_primitive_words(scene));
-    fprintf(out, ",\n    %u, %u, UINT32_C(%lu)};\n", scene->show, scene->show_bits,
+    fprintf(out, ",\n    %s, %u, UINT32_C(%lu)};\n", show_names[scene->show], scene->show_bits,
             (unsigned long)scene->seed);
 }
 

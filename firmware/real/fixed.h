@@ -71,11 +71,11 @@ typedef int64_t real_wide; /* 46 bits of fraction */
 /* ---- Lengths --------------------------------------------------------------------------------- */
 
 static inline real_length length_add(real_length a, real_length b) {
-    return fixed_saturated(FIXED_length_add, (int64_t)a + b);
+    return fixed_added(FIXED_length_add, a, b);
 }
 
 static inline real_length length_subtract(real_length a, real_length b) {
-    return fixed_saturated(FIXED_length_subtract, (int64_t)a - b);
+    return fixed_subtracted(FIXED_length_subtract, a, b);
 }
 
 static inline real_length length_negate(real_length a) {
@@ -92,8 +92,7 @@ static inline bool length_is_zero(real_length a) {
 
 static inline real_length length_along(real_length origin, real_length t, real_unit u) {
     /* 2^61 + 2^62 */
-    return fixed_result(FIXED_length_along, (int64_t)origin * FIXED_UNIT_ONE + fixed_times(t, u),
-                        30);
+    return fixed_result(FIXED_length_along, fixed_raised(origin, 30) + fixed_times(t, u), 30);
 }
 
 static inline real_length length_dot(real_length x, real_length y, real_length z, real_unit u,
@@ -119,7 +118,7 @@ static inline real_slope slope_of(real_unit u) {
 
 /* Error <= 1/2 LSB + |a/u| 2^-31. Monotonic, because product, rounding and saturation are. */
 static inline real_length length_over(real_length a, real_slope slope) {
-    return fixed_saturated(FIXED_length_over, fixed_over(a, slope));
+    return fixed_over(FIXED_length_over, a, slope);
 }
 
 /* floor(a / size) is -1 - floor((-1 - a) / size) for a < 0, and -1 - a is ~a. */
@@ -179,8 +178,8 @@ static inline real_area area_scaled(real_area a, real_unit u) {
     uint64_t area = fixed_magnitude64(a);
     uint32_t factor = fixed_magnitude(u);
     /* 4 * 2^31 (2^31 - 1) = 2^64 - 2^33, and 2^33 is more than the low half adds. */
-    uint64_t high = 4 * ((area >> 32) * factor);
-    uint64_t low = ((area & UINT32_MAX) * factor + (UINT64_C(1) << 29)) >> 30;
+    uint64_t high = 4 * (fixed_times_unsigned((uint32_t)(area >> 32), factor));
+    uint64_t low = (fixed_times_unsigned((uint32_t)area, factor) + (UINT64_C(1) << 29)) >> 30;
     bool saturated = high + low > (uint64_t)INT64_MAX;
     int64_t scaled = saturated ? INT64_MAX : (int64_t)(high + low);
     fixed_watch(FIXED_area_scaled, scaled, saturated);
@@ -198,7 +197,8 @@ static inline real_length length_quotient(real_area a, real_length b) {
     unsigned zeros = fixed_leading_zeros(divisor);
     uint32_t r = fixed_reciprocal(divisor << zeros); /* 2^62 / (B 2^zeros), at most 2^31 */
     /* (A r) / 2^32 < 2^62: what the low half drops is below one. */
-    uint64_t quotient = (area >> 32) * r + ((area & UINT32_MAX) * r >> 32);
+    uint64_t quotient = fixed_times_unsigned((uint32_t)(area >> 32), r) +
+                        (fixed_times_unsigned((uint32_t)area, r) >> 32);
     int64_t shifted = zeros < 30            ? fixed_rounded((int64_t)quotient, 30 - zeros)
                       : quotient >> 31 != 0 ? (int64_t)1 << 32
                                             : (int64_t)(quotient << (zeros - 30));
@@ -235,19 +235,19 @@ static inline real_unit unit_product(real_unit a, real_unit b) {
 }
 
 static inline real_unit unit_add(real_unit a, real_unit b) {
-    return fixed_saturated(FIXED_unit_add, (int64_t)a + b);
+    return fixed_added(FIXED_unit_add, a, b);
 }
 
 static inline real_wide wide_component(real_unit forward, real_unit column, int16_t x,
                                        real_unit row, int16_t y, unsigned shift) {
     /* Without loss: 2^47 + (2 * 2^15 * 2^31) 2^16 = 2^63 at the very ends of int16_t; 2^58.4 for
      * the coordinates of a picture. */
-    return (int64_t)forward * 65536 +
+    return fixed_raised(forward, 16) +
            (fixed_times(column, x) + fixed_times(row, y)) * ((int64_t)1 << (16 - shift));
 }
 
 static inline real_wide wide_sum(real_unit a, real_unit b) {
-    return ((int64_t)a + b) * 65536;
+    return fixed_raised(a, 16) + fixed_raised(b, 16);
 }
 
 /* The slope by which x, y and z are to be taken to have length 1, for norm = x^2 + y^2 + z^2 > 0,
@@ -257,7 +257,7 @@ static inline struct fixed_slope fixed_slope_of_norm(uint64_t norm, uint32_t *le
     unsigned half = fixed_leading_zeros64(norm) / 2;
     uint32_t root = fixed_root_of_normal(norm << (2 * half), &rest);
     uint32_t floor = root >> half;
-    *length = floor + (norm - (uint64_t)floor * floor > floor);
+    *length = floor + (norm - fixed_times_unsigned(floor, floor) > floor);
     if (rest > root && root < UINT32_MAX) {
         root++;
     }
@@ -284,9 +284,9 @@ static inline void unit_normalise_wide(real_wide x, real_wide y, real_wide z, re
     int32_t c = fixed_narrowed(z, shift);
     uint32_t length;
     struct fixed_slope slope = fixed_slope_of_norm(fixed_norm(a, b, c), &length);
-    *u = fixed_saturated(FIXED_unit_normalise_wide, fixed_over(a, slope));
-    *v = fixed_saturated(FIXED_unit_normalise_wide, fixed_over(b, slope));
-    *w = fixed_saturated(FIXED_unit_normalise_wide, fixed_over(c, slope));
+    *u = fixed_over(FIXED_unit_normalise_wide, a, slope);
+    *v = fixed_over(FIXED_unit_normalise_wide, b, slope);
+    *w = fixed_over(FIXED_unit_normalise_wide, c, slope);
 }
 
 static inline void unit_normalise_lengths(real_length x, real_length y, real_length z, real_unit *u,
@@ -299,21 +299,21 @@ static inline void unit_normalise_lengths(real_length x, real_length y, real_len
     }
     uint32_t root;
     struct fixed_slope slope = fixed_slope_of_norm(norm, &root);
-    *u = (real_unit)fixed_over(x, slope);
-    *v = (real_unit)fixed_over(y, slope);
-    *w = (real_unit)fixed_over(z, slope);
+    *u = fixed_near(fixed_times(x, slope.mantissa), slope.shift);
+    *v = fixed_near(fixed_times(y, slope.mantissa), slope.shift);
+    *w = fixed_near(fixed_times(z, slope.mantissa), slope.shift);
     *length = fixed_saturated(FIXED_unit_normalise_lengths, root);
 }
 
 static inline real_unit unit_mirrored(real_unit d, real_unit c, real_unit n) {
     /* d + 2cn, halved: 2^60 + 2^62 */
-    return fixed_result(FIXED_unit_mirrored, (int64_t)d * (FIXED_UNIT_ONE / 2) + fixed_times(c, n),
-                        29);
+    return fixed_result(FIXED_unit_mirrored, fixed_raised(d, 29) + fixed_times(c, n), 29);
 }
 
 /* a * factor / 2^32, truncated, of an unsigned 64-bit a. Below 2^64 where a factor < 2^96. */
 static inline uint64_t fixed_product_high(uint64_t a, uint32_t factor) {
-    return (a >> 32) * factor + (((a & UINT32_MAX) * factor) >> 32);
+    return fixed_times_unsigned((uint32_t)(a >> 32), factor) +
+           (fixed_times_unsigned((uint32_t)a, factor) >> 32);
 }
 
 static inline bool unit_refracted_cosine(real_unit c, real_index eta, real_unit *refracted) {
@@ -321,7 +321,7 @@ static inline bool unit_refracted_cosine(real_unit c, real_index eta, real_unit 
     uint32_t cosine = c > FIXED_UNIT_ONE ? FIXED_UNIT_ONE : c > 0 ? (uint32_t)c : 0;
     uint32_t one = FIXED_UNIT_ONE;
     uint32_t ratio = (uint32_t)eta;
-    uint64_t square = (uint64_t)(one - cosine) * (one + cosine); /* sin^2 2^60, exact */
+    uint64_t square = fixed_times_unsigned(one - cosine, one + cosine); /* sin^2 2^60, exact */
     /* eta^2 sin^2 in 52 bits of fraction, below 2^58; each step loses less than 8 LSB of those. */
     uint64_t bent = fixed_product_high(fixed_product_high(square, ratio), ratio);
     if (bent > UINT64_C(1) << 52) {
@@ -334,8 +334,7 @@ static inline bool unit_refracted_cosine(real_unit c, real_index eta, real_unit 
 
 static inline real_index index_bend(real_index eta, real_unit c, real_unit refracted) {
     /* 2^62 + 2^59 */
-    return fixed_result(FIXED_index_bend,
-                        fixed_times(eta, c) - (int64_t)refracted * (INT32_C(1) << 28), 30);
+    return fixed_result(FIXED_index_bend, fixed_times(eta, c) - fixed_raised(refracted, 28), 30);
 }
 
 static inline real_unit unit_bent(real_unit d, real_index eta, real_index bend, real_unit n) {
@@ -354,15 +353,15 @@ static inline real_index index_scaled(real_index a, real_unit u) {
 }
 
 static inline real_index index_of_unit(real_unit u) {
-    return (real_index)fixed_rounded(u, 2);
+    return fixed_near(u, 2);
 }
 
 static inline real_index index_add(real_index a, real_index b) {
-    return fixed_saturated(FIXED_index_add, (int64_t)a + b);
+    return fixed_added(FIXED_index_add, a, b);
 }
 
 static inline real_index index_subtract(real_index a, real_index b) {
-    return fixed_saturated(FIXED_index_subtract, (int64_t)a - b);
+    return fixed_subtracted(FIXED_index_subtract, a, b);
 }
 
 /* ---- Energies -------------------------------------------------------------------------------- */
@@ -372,11 +371,11 @@ static inline real_energy energy_product(real_energy a, real_energy b) {
 }
 
 static inline real_energy energy_add(real_energy a, real_energy b) {
-    return fixed_saturated(FIXED_energy_add, (int64_t)a + b);
+    return fixed_added(FIXED_energy_add, a, b);
 }
 
 static inline real_energy energy_complement(real_energy a) {
-    return fixed_saturated(FIXED_energy_complement, (int64_t)FIXED_UNIT_ONE - a);
+    return fixed_subtracted(FIXED_energy_complement, FIXED_UNIT_ONE, a);
 }
 
 static inline bool energy_less(real_energy a, real_energy b) {
@@ -396,7 +395,7 @@ static inline real_energy energy_ratio(real_index part, real_index whole) {
     if (whole == 0) {
         return 0;
     }
-    return fixed_saturated(FIXED_energy_ratio, fixed_over(part, slope_of(whole)));
+    return fixed_over(FIXED_energy_ratio, part, slope_of(whole));
 }
 
 static inline real_energy energy_mean_square(real_energy a, real_energy b) {
@@ -414,13 +413,13 @@ static inline real_energy energy_power(real_energy base, uint16_t exponent) {
     }
     for (;;) {
         if (exponent & 1) {
-            result = (uint32_t)(((uint64_t)result * square + half) >> 31);
+            result = (uint32_t)((fixed_times_unsigned(result, square) + half) >> 31);
         }
         exponent >>= 1;
         if (exponent == 0) {
             break;
         }
-        square = (uint32_t)(((uint64_t)square * square + half) >> 31);
+        square = (uint32_t)((fixed_times_unsigned(square, square) + half) >> 31);
     }
     return (real_energy)((result + 1) >> 1);
 }
@@ -433,7 +432,7 @@ static inline real_energy energy_transmitted(real_extinction extinction, real_le
 /* ---- Colours --------------------------------------------------------------------------------- */
 
 static inline real_colour colour_add(real_colour a, real_colour b) {
-    return fixed_saturated(FIXED_colour_add, (int64_t)a + b);
+    return fixed_added(FIXED_colour_add, a, b);
 }
 
 static inline real_colour colour_scaled(real_colour a, real_energy share) {
@@ -461,7 +460,7 @@ static inline real_colour colour_faded(real_colour a, real_length distance, int 
         return 0; /* |product| < 2^62 */
     }
     if (shift > 0) {
-        return fixed_result(FIXED_colour_faded, product, (unsigned)shift);
+        return fixed_saturated(FIXED_colour_faded, fixed_rounded(product, (unsigned)shift));
     }
     /* Past the end before the shift is past it after. */
     int64_t most = product > FIXED_MOST    ? FIXED_MOST

@@ -19,40 +19,61 @@ typedef char fixed_needs_modular_conversion[(int64_t)UINT64_MAX == -1 ? 1 : -1];
  * magnitude of a value always exist. */
 #define FIXED_MOST INT32_MAX
 
-/* v / 2^shift to nearest, halves away from zero, so that a mirrored scene gives a mirrored picture.
- * 1 <= shift <= 62, |v| + 2^(shift - 1) < 2^63.
- * A negative v is lowered by one first: then a half is no longer rounded up by the floor of >>. */
+/* What is added to v before it is shifted by 1 <= shift <= 32, so that v / 2^shift comes out to
+ * nearest, halves away from zero: then a mirrored scene gives a mirrored picture. A negative v is
+ * lowered by one: a half is no longer rounded up by the floor of >>. |v| + 2^(shift - 1) < 2^63. */
+static inline int64_t fixed_with_half(int64_t v, unsigned shift) {
+    return v + (int64_t)((UINT32_C(1) << (shift - 1)) - (uint32_t)(v < 0));
+}
+
+/* v / 2^shift so rounded, 1 <= shift <= 62. */
 static inline int64_t fixed_rounded(int64_t v, unsigned shift) {
     return (v + ((int64_t)1 << (shift - 1)) + (v >> 63)) >> shift;
 }
 
-/* The same for 1 <= shift <= 32, in halves of 32 bits: a shift of 64 bits by a variable costs a
- * CPU of 32 bits a call or three times the instructions. */
-static inline int64_t fixed_rounded_near(int64_t v, unsigned shift) {
-    v += (int64_t)(UINT32_C(1) << (shift - 1)) + (v >> 63);
-    int32_t high = (int32_t)(v >> 32);
-    uint32_t low = (uint32_t)high << (32 - shift) | ((uint32_t)v >> 1) >> (shift - 1);
-    return (int64_t)((uint64_t)(uint32_t)((high >> 1) >> (shift - 1)) << 32 | low);
+/* The low 32 bits of an exact result, and whether they are all of it, brought into a 32-bit format;
+ * if they are not, the end is that of the sign of `sign`. */
+static inline int32_t fixed_ended(int32_t low, bool fits, int32_t sign) {
+    if (!fits) {
+        return sign < 0 ? -FIXED_MOST : FIXED_MOST;
+    }
+    return low + (low == INT32_MIN);
 }
 
 /* v brought into a 32-bit format. */
 static inline int32_t fixed_saturated(enum fixed_operation operation, int64_t v) {
     fixed_watch(operation, v, v > FIXED_MOST || v < -(int64_t)FIXED_MOST);
-    /* One comparison of the upper half, where a CPU of 32 bits would need four for the two ends. */
-    int32_t low = (int32_t)v;
-    if (low != v) {
-        return v < 0 ? -FIXED_MOST : FIXED_MOST;
-    }
-    return low < -FIXED_MOST ? -FIXED_MOST : low;
+    return fixed_ended((int32_t)v, fixed_fits(v), (int32_t)(v >> 32));
 }
 
-/* Both in one; the precondition is that of fixed_rounded(). */
+/* v / 2^shift to nearest, which is known to fit, 1 <= shift <= 32. */
+static inline int32_t fixed_near(int64_t v, unsigned shift) {
+    bool fits;
+    return fixed_shifted(fixed_with_half(v, shift), shift, &fits);
+}
+
+/* v / 2^shift to nearest, brought into a 32-bit format, 1 <= shift <= 32. */
 static inline int32_t fixed_result(enum fixed_operation operation, int64_t v, unsigned shift) {
-    return fixed_saturated(operation, fixed_rounded(v, shift));
+    bool fits;
+    v = fixed_with_half(v, shift);
+    int32_t low = fixed_shifted(v, shift, &fits);
+    fixed_watch(operation, v >> shift, !fits || low == INT32_MIN);
+    return fixed_ended(low, fits, (int32_t)(v >> 32));
 }
 
-static inline int64_t fixed_times(int32_t a, int32_t b) {
-    return (int64_t)a * b;
+/* a + b and a - b, brought into a 32-bit format. What does not fit has the sign of a. */
+static inline int32_t fixed_added(enum fixed_operation operation, int32_t a, int32_t b) {
+    bool fits;
+    int32_t low = fixed_sum(a, b, &fits);
+    fixed_watch(operation, (int64_t)a + b, !fits || low == INT32_MIN);
+    return fixed_ended(low, fits, a);
+}
+
+static inline int32_t fixed_subtracted(enum fixed_operation operation, int32_t a, int32_t b) {
+    bool fits;
+    int32_t low = fixed_difference(a, b, &fits);
+    fixed_watch(operation, (int64_t)a - b, !fits || low == INT32_MIN);
+    return fixed_ended(low, fits, a);
 }
 
 static inline uint32_t fixed_magnitude(int32_t a) {

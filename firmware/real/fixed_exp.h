@@ -14,13 +14,13 @@
 static inline uint64_t fixed_power_of_half(uint32_t f) {
     const uint64_t half = UINT64_C(1) << 31;
     uint32_t sum = UINT32_C(0xBDA5A379);
-    sum = UINT32_C(0x9C1FFE34) - (uint32_t)(((uint64_t)f * sum) >> 36);
-    sum = UINT32_C(0xAE51609A) - (uint32_t)(((uint64_t)f * sum) >> 35);
-    sum = UINT32_C(0x9D906A32) - (uint32_t)(((uint64_t)f * sum) >> 35);
-    sum = UINT32_C(0xE358126E) - (uint32_t)(((uint64_t)f * sum) >> 34);
-    sum = UINT32_C(0xF5FDEF2C) - (uint32_t)(((uint64_t)f * sum) >> 34);
-    sum = UINT32_C(0xB17217F7) - (uint32_t)(((uint64_t)f * sum + 2 * half) >> 34);
-    return (UINT64_C(1) << 32) - (((uint64_t)f * sum + half) >> 32);
+    sum = UINT32_C(0x9C1FFE34) - (uint32_t)((fixed_times_unsigned(f, sum)) >> 36);
+    sum = UINT32_C(0xAE51609A) - (uint32_t)((fixed_times_unsigned(f, sum)) >> 35);
+    sum = UINT32_C(0x9D906A32) - (uint32_t)((fixed_times_unsigned(f, sum)) >> 35);
+    sum = UINT32_C(0xE358126E) - (uint32_t)((fixed_times_unsigned(f, sum)) >> 34);
+    sum = UINT32_C(0xF5FDEF2C) - (uint32_t)((fixed_times_unsigned(f, sum)) >> 34);
+    sum = UINT32_C(0xB17217F7) - (uint32_t)((fixed_times_unsigned(f, sum) + 2 * half) >> 34);
+    return (UINT64_C(1) << 32) - ((fixed_times_unsigned(f, sum) + half) >> 32);
 }
 
 /* exp(-x / 2^48) 2^30 to nearest, for 0 <= x < 2^63; the error is below 1.1. */
@@ -30,7 +30,8 @@ static inline int32_t fixed_exponential(uint64_t x) {
         return 0;
     }
     /* Halvings in 47 bits of fraction: below 2^52. */
-    uint64_t halvings = (x >> 32) * log2_e + (((x & UINT32_MAX) * log2_e) >> 32);
+    uint64_t halvings = fixed_times_unsigned((uint32_t)(x >> 32), log2_e) +
+                        ((fixed_times_unsigned((uint32_t)x, log2_e)) >> 32);
     halvings += UINT32_C(1) << 14; /* the fraction to nearest */
     uint64_t power = fixed_power_of_half((uint32_t)(halvings >> 15));
     unsigned shift = 2 + (unsigned)(halvings >> 47);

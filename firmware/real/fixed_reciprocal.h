@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Reciprocals and quotients by one 32/32 division and three products. */
+/* Reciprocals and quotients by an estimate and three products. */
 #ifndef SUPERFRAME_FIXED_RECIPROCAL_H
 #define SUPERFRAME_FIXED_RECIPROCAL_H
 
@@ -17,15 +17,15 @@ struct fixed_slope {
  *
  * With e = 1 - q m / 2^48 for an estimate q of 2^48 / m: 1/m = q / 2^48 (1 + e + e^2 + ...). */
 static inline uint32_t fixed_reciprocal(uint32_t m) {
-    uint32_t divisor = (m >> 16) + ((m >> 15) & 1); /* m / 2^16 to 2^-16 */
-    uint32_t q = UINT32_MAX / divisor;              /* 2^16 - 1 <= q < 2^17, to 2^-15 */
-    int64_t e = (int64_t)((UINT64_C(1) << 48) - (uint64_t)q * m); /* e 2^48: |e| < 2^34 */
-    int32_t e_top = (int32_t)(e >> 19);                           /* e 2^29: |e_top| < 2^15 */
-    int32_t series = (int32_t)(e >> 4) + ((e_top * e_top) >> 14); /* (e + e^2) 2^44 */
+    uint32_t q = fixed_reciprocal_estimate(m); /* 2^16 - 1 <= q <= 2^17, to 2^-15 */
+    int64_t e =
+        (int64_t)((UINT64_C(1) << 48) - fixed_times_unsigned(q, m)); /* e 2^48: |e| < 2^34 */
+    int32_t e_top = (int32_t)(e >> 19);                              /* e 2^29: |e_top| < 2^15 */
+    int32_t series = (int32_t)(e >> 4) + ((e_top * e_top) >> 14);    /* (e + e^2) 2^44 */
     /* q 2^14 (1 + e + e^2): the rest of the series and what the shifts lose stay below 2^-9, so
      * that the floor is at most 1 + 2^-9 under the quotient and 2^-9 over it. */
-    uint32_t r = (uint32_t)((int64_t)((uint64_t)q << 14) + (((int64_t)q * series) >> 30));
-    int64_t rest = (int64_t)((UINT64_C(1) << 62) - (uint64_t)r * m); /* |rest| < 2^33 */
+    uint32_t r = (uint32_t)((int64_t)((uint64_t)q << 14) + (fixed_times((int32_t)q, series) >> 30));
+    int64_t rest = (int64_t)((UINT64_C(1) << 62) - fixed_times_unsigned(r, m)); /* |rest| < 2^33 */
     return r + (2 * rest > (int64_t)m);
 }
 
@@ -47,9 +47,10 @@ static inline struct fixed_slope fixed_slope_of(uint32_t m, unsigned zeros) {
     return slope;
 }
 
-/* a 2^30 / u to nearest, for the slope of u. */
-static inline int64_t fixed_over(int32_t a, struct fixed_slope slope) {
-    return fixed_rounded_near(fixed_times(a, slope.mantissa), slope.shift);
+/* a 2^30 / u to nearest, for the slope of u, brought into a 32-bit format. */
+static inline int32_t fixed_over(enum fixed_operation operation, int32_t a,
+                                 struct fixed_slope slope) {
+    return fixed_result(operation, fixed_times(a, slope.mantissa), slope.shift);
 }
 
 #endif

@@ -23,20 +23,21 @@ static inline uint32_t fixed_root_of_normal(uint64_t m, uint64_t *rest) {
     uint32_t high = (uint32_t)(m >> 32);
     uint32_t seed = fixed_root_seeds[(high >> 25) - 32];
     /* |e| < 2^-5.7; the step leaves 5/16 |e|^3 < 2^-18.8 and 2^-21 of truncation. */
-    int32_t e = (int32_t)(INT32_C(0x40000000) - (int32_t)(((uint64_t)(seed * seed) * high) >> 16));
+    int32_t e =
+        (int32_t)(INT32_C(0x40000000) - (int32_t)((fixed_times_unsigned(seed * seed, high)) >> 16));
     int32_t e_top = e >> 10;                                              /* e 2^20, below 2^14.4 */
     int32_t step = (e >> 3) + (((e_top * e_top) >> 12) * 3 >> 3);         /* (e/2 + 3 e^2/8) 2^28 */
     uint32_t y = (seed << 15) + (uint32_t)(((int32_t)seed * step) >> 13); /* 2^22 / sqrt(m) */
-    uint64_t estimate = ((uint64_t)high * y) >> 22; /* 2^32 sqrt(m), relative 2^-18.5 */
+    uint64_t estimate = (fixed_times_unsigned(high, y)) >> 22; /* 2^32 sqrt(m), relative 2^-18.5 */
     uint32_t root = estimate > UINT32_MAX ? UINT32_MAX : (uint32_t)estimate;
     /* Newton: root + (m - root^2) / (2 root). |m - root^2| < 2^46.5. With y
      * for 1 / sqrt(m) the step by itself ends below the root, by 3/2 of the relative error squared;
      * what is truncated before it adds less than 2^-15, and the floors and shifts take 1 + 2^-4 at
      * most. So the root is at most one too small, and hardly ever one too large. */
-    int64_t error = (int64_t)(m - (uint64_t)root * root);
-    int64_t better = (int64_t)root + (((error >> 26) * (int64_t)y) >> 29);
+    int64_t error = (int64_t)(m - fixed_times_unsigned(root, root));
+    int64_t better = (int64_t)root + ((fixed_times((int32_t)(error >> 26), (int32_t)y)) >> 29);
     root = better > (int64_t)UINT32_MAX ? UINT32_MAX : (uint32_t)better;
-    error = (int64_t)(m - (uint64_t)root * root);
+    error = (int64_t)(m - fixed_times_unsigned(root, root));
     if (error < 0) {
         root--;
         error += 2 * (int64_t)root + 1;
@@ -61,7 +62,7 @@ static inline uint32_t fixed_root64(uint64_t x) {
 /* sqrt(x) to nearest, x < 2^64 - 2^32. (A half cannot occur: (n + 1/2)^2 is no integer.) */
 static inline uint32_t fixed_nearest_root64(uint64_t x) {
     uint32_t root = fixed_root64(x);
-    return root + (x - (uint64_t)root * root > root);
+    return root + (x - fixed_times_unsigned(root, root) > root);
 }
 
 #endif

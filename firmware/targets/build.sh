@@ -7,6 +7,7 @@
 # SCENE       what `superframe compile` takes; SIZE and DEPTH go with it, - is the scene's own
 # FEATURES    minimal: what the scene requires; full: everything
 # FOLDER      where image.elf (or .wasm, .hdm) is made
+# FIT         any: an image whose stack does not fit the machine's memory is built all the same
 # SUPERFRAME  the program (build/superframe); CC the native compiler (gcc)
 #
 # Exit status: 0 built, 1 not.
@@ -33,13 +34,32 @@ else
     cp firmware/features/full/feature_set.h "$folder/tables/feature_set.h"
 fi
 
+# A multiple exposure takes a camera whose shutter is opened eight times.
+case $target in
+386-* | qemu-486* | wasm)
+    if grep -q SHOW_EXPOSURES "$folder/scene.c"; then
+        echo "build.sh: $target shows one picture, and \"$scene\" is a multiple exposure;" \
+            'allowed are colour = "full", "bits:1" to "bits:8" and "dither"' >&2
+        exit 1
+    fi
+    ;;
+esac
+
+# fx has a folder for each kind of CPU; the bits are the same.
+real=$arithmetic
+case $arithmetic-$target in
+fx-cortex-m0) real=fx_16 ;;
+fx-cortex-* | fx-rv32im | fx-gcc-m32 | fx-powerpc | fx-386-* | fx-qemu-486*) real=fx_32 ;;
+esac
+
 # What every compiler gets. Copies are loops: see common/memory.c.
 flags="-std=c99 -pedantic -Wall -Wextra -Wconversion -Wshadow -Werror -ffreestanding
  -ffp-contract=off -ffunction-sections -fdata-sections
  -DTARGET_IMAGE=image_$arithmetic -DTARGET_SCENE=$symbol
- -Ifirmware/real/$arithmetic -I$folder/tables -Ihal -Ifirmware -I$here/common"
+ -Ifirmware/real/$real -I$folder/tables -Ihal -Ifirmware -I$here/common"
 firmware="firmware/*.c $folder/scene.c"
-gnu='-fno-tree-loop-distribute-patterns -fstack-usage -fcallgraph-info=su -nostdlib -Wl,--gc-sections'
+# Without -fno-tree-pre gcc follows a number that was saturated as one of 64 bits, and multiplies it so.
+gnu='-fno-tree-pre -fno-tree-loop-distribute-patterns -fstack-usage -fcallgraph-info=su -nostdlib -Wl,--gc-sections'
 records="$here/common/frame.c $here/common/port_records.c"
 semihosting="$records $here/common/memory.c $here/common/semihosting_sink.c"
 # A square root for those without one.
@@ -74,22 +94,13 @@ posix() {
         tests/targets/posix_main.c $objects -lm
 }
 
-# pc98 MODE OPTIONS LOAD_ADDRESS ROOM: the image, the boot sector, the disk.
+. $here/pc98/disk.sh
+
+# pc98 MODE OPTIONS LOAD_ADDRESS ROOM: the renderer's disk.
+# shellcheck disable=SC2086 # lists of words
 pc98() {
-    # -Wa,-march: the assembler refuses what a 386 without 387 does not have.
-    $CC $2 -march=i386 -mno-80387 -Wa,-march=i386+no87 $flags $gnu -fno-pic -fno-pie -no-pie \
-        -static -fno-stack-protector -fno-asynchronous-unwind-tables -fcf-protection=none \
-        -mpreferred-stack-boundary=2 -Wl,--build-id=none "-DTARGET_TITLE=\"$name\"" \
-        -I$here/pc98 -Wl,--defsym=load_address="$3",--defsym=room="$4" -Wl,-T,$here/pc98/link.ld \
-        -o "$folder/image.elf" $firmware $here/pc98/main.c $here/pc98/machine.c \
-        $here/pc98/ports.c $here/common/memory.c "$here/pc98/start_$1.S"
-    objcopy -O binary "$folder/image.elf" "$folder/image.bin"
-    bytes=$(wc -c < "$folder/image.bin")
-    $CC -m16 -DIMAGE_SECTORS=$(((bytes + 1023) / 1024)) -nostdlib -static -no-pie \
-        -Wl,--build-id=none -Wl,-T,$here/pc98/boot.ld -Wl,--oformat=binary \
-        -o "$folder/boot.bin" $here/pc98/boot.S
-    cat "$folder/boot.bin" "$folder/image.bin" > "$folder/disk.hdm"
-    truncate -s 1261568 "$folder/disk.hdm"
+    pc98_disk "$1" "$2" "$3" "$4" $flags $gnu "-DTARGET_TITLE=\"$name\"" $firmware \
+        $here/pc98/main.c
 }
 
 pc98_flat() {
@@ -140,4 +151,25 @@ wasm) wasm ;;
     echo "build.sh: no target \"$target\"" >&2
     exit 1
     ;;
+esac
+
+# fits ROOM SECTION...: the sections and the worst stack share so many bytes.
+fits() {
+    room=$1
+    shift
+    fixed=$(size -A "$folder/image.elf" |
+        awk -v names=" $* " 'index(names, " " $1 " ") { sum += $2 } END { print sum + 0 }')
+    deep=$(sh $here/stack.sh "$target" "$folder")
+    [ $((fixed + deep)) -le "$room" ] || [ "${FIT:-}" = any ] || {
+        echo "build.sh: $scene does not fit $target: memory of $fixed bytes and a stack of $deep, where" \
+            "$room are there; choose a smaller --size or --depth, minimal features, or another target" >&2
+        exit 1
+    }
+}
+
+case $target in
+cortex-m0) fits 16384 .data .bss ;;
+cortex-m3 | cortex-m4f | rv32im) fits 65536 .data .bss ;;
+386-flat | qemu-486) fits 192512 .text .rodata .data .bss ;;
+386-real | qemu-486-real) fits 65532 .text .rodata .data .bss ;;
 esac

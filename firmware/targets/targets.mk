@@ -8,6 +8,13 @@ pc98: $(BUILD)/superframe ## Make a PC-98 floppy of fig3 (or SCENE=...): build/o
 	cp $(BUILD)/targets/pc98/disk.hdm $(BUILD)/out/$(notdir $(basename $(SCENE))).hdm
 	@echo "The floppy is $(BUILD)/out/$(notdir $(basename $(SCENE))).hdm"
 
+.PHONY: pc98-probe
+pc98-probe: | setup ## Make a PC-98 floppy that asks a real board what is not known: build/out/probe.hdm
+	@mkdir -p $(BUILD)/out
+	CC='$(CC)' sh firmware/targets/build_probe.sh $(BUILD)/targets/probe
+	cp $(BUILD)/targets/probe/disk.hdm $(BUILD)/out/probe.hdm
+	@echo "The floppy is $(BUILD)/out/probe.hdm"
+
 .PHONY: wasm
 wasm: $(BUILD)/superframe ## Make a WebAssembly module of fig3 (or SCENE=...): build/out/fig3.wasm
 	@mkdir -p $(BUILD)/out
@@ -32,6 +39,7 @@ size-keep: $(BUILD)/superframe $(BUILD)/targets/count.so ## Keep the figures of 
 	BUILD=$(BUILD) sh tests/targets/size.sh --keep docs/size.txt
 
 SETUP_FOR_pc98      := pc98
+SETUP_FOR_pc98-probe := pc98
 SETUP_FOR_wasm      := quick
 SETUP_FOR_targets   := quick targets
 SETUP_FOR_size      := quick targets

@@ -6,9 +6,11 @@
 
 #include "usb_adapter.h"
 
+/* To be registered with pid.codes before hardware ships. (An int of 16 bits ends before it.) */
+#define USB_PRODUCT_ID UINT16_C(0x9801)
+
 enum {
     USB_VENDOR_ID = 0x1209,
-    USB_PRODUCT_ID = 0x9801, /* to be registered with pid.codes before hardware ships */
     USB_BULK_OUT = 0x01,
     USB_BULK_IN = 0x81,
     USB_HID_OUT = 0x02,

@@ -15,17 +15,24 @@ mkdir -p "$work"
 sed 's/FEATURE_DEPTH = [0-9]*/FEATURE_DEPTH = 10/; s/FEATURE_KEPT = [0-9]*/FEATURE_KEPT = 0/' \
     firmware/features/full/feature_set.h > "$work/feature_set.h"
 failures=0
-for source in firmware/*.c; do
-    object=$work/$(basename "$source" .c).o
-    if ! avr-gcc -mmcu=atmega2560 -std=c99 -pedantic -Wall -Wextra -Werror -Os -ffreestanding \
-        -Ifirmware/real/fx -I"$work" -Ihal -Ifirmware -c -o "$object" "$source"; then
-        failures=$((failures + 1))
-        continue
-    fi
-    if avr-nm -u "$object" | grep -E '__(u?divdi3|u?moddi3|divmoddi4|udivmod64|divdi)'; then
-        echo "$source: asks for a 64-bit division"
-        failures=$((failures + 1))
-    fi
+for real in fx fx_32 fx_16; do
+    for source in firmware/*.c; do
+        object=$work/$(basename "$source" .c).o
+        if ! avr-gcc -mmcu=atmega2560 -std=c99 -pedantic -Wall -Wextra -Werror -Os -ffreestanding \
+            -Ifirmware/real/$real -I"$work" -Ihal -Ifirmware -c -o "$object" "$source"; then
+            failures=$((failures + 1))
+            continue
+        fi
+        if avr-nm -u "$object" | grep -E '__(u?divdi3|u?moddi3|divmoddi4|udivmod64|divdi)'; then
+            echo "$source, $real: asks for a 64-bit division"
+            failures=$((failures + 1))
+        fi
+    done
+done
+# All of hal/ but the encoder for USB: its table of 50 KB is larger than such a machine's objects.
+for source in hal/*.c hal/usb/*.c; do
+    [ "$source" = hal/usb/usb_encoder.c ] || avr-gcc -mmcu=atmega2560 -std=c99 -pedantic -Wall -Wextra \
+        -Werror -Os -Ihal -Ihal/usb -c -o "$work/hal.o" "$source" || failures=$((failures + 1))
 done
 echo "int of 16 bits: $failures wrong"
 [ $failures -eq 0 ]

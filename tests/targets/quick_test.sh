@@ -53,7 +53,7 @@ expect() {
     timeout 60 "$@" > "$work/said.txt" 2>&1
     found=$?
     [ $found -eq "$status" ] || wrong "$*: exit status $found; expected is $status"
-    grep -q "$text" "$work/said.txt" || {
+    [ -z "$text" ] || grep -q "$text" "$work/said.txt" || {
         wrong "$*: does not say: $text"
         head -n 5 "$work/said.txt"
     }
@@ -103,6 +103,21 @@ screens() {
     expect 0 'No SuperFrame board answers' "$SUPERFRAME" boot "$image" --base 02D0 --escape 3 -o "$work/screen.png"
 }
 
+# A multiple exposure: all eight where there is no screen, a refusal where there is one.
+exposures() {
+    scene=$work/exposed.scene
+    sed '/^depth/i colour = "exposures";' firmware/scenes/fig3.scene > "$scene"
+    grep -q exposures "$scene" || wrong 'no scene of a multiple exposure'
+    sh firmware/targets/build.sh native fx "$scene" $SIZE $DEPTH full "$work/exposed" &&
+        sh tests/targets/run_target.sh native "$work/exposed" || wrong 'exposures: not built, or not run'
+    hash=$(sh tests/targets/trace_hash.sh "$work/exposed")
+    [ "$hash" = "$(native_hash "$scene")" ] || wrong "exposures: trace_hash $hash; the native one is $(native_hash "$scene")"
+    for target in 386-flat wasm; do
+        expect 1 'shows one picture, and .* is a multiple exposure' \
+            sh firmware/targets/build.sh $target fx "$scene" $SIZE $DEPTH minimal "$work/refused"
+    done
+}
+
 # An image without a feature refuses the scene by the feature's name, when it is built.
 lacking_feature() {
     mkdir -p "$work/lacking"
@@ -110,6 +125,13 @@ lacking_feature() {
     "$SUPERFRAME" compile fig4b --size 320x200 -o "$work/lacking/scene.c"
     expect 1 'image_lacks_FEATURE_BALL' gcc -std=c99 -fsyntax-only -Ifirmware/real/fx \
         -I"$work/lacking" -Ifirmware -Ihal "$work/lacking/scene.c"
+}
+
+# A scene whose stack does not fit the machine is refused when it is built, with what would fit.
+too_large() {
+    expect 1 'fig5 does not fit 386-real: .* choose a smaller --size or --depth, minimal features' \
+        sh firmware/targets/build.sh 386-real fx fig5 $SIZE $DEPTH full "$work/large"
+    expect 0 '' sh firmware/targets/build.sh 386-real fx fig5 $SIZE $DEPTH minimal "$work/large"
 }
 
 # --minimal knows every feature that there is.
@@ -120,9 +142,37 @@ feature_names() {
         wrong 'host/emit_features.c and firmware/features/full/feature_set.h differ'
 }
 
+# What `make size` says of figures that grew: FIELD (5 code ... 9 instructions), FACTOR, the status.
+growth() {
+    sizes='cortex-m0 fx fig3 minimal 10000 2000 2500 2400 1000.0
+cortex-m0 f32 fig3 minimal 10000 2000 2500 2400 2500.0
+386-flat fx fig3 minimal 20000 2000 2900 2900 1000.0'
+    echo "$sizes" > "$work/kept.txt"
+    echo "$sizes" | awk -v field="$1" -v factor="$2" '{ $field = $field * factor; print }' > "$work/now.txt"
+    expect "$3" "$4" awk -f tests/targets/size_growth.awk "$work/kept.txt" "$work/now.txt"
+}
+
+sizes() {
+    growth 5 1.019 0 ''
+    growth 5 1.021 1 'cortex-m0 fx fig3 minimal: code grew from 10000 to 10210'
+    growth 7 1.03 1 'RAM grew'
+    growth 9 1.03 1 'instructions grew'
+    growth 9 0.5 0 ''
+    echo 'rv32im fx fig3 minimal 1 1 1 1 -' >> "$work/now.txt"
+    expect 1 'rv32im fx fig3 minimal: no kept figures' awk -f tests/targets/size_growth.awk "$work/kept.txt" "$work/now.txt"
+    sed -i 1d "$work/now.txt"
+    expect 1 'cortex-m0 fx fig3 minimal: has kept figures and was not measured' awk -f tests/targets/size_growth.awk "$work/kept.txt" "$work/now.txt"
+    expect 0 'cortex-m0: f32 in software takes 2.50 times' awk -f tests/targets/size_limits.awk "$work/kept.txt"
+    growth 7 1.2 1 ''
+    expect 1 'cortex-m0, RAM: 3000 bytes; the limit is 2920' awk -f tests/targets/size_limits.awk "$work/now.txt"
+}
+
 feature_names
+sizes
 hashes
 bad_images
 screens
+exposures
 lacking_feature
+too_large
 [ $failures -eq 0 ]

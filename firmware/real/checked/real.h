@@ -5,7 +5,10 @@
 
 #define REAL_NAME checked
 
+#include "../estimate_division.h"
 #include "../fixed_operations.h"
+#include "../product_whole.h"
+#include "../registers_64.h"
 
 #include <stdbool.h>
 #include <stdint.h>

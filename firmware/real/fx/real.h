@@ -5,17 +5,10 @@
 
 #define REAL_NAME fx
 
-#include "../fixed_operations.h"
-
-#include <stdbool.h>
-#include <stdint.h>
-
-/* Nobody watches: the call and its arguments vanish. */
-static inline void fixed_watch(enum fixed_operation operation, int64_t exact, bool saturated) {
-    (void)operation;
-    (void)exact;
-    (void)saturated;
-}
+#include "../estimate_division.h"
+#include "../fixed_unwatched.h"
+#include "../product_whole.h"
+#include "../registers_64.h"
 
 #include "../fixed.h"
 

@@ -6,14 +6,19 @@
 #include "port_records.h"
 #include "scene.h"
 
-enum { FACTORY_BASE = 0x00D0 };
+enum { FACTORY_BASE = 0x00D0, EXPOSURES = 8 };
 
 /* The build names both: -DTARGET_IMAGE=image_fx -DTARGET_SCENE=scene_fig3. */
 extern const struct image TARGET_IMAGE;
 extern const struct scene TARGET_SCENE;
 
+/* A multiple exposure is drawn eight times, whole: there is no memory for a picture to repeat. */
 void frame_draw(void) {
-    const struct drawing drawing = {.base = FACTORY_BASE, .last = TARGET_SCENE.height};
-    TARGET_IMAGE.draw(&TARGET_SCENE, &drawing);
+    uint8_t drawings = TARGET_SCENE.show == SHOW_EXPOSURES ? EXPOSURES : 1;
+    for (uint8_t i = 0; i < drawings; i++) {
+        const struct drawing drawing = {
+            .base = FACTORY_BASE, .last = TARGET_SCENE.height, .exposure = i};
+        TARGET_IMAGE.draw(&TARGET_SCENE, &drawing);
+    }
     port_records_flush();
 }

@@ -3,7 +3,8 @@
 #ifndef SUPERFRAME_TARGETS_FRAME_H
 #define SUPERFRAME_TARGETS_FRAME_H
 
-/* Draws the whole picture through the ports and hands on what is buffered. */
+/* Draws the whole picture through the ports, all eight exposures of a multiple one, and hands on
+ * what is buffered. */
 void frame_draw(void);
 
 #endif

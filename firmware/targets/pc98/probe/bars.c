@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: MIT */
+/* Colour bars, and what of the board only an eye can tell. */
+#include "bars.h"
+
+#include "outp.h"
+#include "registers.h"
+
+enum { START_LOW = 0x0D, BAR_DOTS = 80, RAMP_LINES = 50 };
+
+const struct view views[VIEWS] = {
+    {0x01, 0xFF, "E1 mode 01: the bars, and this text on them"},
+    {0x03, 0xFF, "E2 mode 03: the bars without this text"},
+    {0x02, 0xFF, "E3 mode 02: not known"},
+    {0x00, 0xFF, "E4 mode 00: this text without the bars"},
+    {0x01, 0xFE, "E5 start address 1: the bars one column to the left"},
+    {0x09, 0xFF, "E6 mode 09: not known; grey bars?"},
+};
+
+void view_show(const struct view *view) {
+    controller_write(START_LOW, view->start);
+    outp(MODE, view->mode);
+}
+
+static uint32_t colour_at(uint16_t x, uint16_t y) {
+    static const uint32_t bars[8] = {0xFFFFFF, 0xFFFF00, 0x00FFFF, 0x00FF00,
+                                     0xFF00FF, 0xFF0000, 0x0000FF, 0x000000};
+    static const uint32_t ramps[4] = {0x010000, 0x000100, 0x000001, 0x010101};
+    if (y < SCREEN_HEIGHT / 2) {
+        return bars[x / BAR_DOTS];
+    }
+    return ramps[(y - SCREEN_HEIGHT / 2) / RAMP_LINES] * (2U * x / 5);
+}
+
+void bars_draw(void) {
+    for (uint16_t y = 0; y < SCREEN_HEIGHT; y++) {
+        for (uint16_t x = 0; x < SCREEN_WIDTH; x++) {
+            dot_write(x, y, colour_at(x, y));
+        }
+    }
+}

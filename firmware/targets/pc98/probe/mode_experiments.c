@@ -1,0 +1,104 @@
+/* SPDX-License-Identifier: MIT */
+/* Experiments with the bits of the mode register that drivers do not use. */
+#include "experiments.h"
+#include "outp.h"
+#include "registers.h"
+
+enum { MODE_STEP = 0x40, MODE_STEAL = 0x80 };
+
+/* How far X has gone, found by a marker: one write of red goes to where X points by then. */
+static uint32_t steps_since(void) {
+    uint32_t steps = 0xFF;
+    outp(RED, MARKER);
+    outp(MODE, MODE_BOTH);
+    for (uint16_t i = 0; i < 16; i++) {
+        dot_select(BENCH_X + i, BENCH_Y);
+        if (inp(RED) == MARKER) {
+            steps = i;
+        }
+        outp(RED, 0);
+    }
+    return steps;
+}
+
+static void stepping_begin(void) {
+    outp(MODE, MODE_STEP | MODE_BOTH);
+    dot_select(BENCH_X, BENCH_Y);
+}
+
+/* Once after a write of each primary. */
+uint32_t steps_after_writes(void) {
+    uint32_t steps = 0;
+    for (uint16_t port = RED; port <= BLUE; port += 2) {
+        stepping_begin();
+        outp(port, 0);
+        steps = steps << 8 | steps_since();
+    }
+    return steps;
+}
+
+uint32_t steps_after_reads(void) {
+    uint32_t steps = 0;
+    for (uint16_t port = RED; port <= BLUE; port += 2) {
+        stepping_begin();
+        (void)inp(port);
+        steps = steps << 8 | steps_since();
+    }
+    return steps;
+}
+
+/* Is the odd port of mode taken for the mode? */
+uint32_t steps_after_odd_mode(void) {
+    outp(MODE, MODE_BOTH);
+    outp(MODE + 1, MODE_STEP | MODE_BOTH);
+    dot_select(BENCH_X, BENCH_Y);
+    outp(BLUE, 0);
+    return steps_since();
+}
+
+/* A dot written and read with the bit set; then how many of its primaries differ without it. */
+static uint32_t with_mode_bit(uint8_t bit) {
+    outp(MODE, bit | MODE_BOTH);
+    dot_write(BENCH_X, BENCH_Y, BENCH_COLOUR);
+    uint32_t with = dot_read(BENCH_X, BENCH_Y);
+    outp(MODE, MODE_BOTH);
+    uint32_t differs = primaries_lit(dot_read(BENCH_X, BENCH_Y) ^ with);
+    dot_write(BENCH_X, BENCH_Y, 0);
+    return with << 8 | differs;
+}
+
+uint32_t mode_bit_04(void) {
+    return with_mode_bit(0x04);
+}
+
+uint32_t mode_bit_08(void) {
+    return with_mode_bit(0x08);
+}
+
+uint32_t mode_bit_10(void) {
+    return with_mode_bit(0x10);
+}
+
+uint32_t mode_bit_20(void) {
+    return with_mode_bit(0x20);
+}
+
+uint32_t mode_bit_80(void) {
+    return with_mode_bit(MODE_STEAL);
+}
+
+/* STEALWR may mean that the board takes the writes to the PC-9801's own graphics memory: eight dots
+ * of its blue plane are lit with the bit set. The board's colour of the first of them, then what
+ * the plane gives back. */
+uint32_t steal(void) {
+    volatile uint8_t *plane = (volatile uint8_t *)(UINT32_C(0xA8000) + 80 * BENCH_Y + BENCH_X / 8);
+    dot_write(BENCH_X, BENCH_Y, BENCH_COLOUR);
+    outp(MODE, MODE_STEAL | MODE_BOTH);
+    *plane = 0xFF;
+    uint32_t kept = *plane;
+    outp(MODE, MODE_BOTH);
+    uint32_t rgb = dot_read(BENCH_X, BENCH_Y);
+    *plane = 0x00;
+    dot_write(BENCH_X, BENCH_Y, 0);
+    return rgb << 8 | kept;
+}

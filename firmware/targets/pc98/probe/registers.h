@@ -1,0 +1,61 @@
+/* SPDX-License-Identifier: MIT */
+/* The board's registers, and the dots that they reach. */
+#ifndef SUPERFRAME_TARGETS_PC98_PROBE_REGISTERS_H
+#define SUPERFRAME_TARGETS_PC98_PROBE_REGISTERS_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+/* Ports, at the base from the factory. */
+enum {
+    CONTROL_1 = 0x00D0,
+    CONTROL_2 = 0x00D2,
+    X_AXIS = 0x00D4,
+    Y_AXIS = 0x00D6,
+    RED = 0x00D8,
+    GREEN = 0x00DA,
+    BLUE = 0x00DC,
+    MODE = 0x00DE
+};
+
+enum { SCREEN_WIDTH = 640, SCREEN_HEIGHT = 400 };
+
+enum {
+    MODE_BOTH = 0x01,
+    MARKER = 0xA5,     /* a primary that is nowhere else on the screen while a place is sought */
+    NOWHERE = 0xFFFFFF /* what dot_find() says of a marker that is on no dot of the screen */
+};
+
+/* The dot on which the writes below work: X and Y as words. */
+void dot_select(uint16_t x, uint16_t y);
+
+/* Writes a colour, 00RRGGBBh. */
+void dot_write(uint16_t x, uint16_t y, uint32_t rgb);
+
+/* Reads it back. */
+uint32_t dot_read(uint16_t x, uint16_t y);
+
+/* How many of three primaries are not 0. */
+uint8_t primaries_lit(uint32_t rgb);
+
+/* Makes the dots of the screen black. */
+void screen_clear(void);
+
+/* Looks over the whole screen for a dot with MARKER in red, and makes it black: 00XXXYYYh, three
+ * digits each, or NOWHERE. */
+uint32_t dot_find(void);
+
+/* Selects a register of the controller, and writes or reads it. */
+void controller_write(uint8_t index, uint8_t value);
+uint8_t controller_read(uint8_t index);
+
+/* Where experiments with a few dots are made: black when they begin, and they leave it black. */
+enum { BENCH_Y = 200, BENCH_X = 64 };
+
+/* Eight dots of the colour 112233h from BENCH_X - 2 on, and whatever changed of them since: a bit
+ * for each dot, the leftmost highest; red, green, blue from the highest byte down. */
+enum { BENCH_COLOUR = 0x112233 };
+void bench_prepare(void);
+uint32_t bench_changes(void);
+
+#endif
