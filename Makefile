@@ -168,6 +168,7 @@ include firmware/targets/targets.mk
 include usb.mk
 include tests/measures.mk
 include tests/cost/cost.mk
+include tests/proofs/proofs.mk
 include tests/pov/pov.mk
 
 # ---- Running --------------------------------------------------------------------------------
