@@ -3,15 +3,16 @@
 
 /* Usage: root_exhaustive [THREADS [STEP]]; STEP: every STEP-th argument only, which is a sample and
  * no proof. Exit status 0: none is wrong; 1: an argument with a wrong result, which is printed. All
- * of them take a minute on one thread; `make prove` calls it.
+ * of them take a minute on one thread; `make prove` calls it. Tried are:
  *
- *   the 64-bit root     floor(sqrt(m)) for normalised arguments, 2^62 <= m: at both ends, r^2 and
- *                       r^2 + 2r, of the arguments of every root r, and at both ends of the
- *                       arguments of every upper half h. That is every m: between two such ends the
- *                       table and the first steps, which look at h alone, are the same; what
- * Newton's step makes of m then never decreases, and must lie within 1 of r; its shifted form
- * floor(sqrt(x 2^32)) for every 32-bit x; the reciprocal      of every normalised divisor m (2^31
- * and above): |2^62 - m r| <= m / 2. */
+ * The 64-bit root, floor(sqrt(m)) for normalised arguments, 2^62 <= m: at both ends, r^2 and r^2 +
+ * 2r, of the arguments of every root r, and at both ends of the arguments of every upper half h.
+ * That is every m: between two such ends the table and the first steps, which look at h alone, are
+ * the same; what Newton's step makes of m then never decreases, and must lie within 1 of r.
+ *
+ * Its shifted form, floor(sqrt(x 2^32)), for every 32-bit x.
+ *
+ * The reciprocal of every normalised divisor m (2^31 and above): |2^62 - m r| <= m / 2. */
 
 #include "real.h"
 
