@@ -198,6 +198,7 @@ include firmware/targets/targets.mk
 include usb.mk
 include tests/measures.mk
 include tests/cost/cost.mk
+include tests/proofs/proofs.mk
 include tests/pov/pov.mk
 include tests/bench/bench.mk
 

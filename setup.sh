@@ -39,6 +39,8 @@ lint|tool|clang-tidy|clang-tidy
 lint|tool|cppcheck|cppcheck
 coverage|tool|gcovr|gcovr
 count|tool|valgrind|valgrind
+prove|tool|frama-c|frama-c-base
+prove|tool|gappa|gappa
 quick|tool|pkg-config|pkg-config
 quick|header|unicorn/unicorn.h|libunicorn-dev
 quick|m32|stdio.h|gcc-multilib

@@ -56,25 +56,31 @@ static double clocks_each(const struct cost_target *target, const char *arithmet
                                             : 0;
 }
 
-double cost_seconds(const struct cost_target *target, const char *arithmetic,
-                    const struct cost_work *work) {
-    double operations[COST_KINDS], instructions = 0;
-    double each = clocks_each(target, arithmetic);
-    const char *code = strcmp(arithmetic, "fx") == 0 ? target->code : target->float_code;
-    if (!(each > 0)) {
-        return NAN;
-    }
-    cost_operations_of(&work->events, &work->mix, operations);
+double cost_instructions(const char *code, const char *arithmetic, const struct cost_events *events,
+                         const struct cost_mix *mix) {
+    double operations[COST_KINDS];
+    cost_operations_of(events, mix, operations);
     for (const struct cost_code *row = cost_codes; row->name != NULL; row++) {
         if (strcmp(row->name, code) == 0 && strcmp(row->arithmetic, arithmetic) == 0) {
+            double instructions =
+                row->overhead * (double)(events->rays + events->shadow_rays + events->nodes);
             for (int kind = 0; kind < COST_KINDS; kind++) {
                 instructions += operations[kind] * row->instructions[kind];
             }
-            instructions += row->overhead * (double)(work->events.rays + work->events.shadow_rays +
-                                                     work->events.nodes);
-            double clocks = instructions * each + (double)work->port_writes * target->port_clocks;
-            return clocks / (target->megahertz * 1e6);
+            return instructions;
         }
     }
     return NAN;
+}
+
+double cost_seconds(const struct cost_target *target, const char *arithmetic,
+                    const struct cost_work *work) {
+    const char *code = strcmp(arithmetic, "fx") == 0 ? target->code : target->float_code;
+    double each = clocks_each(target, arithmetic);
+    if (!(each > 0)) {
+        return NAN;
+    }
+    double instructions = cost_instructions(code, arithmetic, &work->events, &work->mix);
+    double clocks = instructions * each + (double)work->port_writes * target->port_clocks;
+    return clocks / (target->megahertz * 1e6);
 }

@@ -72,6 +72,10 @@ struct cost_code {
  * overhead. Ended by one without a name. */
 extern const struct cost_code cost_codes[];
 
+/* Instructions of a rendering in an image of such code; NaN where there is no row for it. */
+double cost_instructions(const char *code, const char *arithmetic, const struct cost_events *events,
+                         const struct cost_mix *mix);
+
 /* What a rendering did, for the predictions. */
 struct cost_work {
     struct cost_events events;

@@ -5,7 +5,7 @@
 #include <stdbool.h>
 
 /* The constants of firmware/features/full/feature_set.h, in its order, with what the scene needs of
- * each; tests/targets/check_features.sh holds the names against that page. */
+ * each; tests/targets/quick_test.sh holds the names against that page. */
 struct feature {
     const char *name;
     int value;

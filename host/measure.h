@@ -12,6 +12,7 @@
 #include "options.h"
 #include "picture.h"
 #include "progress.h"
+#include "scene_digest.h"
 
 /* ---- Points --------------------------------------------------------------------------------- */
 
@@ -20,7 +21,8 @@ struct measure_point {
     char scene[32]; /* short name */
     char arithmetic[16], colour[16], model[16], tail[16];
     unsigned depth, width, height;
-    double threshold;
+    double threshold; /* 0 where an accuracy is asked for */
+    double error;     /* the accuracy asked for, in levels; 0: none */
 
     bool is_done;
     struct cost_events events;
@@ -58,7 +60,7 @@ enum { MEASURE_TARGETS_MOST = 16 };
 struct measure_setting {
     char arithmetic[16], tail[16];
     unsigned depth;
-    double threshold;
+    double threshold, error;
     double wrong, worst; /* per cent: the scenes' mean, and the scene that is worst */
     double apart;        /* the scenes' mean */
     double rays;         /* a pixel, shadow rays counted */
@@ -72,7 +74,7 @@ struct measure_settings {
 
 /* ---- The whole ------------------------------------------------------------------------------ */
 
-enum { MEASURE_SCENES_MOST = 32, MEASURE_SHOWN = 3 };
+enum { MEASURE_SCENES_MOST = 32, MEASURE_SHOWN = 4 };
 
 /* Against which all is measured: double, with nothing cut that could be seen. */
 #define MEASURE_CONVERGED_THRESHOLD (1.0 / 262144)
@@ -81,8 +83,9 @@ enum { MEASURE_CONVERGED_DEPTH = 255 };
 struct measure_scene {
     const char *operand; /* as it was asked for */
     char name[32];
-    struct cost_mix mix; /* the kinds of its primitives */
-    double oracle;       /* per cent of pixels in which f64 and f128 are equal */
+    char digest[SCENE_DIGEST_SIZE]; /* of the scene as compiled: a changed file is noticed */
+    struct cost_mix mix;            /* the kinds of its primitives */
+    double oracle;                  /* per cent of pixels in which f64 and f128 are equal */
 };
 
 struct measure {
@@ -109,8 +112,17 @@ int measure_resume(struct measure *measure);
 /* Measures the points that are lacking; each is written to points.csv as soon as it is done. */
 int measure_run(struct measure *measure);
 
-/* Writes a finished point as one line. */
-void measure_write_point(FILE *file, const struct measure_point *point);
+/* Writes a finished point as one line, with the digest of its scene. */
+void measure_write_point(const struct measure *measure, FILE *file,
+                         const struct measure_point *point);
+
+/* The scene of that name; NULL: there is none. */
+const struct measure_scene *measure_scene_of(const struct measure *measure, const char *name);
+
+/* Where a point is one of the MEASURE_SHOWN that the report shows, writes the picture beside its
+ * difference from the reference, both `dots` large; else nothing. */
+int measure_show(const struct measure *measure, const struct measure_point *point,
+                 const uint8_t *reference, const uint8_t *picture, unsigned width, unsigned height);
 
 /* Writes the line of column names. */
 void measure_write_head(FILE *file);

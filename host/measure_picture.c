@@ -23,7 +23,10 @@ unsigned measure_dots(const struct measure_point *point) {
 static struct scene_overrides overrides_of(const struct measure *measure,
                                            const struct measure_point *point) {
     struct scene_overrides overrides = measure->options->overrides;
-    overrides.has_depth = overrides.has_threshold = overrides.has_size = true;
+    overrides.has_depth = overrides.has_size = true;
+    overrides.has_error = point->error > 0;
+    overrides.has_threshold = !overrides.has_error;
+    overrides.error = point->error;
     overrides.has_model = overrides.has_colour = true;
     overrides.has_estimates = true;
     overrides.estimates = strcmp(point->tail, "estimate") == 0;

@@ -14,6 +14,9 @@ static const double least_shown = 0.001;
 
 static const char *const arithmetics[] = {"fx", "f32", "f64", "q16", "q16_epsilon", NULL};
 
+/* Of an arithmetic, and of a curve. */
+static const char *const colours[] = {"#7b1fa2", "#00897b", "#1e88e5", "#ef6c00", "#c62828"};
+
 static double shown(double wrong) {
     return wrong < least_shown ? least_shown : wrong;
 }
@@ -29,7 +32,7 @@ static void write_depth_curves(FILE *file, const struct measure_settings *settin
         for (size_t i = 0; i < settings->count; i++) {
             const struct measure_setting *setting = &settings->settings[i];
             if (strcmp(setting->arithmetic, settings->settings[0].arithmetic) == 0 &&
-                strcmp(setting->tail, settings->settings[0].tail) == 0 &&
+                strcmp(setting->tail, settings->settings[0].tail) == 0 && !(setting->error > 0) &&
                 fabs(setting->threshold - thresholds[t]) < 1e-9) {
                 (void)fprintf(file, "%u %.6f\n", setting->depth, shown(setting->wrong));
             }
@@ -55,28 +58,46 @@ static void write_threshold_curves(FILE *file, const struct measure_settings *se
     }
 }
 
-/* Blocks that gnuplot finds by name: for each arithmetic its settings (depth, threshold, per cent
- * wrong, seconds by machine), for each machine its front (seconds, per cent wrong). */
+/* How a branch's end is decided and counted: what a mark's shape tells. */
+static const char *const ends[] = {"black", "estimate", "--error"};
+enum { ENDS = sizeof ends / sizeof ends[0] };
+
+static bool has_end(const struct measure_setting *setting, int end) {
+    return end == 2 ? setting->error > 0
+                    : !(setting->error > 0) && strcmp(setting->tail, ends[end]) == 0;
+}
+
+/* The settings of an arithmetic and one way to end a branch: depth, threshold, per cent wrong,
+ * seconds by machine. */
+static void write_marks(FILE *file, const struct measure_settings *settings, int arithmetic,
+                        int end) {
+    (void)fprintf(file, "# [%s-%d]\n", arithmetics[arithmetic], end);
+    for (size_t i = 0; i < settings->count; i++) {
+        const struct measure_setting *setting = &settings->settings[i];
+        if (strcmp(setting->arithmetic, arithmetics[arithmetic]) != 0 || !has_end(setting, end)) {
+            continue;
+        }
+        (void)fprintf(file, "%u %.9g %.6f", setting->depth, setting->threshold,
+                      shown(setting->wrong));
+        for (size_t j = 0; cost_targets[j].name != NULL; j++) {
+            (void)fprintf(file, " %.6g", setting->seconds[j]);
+        }
+        (void)fputs("\n", file);
+    }
+    (void)fputs("\n\n", file);
+}
+
+/* Blocks that gnuplot finds by name: the marks, the curves, for each machine its front (seconds,
+ * per cent wrong). */
 static int write_data(const struct measure *measure, const struct measure_settings *settings) {
     FILE *file = measure_create(measure, "plots.dat");
     if (file == NULL) {
         return STATUS_FAILED;
     }
     for (int a = 0; arithmetics[a] != NULL; a++) {
-        (void)fprintf(file, "# [%s]\n", arithmetics[a]);
-        for (size_t i = 0; i < settings->count; i++) {
-            const struct measure_setting *setting = &settings->settings[i];
-            if (strcmp(setting->arithmetic, arithmetics[a]) != 0) {
-                continue;
-            }
-            (void)fprintf(file, "%u %.9g %.6f", setting->depth, setting->threshold,
-                          shown(setting->wrong));
-            for (size_t j = 0; cost_targets[j].name != NULL; j++) {
-                (void)fprintf(file, " %.6g", setting->seconds[j]);
-            }
-            (void)fputs("\n", file);
+        for (int end = 0; end < ENDS; end++) {
+            write_marks(file, settings, a, end);
         }
-        (void)fputs("\n\n", file);
     }
     write_depth_curves(file, settings);
     write_threshold_curves(file, settings, "black");
@@ -94,36 +115,40 @@ static int write_data(const struct measure *measure, const struct measure_settin
     return measure_close(measure, file, "plots.dat");
 }
 
-static bool has(const struct measure_settings *settings, const char *arithmetic, size_t target) {
+static bool has(const struct measure_settings *settings, int arithmetic, int end, size_t target) {
     for (size_t i = 0; i < settings->count; i++) {
-        if (strcmp(settings->settings[i].arithmetic, arithmetic) == 0 &&
-            !isnan(settings->settings[i].seconds[target])) {
+        if (strcmp(settings->settings[i].arithmetic, arithmetics[arithmetic]) == 0 &&
+            has_end(&settings->settings[i], end) && !isnan(settings->settings[i].seconds[target])) {
             return true;
         }
     }
     return false;
 }
 
+/* A colour for each arithmetic, a shape for each way to end a branch. */
 static void write_fronts(FILE *file, const struct measure_settings *settings) {
+    static const int shapes[ENDS] = {7, 9, 5};
+    static const char *const words[ENDS] = {"tail black", "tail estimate", "--error"};
     (void)fputs("set logscale x\nset format x '%g'\nset xlabel 'seconds for one picture, "
                 "predicted'\n",
                 file);
     for (size_t j = 0; cost_targets[j].name != NULL; j++) {
         (void)fprintf(file, "set output 'pareto-%s.png'\nset title '%s'\nplot \\\n",
                       cost_targets[j].name, cost_targets[j].label);
-        for (int a = 0; arithmetics[a] != NULL; a++) {
-            if (has(settings, arithmetics[a], j)) {
+        for (int i = 0; arithmetics[i / ENDS] != NULL; i++) {
+            int a = i / ENDS, end = i % ENDS;
+            if (has(settings, a, end, j)) {
                 (void)fprintf(file,
-                              "    'plots.dat' index '[%s]' using %zu:3 with points pt 7 ps 0.9 lc "
-                              "%d title '%s', \\\n",
-                              arithmetics[a], 4 + j, a + 1, arithmetics[a]);
+                              "    'plots.dat' index '[%s-%d]' using %zu:3 with points pt %d ps "
+                              "1.1 lc rgb '%s' title '%s, %s', \\\n",
+                              arithmetics[a], end, 4 + j, shapes[end], colours[a], arithmetics[a],
+                              words[end]);
             }
         }
-        (void)fprintf(
-            file,
-            "    'plots.dat' index '[front-%s]' using 1:2 smooth unique with lines lc 0 lw "
-            "1.5 title 'worth their time'\n",
-            cost_targets[j].name);
+        (void)fprintf(file,
+                      "    'plots.dat' index '[front-%s]' using 1:2 smooth unique with lines lc 0 "
+                      "lw 1.5 title 'worth their time'\n",
+                      cost_targets[j].name);
     }
 }
 
@@ -148,39 +173,60 @@ static bool is_deep(const struct measure_settings *settings, const char *arithme
     return false;
 }
 
-/* Of one arithmetic against depth, one for each threshold; and of all against threshold. */
-static void write_curves(FILE *file, const struct measure_settings *settings) {
+/* Of one arithmetic against depth, one for each threshold. */
+static void write_curves_by_depth(FILE *file, const struct measure_settings *settings) {
     static const char *const names[CURVES] = {"none", "1/256", "1/1024", "1/4096", "1/16384"};
     (void)fprintf(file,
-                  "set output 'error-depth.png'\nset title '%s'\nset xlabel 'depth level N'\n"
-                  "set logscale x 2\nplot \\\n",
+                  "set output 'error-depth.png'\nset title 'More depth, by threshold (arithmetic "
+                  "%s)'\nset xlabel 'depth level N: reflections and refractions on a path'\n"
+                  "set logscale x 2\nset xrange [1:64]\nplot \\\n",
                   settings->settings[0].arithmetic);
     for (int i = 0; i < CURVES; i++) {
         if (has_curve(settings, thresholds[i])) {
             (void)fprintf(file,
                           "    'plots.dat' index '[depth-%d]' using 1:2 smooth unique with "
-                          "linespoints pt 7 lc %d title 'threshold %s', \\\n",
-                          i, i + 1, names[i]);
-        }
-    }
-    (void)fprintf(file,
-                  "    2000 notitle\nset output 'error-threshold.png'\n"
-                  "set title 'depth level %d'\nset xlabel 'threshold'\nset xrange [*:*] reverse\n"
-                  "set xtics ('1/256' 1./256, '1/1024' 1./1024, '1/4096' 1./4096, '1/16384' "
-                  "1./16384, '1/65536' 1./65536)\nplot \\\n",
-                  CURVE_DEPTH);
-    for (int a = 0; arithmetics[a] != NULL; a++) {
-        for (int t = 0; t < 2; t++) {
-            const char *tail = t == 0 ? "black" : "estimate";
-            if (is_deep(settings, arithmetics[a], tail)) {
-                (void)fprintf(file,
-                              "    'plots.dat' index '[threshold-%s-%s]' using 1:2 smooth unique "
-                              "with linespoints dt %d pt %d ps 1.2 lc %d title '%s, %s', \\\n",
-                              tail, arithmetics[a], t + 1, 4 + a, a + 1, arithmetics[a], tail);
-            }
+                          "linespoints pt 7 lc rgb '%s' title 'threshold %s', \\\n",
+                          i, colours[i], names[i]);
         }
     }
     (void)fputs("    2000 notitle\n", file);
+}
+
+/* Of all arithmetics against threshold, at one depth; nothing where that was not measured. */
+static void write_curves_by_threshold(FILE *file, const struct measure_settings *settings) {
+    static const char *const tails[] = {"black", "estimate"};
+    bool has_begun = false;
+    for (int i = 0; arithmetics[i / 2] != NULL; i++) {
+        int a = i / 2, tail = i % 2;
+        if (!is_deep(settings, arithmetics[a], tails[tail])) {
+            continue;
+        }
+        if (!has_begun) {
+            (void)fprintf(file,
+                          "set output 'error-threshold.png'\nset title 'A lower threshold, at "
+                          "depth level %d'\nset xlabel 'threshold: the share of the light under "
+                          "which a branch ends'\nset xrange [1./200:1./80000]\n"
+                          "set xtics ('1/256' 1./256, '1/1024' 1./1024, '1/4096' 1./4096, "
+                          "'1/16384' 1./16384, '1/65536' 1./65536)\nplot \\\n",
+                          CURVE_DEPTH);
+        }
+        has_begun = true;
+        (void)fprintf(file,
+                      "    'plots.dat' index '[threshold-%s-%s]' using 1:2 smooth unique with "
+                      "linespoints dt %d pt %d ps %.1f lc rgb '%s' title '%s, tail %s', \\\n",
+                      tails[tail], arithmetics[a], tail + 1, 4 + a, 2.2 - 0.4 * a, colours[a],
+                      arithmetics[a], tails[tail]);
+    }
+    (void)fputs(has_begun ? "    2000 notitle\n" : "", file);
+}
+
+/* Where the scale of errors ends below. */
+static double lowest_shown(const struct measure_settings *settings) {
+    double lowest = 1;
+    for (size_t i = 0; i < settings->count; i++) {
+        lowest = fmin(lowest, shown(settings->settings[i].wrong));
+    }
+    return 0.8 * lowest;
 }
 
 static int write_script(const struct measure *measure, const struct measure_settings *settings) {
@@ -188,16 +234,18 @@ static int write_script(const struct measure *measure, const struct measure_sett
     if (file == NULL) {
         return STATUS_FAILED;
     }
-    (void)fprintf(file,
-                  "# From plots.dat: gnuplot plots.gp\n"
-                  "set terminal pngcairo size 800,500\nset grid\nset logscale y\n"
-                  "set key outside right top samplen 2 noenhanced\nset title noenhanced\n"
-                  "set ylabel 'pixels off by more than 1 LSB, per cent (0.001: none)'\n"
-                  "set yrange [%g:100]\nset datafile missing 'nan'\n",
-                  0.8 * least_shown);
+    (void)fprintf(
+        file,
+        "# From plots.dat: gnuplot plots.gp\n"
+        "set terminal pngcairo size 800,600\nset grid\nset logscale y\n"
+        "set bmargin 9\nset key below horizontal samplen 2 noenhanced\nset title noenhanced\n"
+        "set ylabel 'wrong pixels, per cent'\nset format y '%%g'\n"
+        "set yrange [%g:100]\nset datafile missing 'nan'\n",
+        lowest_shown(settings));
     write_fronts(file, settings);
     if (settings->count > 0) {
-        write_curves(file, settings);
+        write_curves_by_depth(file, settings);
+        write_curves_by_threshold(file, settings);
     }
     return measure_close(measure, file, "plots.gp");
 }

@@ -17,9 +17,9 @@ static const double base_threshold = 1.0 / 4096;
 /* ---- Lists ---------------------------------------------------------------------------------- */
 
 void measure_key(const struct measure_point *point, char key[MEASURE_KEY_SIZE]) {
-    (void)snprintf(key, MEASURE_KEY_SIZE, "%s,%s,%u,%.9g,%u,%u,%s,%s,%s", point->scene,
+    (void)snprintf(key, MEASURE_KEY_SIZE, "%s,%s,%u,%.9g,%u,%u,%s,%s,%s,%.9g", point->scene,
                    point->arithmetic, point->depth, point->threshold, point->width, point->height,
-                   point->colour, point->model, point->tail);
+                   point->colour, point->model, point->tail, point->error);
 }
 
 bool measure_list_add(struct measure_list *list, const struct measure_point *point) {
@@ -74,12 +74,12 @@ static int add(struct measure *measure, const struct measure_point *point) {
  * as the paper goes. The finest threshold says nothing new where the depth ends the tree. */
 static int plan_grid(struct measure *measure, struct measure_point point) {
     static const char *const arithmetics[] = {"fx", "f32", "f64", "q16", "q16_epsilon"};
-    static const unsigned depths[] = {1, 2, 4, 7, 10, 16, 64};
+    static const unsigned depths[] = {1, 2, 4, 7, 10, 16, 32, 64};
     static const double thresholds[] = {0,          1.0 / 256,   1.0 / 1024,
                                         1.0 / 4096, 1.0 / 16384, 1.0 / 65536};
     const struct options *options = measure->options;
     const struct scene_overrides *overrides = &options->overrides;
-    unsigned many_a = options->has_arithmetic ? 1 : 5, many_d = overrides->has_depth ? 1 : 7;
+    unsigned many_a = options->has_arithmetic ? 1 : 5, many_d = overrides->has_depth ? 1 : 8;
     unsigned many_t = overrides->has_threshold ? 1 : 6;
     for (unsigned i = 0; i < many_a * many_d * many_t; i++) {
         unsigned a = i / (many_d * many_t), d = i / many_t % many_d, t = i % many_t;
@@ -102,16 +102,39 @@ static int plan_grid(struct measure *measure, struct measure_point point) {
 /* What an estimated tail gains, where there is room for it. */
 static int plan_tails(struct measure *measure, struct measure_point point) {
     static const char *const arithmetics[] = {"fx", "f32", "f64"};
-    static const double thresholds[] = {1.0 / 256, 1.0 / 1024, 1.0 / 2048, 1.0 / 4096, 1.0 / 16384};
+    static const double thresholds[] = {1.0 / 256,  1.0 / 1024,  1.0 / 2048,
+                                        1.0 / 4096, 1.0 / 16384, 1.0 / 65536};
     const struct options *options = measure->options;
     const struct scene_overrides *overrides = &options->overrides;
-    unsigned many_a = options->has_arithmetic ? 1 : 3, many_t = overrides->has_threshold ? 1 : 5;
+    unsigned many_a = options->has_arithmetic ? 1 : 3, many_t = overrides->has_threshold ? 1 : 6;
     strcpy(point.tail, "estimate");
     point.depth = overrides->has_depth ? (unsigned)overrides->depth : TAIL_DEPTH;
     for (unsigned i = 0; i < many_a * many_t && !overrides->has_estimates; i++) {
         (void)snprintf(point.arithmetic, sizeof point.arithmetic, "%s",
                        options->has_arithmetic ? options->arithmetic : arithmetics[i / many_t]);
         point.threshold = overrides->has_threshold ? overrides->threshold : thresholds[i % many_t];
+        if (add(measure, &point) != STATUS_DONE) {
+            return STATUS_FAILED;
+        }
+    }
+    return STATUS_DONE;
+}
+
+/* An accuracy asked for instead of a threshold; the tail is estimated then. */
+static int plan_errors(struct measure *measure, struct measure_point point) {
+    static const char *const arithmetics[] = {"fx", "f32", "f64"};
+    static const double errors[] = {4, 2, 1, 0.5};
+    const struct options *options = measure->options;
+    const struct scene_overrides *overrides = &options->overrides;
+    unsigned many_a = options->has_arithmetic ? 1 : 3, many_e = overrides->has_error ? 1 : 4;
+    strcpy(point.tail, "estimate");
+    point.threshold = 0;
+    point.depth = overrides->has_depth ? (unsigned)overrides->depth : TAIL_DEPTH;
+    bool is_fixed = overrides->has_threshold || (overrides->has_estimates && !overrides->estimates);
+    for (unsigned i = 0; i < many_a * many_e && !is_fixed; i++) {
+        (void)snprintf(point.arithmetic, sizeof point.arithmetic, "%s",
+                       options->has_arithmetic ? options->arithmetic : arithmetics[i / many_e]);
+        point.error = overrides->has_error ? overrides->error : errors[i % many_e];
         if (add(measure, &point) != STATUS_DONE) {
             return STATUS_FAILED;
         }
@@ -163,6 +186,12 @@ int measure_plan(struct measure *measure) {
             return bad_input("%s", error.text);
         }
         scene->mix = cost_mix_of(compiled);
+        if (!scene_digest(compiled, scene->digest)) {
+            scene_description_free(description);
+            free(compiled);
+            complain("out of memory");
+            return STATUS_FAILED;
+        }
         struct measure_point point;
         memset(&point, 0, sizeof point);
         (void)snprintf(point.scene, sizeof point.scene, "%s", scene->name);
@@ -177,6 +206,7 @@ int measure_plan(struct measure *measure) {
         scene_description_free(description);
         free(compiled);
         if (plan_grid(measure, point) != STATUS_DONE || plan_tails(measure, point) != STATUS_DONE ||
+            plan_errors(measure, point) != STATUS_DONE ||
             plan_star(measure, point) != STATUS_DONE) {
             return STATUS_FAILED;
         }
@@ -187,53 +217,69 @@ int measure_plan(struct measure *measure) {
 /* ---- points.csv ----------------------------------------------------------------------------- */
 
 static const char head[] =
-    "scene,arithmetic,depth,threshold,width,height,colour,model,tail,rays,shadow_rays,nodes,"
+    "scene,arithmetic,depth,threshold,width,height,colour,model,tail,error,rays,shadow_rays,nodes,"
     "solid_tests,leaked_rays,port_writes,seconds,percent_wrong,percent_apart,largest_error,rmse,"
     "psnr,"
-    "delta_e_mean,delta_e_999\n";
+    "delta_e_mean,delta_e_999,scene_digest\n";
 
 void measure_write_head(FILE *file) {
     (void)fputs(head, file);
 }
 
-void measure_write_point(FILE *file, const struct measure_point *point) {
+const struct measure_scene *measure_scene_of(const struct measure *measure, const char *name) {
+    for (size_t i = 0; i < measure->scene_count; i++) {
+        if (strcmp(measure->scenes[i].name, name) == 0) {
+            return &measure->scenes[i];
+        }
+    }
+    return NULL;
+}
+
+void measure_write_point(const struct measure *measure, FILE *file,
+                         const struct measure_point *point) {
+    const struct measure_scene *scene = measure_scene_of(measure, point->scene);
     char key[MEASURE_KEY_SIZE];
     measure_key(point, key);
     (void)fprintf(file,
                   "%s,%" PRIu64 ",%" PRIu64 ",%" PRIu64 ",%" PRIu64 ",%" PRIu64 ",%" PRIu64
-                  ",%.6f,%.6f,%.6f,%u,%.6f,%.4f,%.6f,%.6f\n",
+                  ",%.6f,%.6f,%.6f,%u,%.6f,%.4f,%.6f,%.6f,%s\n",
                   key, point->events.rays, point->events.shadow_rays, point->events.nodes,
                   point->events.solid_tests, point->leaked_rays, point->port_writes, point->seconds,
                   point->wrong, point->apart, point->largest, point->rmse, point->psnr,
-                  point->colour_mean, point->colour_high);
+                  point->colour_mean, point->colour_high, scene != NULL ? scene->digest : "");
 }
 
 /* Reads what stands behind the key. */
-static bool read_results(const char *text, struct measure_point *point) {
+static bool read_results(const char *text, struct measure_point *point,
+                         char digest[SCENE_DIGEST_SIZE]) {
     char end;
     return sscanf(text,
                   ",%" SCNu64 ",%" SCNu64 ",%" SCNu64 ",%" SCNu64 ",%" SCNu64 ",%" SCNu64
-                  ",%lf,%lf,%lf,%u,%lf,%lf,%lf,%lf%c",
+                  ",%lf,%lf,%lf,%u,%lf,%lf,%lf,%lf,%16[0-9a-f]%c",
                   &point->events.rays, &point->events.shadow_rays, &point->events.nodes,
                   &point->events.solid_tests, &point->leaked_rays, &point->port_writes,
                   &point->seconds, &point->wrong, &point->apart, &point->largest, &point->rmse,
-                  &point->psnr, &point->colour_mean, &point->colour_high, &end) == 15 &&
+                  &point->psnr, &point->colour_mean, &point->colour_high, digest, &end) == 16 &&
            end == '\n';
 }
 
-/* A line that was cut off, or of a point that is not asked for any more, is passed over. */
-static void take_line(struct measure *measure, const char *line) {
-    char key[MEASURE_KEY_SIZE];
+/* A line that was cut off, or of a point that is not asked for any more, is passed over. NULL, or
+ * the name of the line's scene where that is another one by now. */
+static const char *take_line(struct measure *measure, const char *line) {
+    char key[MEASURE_KEY_SIZE], digest[SCENE_DIGEST_SIZE];
     for (size_t i = 0; i < measure->points.count; i++) {
         struct measure_point *point = &measure->points.points[i];
         measure_key(point, key);
         size_t length = strlen(key);
         if (!point->is_done && strncmp(line, key, length) == 0 && line[length] == ',') {
-            point->is_done = read_results(line + length, point);
+            point->is_done = read_results(line + length, point, digest);
             measure->kept += point->is_done;
-            return;
+            const struct measure_scene *scene = measure_scene_of(measure, point->scene);
+            bool is_other = point->is_done && scene != NULL && strcmp(digest, scene->digest) != 0;
+            return is_other ? point->scene : NULL;
         }
     }
+    return NULL;
 }
 
 int measure_resume(struct measure *measure) {
@@ -248,10 +294,16 @@ int measure_resume(struct measure *measure) {
         return STATUS_FAILED;
     }
     bool is_ours = fgets(line, sizeof line, file) != NULL && strcmp(line, head) == 0;
-    while (is_ours && fgets(line, sizeof line, file) != NULL) {
-        take_line(measure, line);
+    const char *changed = NULL;
+    while (is_ours && changed == NULL && fgets(line, sizeof line, file) != NULL) {
+        changed = take_line(measure, line);
     }
     (void)fclose(file);
+    if (changed != NULL) {
+        return bad_input("%s: its points of \"%s\" are of that scene as it was before it was "
+                         "changed; allowed is: another -o DIR, or one without points.csv",
+                         path, changed);
+    }
     return is_ours ? STATUS_DONE
                    : bad_input("%s: does not begin as this version's points do; allowed is: "
                                "another -o DIR, or one without points.csv",

@@ -8,11 +8,8 @@
 #include "colour_difference.h"
 #include "command.h"
 #include "compare.h"
-#include "difference_picture.h"
 #include "interrupt.h"
 #include "measure.h"
-#include "output.h"
-#include "png_file.h"
 #include "stopwatch.h"
 
 enum {
@@ -54,6 +51,7 @@ static int compare_oracle(struct measure *measure, struct measure_scene *scene,
     point.height = ORACLE_HEIGHT;
     point.depth = ORACLE_DEPTH;
     point.threshold = 1.0 / 4096;
+    point.error = 0;
     strcpy(point.colour, "full");
     strcpy(point.arithmetic, "f128");
     int status = shoot(measure, scene, &point, &wide);
@@ -68,49 +66,6 @@ static int compare_oracle(struct measure *measure, struct measure_scene *scene,
     free(wide.rgb);
     free(narrow.rgb);
     return status;
-}
-
-/* ---- Pictures of differences ---------------------------------------------------------------- */
-
-/* The three that the report shows, of the first scene: the paper's setting, the example that is to
- * be avoided, and the most exact fx of the plan. */
-static int shown_place(const struct measure *measure, const struct measure_point *point) {
-    bool is_deep = point->depth == 64 && point->threshold > 0 && point->threshold < 1e-4 / 2;
-    if (strcmp(point->scene, measure->scenes[0].name) != 0 || strcmp(point->colour, "full") != 0 ||
-        strcmp(point->tail, "black") != 0) {
-        return -1;
-    }
-    if (strcmp(point->arithmetic, "fx") == 0 && point->depth == 10 && !(point->threshold > 0)) {
-        return 0;
-    }
-    return !is_deep                                        ? -1
-           : strcmp(point->arithmetic, "q16_epsilon") == 0 ? 1
-           : strcmp(point->arithmetic, "fx") == 0          ? 2
-                                                           : -1;
-}
-
-static const char *const shown_files[MEASURE_SHOWN] = {
-    "difference-paper.png", "difference-q16-epsilon.png", "difference-fx.png"};
-
-static int write_difference(const struct measure *measure, const char *name,
-                            const struct dots_picture *reference,
-                            const struct dots_picture *picture) {
-    char path[PATH_SIZE];
-    struct output output;
-    struct png_error error;
-    memset(&output, 0, sizeof output);
-    (void)snprintf(path, sizeof path, "%s/%s", measure->folder, name);
-    if (!output_open(&output, path)) {
-        return STATUS_FAILED;
-    }
-    difference_picture(reference->rgb, picture->rgb, (size_t)picture->width * picture->height,
-                       picture->rgb);
-    if (write_png(output.file, picture->rgb, picture->width, picture->height, &error) != PNG_OK) {
-        output_complain(&output, error.message);
-        output_discard(&output);
-        return STATUS_FAILED;
-    }
-    return output_commit(&output) ? STATUS_DONE : STATUS_FAILED;
 }
 
 /* ---- Double with the same settings ---------------------------------------------------------- */
@@ -197,16 +152,16 @@ static int measure_point(struct measure *measure, const struct measure_scene *sc
     if (status == STATUS_DONE) {
         point->apart = percent_off(&twins->picture[twin], &picture);
     }
-    int place = shown_place(measure, point);
-    if (status == STATUS_DONE && place >= 0 && share_reference(point, &measure->points.points[0])) {
-        status = write_difference(measure, shown_files[place], reference, &picture);
+    if (status == STATUS_DONE && share_reference(point, &measure->points.points[0])) {
+        status = measure_show(measure, point, reference->rgb, picture.rgb, picture.width,
+                              picture.height);
     }
     free(picture.rgb);
     if (status != STATUS_DONE) {
         return status;
     }
     point->is_done = true;
-    measure_write_point(log, point);
+    measure_write_point(measure, log, point);
     if (fflush(log) != 0) {
         complain("%s/points.csv: cannot be written: %s", measure->folder, strerror(errno));
         return STATUS_FAILED;
@@ -224,6 +179,7 @@ static int measure_group(struct measure *measure, const struct measure_scene *sc
     strcpy(like.tail, "black");
     like.depth = MEASURE_CONVERGED_DEPTH;
     like.threshold = MEASURE_CONVERGED_THRESHOLD;
+    like.error = 0;
     struct twins *twins = calloc(1, sizeof *twins);
     if (twins == NULL) {
         complain("out of memory");
@@ -275,15 +231,6 @@ static unsigned count_rows(const struct measure *measure) {
     return rows;
 }
 
-static struct measure_scene *scene_of(struct measure *measure, const char *name) {
-    for (size_t i = 0; i < measure->scene_count; i++) {
-        if (strcmp(measure->scenes[i].name, name) == 0) {
-            return &measure->scenes[i];
-        }
-    }
-    return NULL;
-}
-
 /* points.csv, to be written on: its head is there already or is written; a line that was cut off is
  * ended. */
 static FILE *open_log(const struct measure *measure) {
@@ -323,7 +270,7 @@ static int run_all(struct measure *measure, FILE *log) {
     for (size_t i = 0; i < measure->points.count && status == STATUS_DONE; i++) {
         const struct measure_point *point = &measure->points.points[i];
         if (!point->is_done) {
-            status = measure_group(measure, scene_of(measure, point->scene), i, log);
+            status = measure_group(measure, measure_scene_of(measure, point->scene), i, log);
         }
     }
     return status;

@@ -23,7 +23,8 @@ static bool is_setting_of(const struct measure_setting *setting,
                           const struct measure_point *point) {
     return strcmp(setting->arithmetic, point->arithmetic) == 0 &&
            strcmp(setting->tail, point->tail) == 0 && setting->depth == point->depth &&
-           !(setting->threshold < point->threshold) && !(setting->threshold > point->threshold);
+           !(setting->threshold < point->threshold) && !(setting->threshold > point->threshold) &&
+           !(setting->error < point->error) && !(setting->error > point->error);
 }
 
 static bool is_gathered(const struct measure_settings *settings,
@@ -76,6 +77,7 @@ bool measure_settings(const struct measure *measure, struct measure_settings *se
             memcpy(setting->tail, point->tail, sizeof setting->tail);
             setting->depth = point->depth;
             setting->threshold = point->threshold;
+            setting->error = point->error;
             gather(measure, setting);
         }
     }

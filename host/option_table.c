@@ -335,7 +335,7 @@ const struct option_entry option_table[] = {
      "the paper's depth level (the scene's)"},
     {"threshold", 0, "E", SCENE_READERS | BIT(MEASURE), set_threshold,
      "a number or a fraction 0..1", "the weight under which a branch ends (the scene's)"},
-    {"error", 0, "LSB", SCENE_READERS, set_error, "a number 0.01..255",
+    {"error", 0, "LSB", SCENE_READERS | BIT(MEASURE), set_error, "a number 0.01..255",
      "the accuracy asked for, in levels, instead of a threshold (off)"},
     {"size", 0, "WxH", SCENE_READERS | BIT(MEASURE) | BIT(PAPER), set_size, "1x1..640x400",
      "the pixels rendered (the scene's)"},

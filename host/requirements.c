@@ -84,6 +84,15 @@ bool requirements_highlight(const struct compiled_scene *scene) {
     return false;
 }
 
+static bool has_operation(const struct compiled_scene *scene, uint8_t code) {
+    for (uint16_t i = 0; i < scene->program_length; i++) {
+        if (scene->programs[i] == code) {
+            return true;
+        }
+    }
+    return false;
+}
+
 static void print_dead(FILE *out, const struct compiled_scene *scene) {
     if (!scene->has_shadows) {
         (void)fprintf(out, "dead        shadow rays: %s\n",
@@ -142,6 +151,20 @@ static void print_nesting(FILE *out, const struct compiled_scene *scene) {
 void requirements_print(FILE *out, const struct compiled_scene *scene) {
     struct words words = {out, 0};
     features_tell(scene, take_feature, &words);
+    static const struct {
+        uint8_t code;
+        const char *name;
+    } operations[] = {{CODE_UNION, "union"},
+                      {CODE_INTERSECTION, "intersection"},
+                      {CODE_DIFFERENCE, "difference"}};
+    for (size_t i = 0; i < sizeof operations / sizeof operations[0]; i++) {
+        if (has_operation(scene, operations[i].code)) {
+            print_word(&words, operations[i].name);
+        }
+    }
+    if (scene->light_count > 1) {
+        print_word(&words, "more than one light");
+    }
     if (requirements_total_reflection(scene)) {
         print_word(&words, "total reflection");
     }

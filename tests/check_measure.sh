@@ -49,13 +49,14 @@ for file in points.csv table.csv report.md report.html plots.gp plots.dat; do
 done
 whole=$(wc -l < m/points.csv)
 [ "$whole" -gt 10 ] || wrong "points.csv has $whole lines"
-grep -q '^ball,fx,3,0,16,10,full,fresnel,black,' m/points.csv || wrong 'a point is lacking'
+grep -q '^ball,fx,3,0,16,10,full,fresnel,black,0,' m/points.csv || wrong 'a point is lacking'
+grep -q '^ball,fx,3,0,16,10,full,fresnel,estimate,1,' m/points.csv || wrong 'no point of --error 1'
 head -n 4 m/points.csv > kept.csv
-{ cat kept.csv && printf 'ball,fx,3,0.0009765625,16,10,full,fresnel,black,12,'; } > m/points.csv
+{ cat kept.csv && printf 'ball,fx,3,0.0009765625,16,10,full,fresnel,black,0,12,'; } > m/points.csv
 # shellcheck disable=SC2086
 expect 0 '' measure ball.scene $points -o m
 [ "$(head -n 4 m/points.csv)" = "$(cat kept.csv)" ] || wrong 'what was there was measured again'
-[ "$(grep -c '^ball,fx,3.*,[0-9.]*$' m/points.csv)" -ge $((whole - 1)) ] || wrong 'points are lacking'
+[ "$(grep -c '^ball,fx,3.*,[0-9a-f]\{16\}$' m/points.csv)" -ge $((whole - 1)) ] || wrong 'points are lacking'
 cp m/points.csv before.csv
 # shellcheck disable=SC2086
 expect 0 '' measure ball.scene $points -o m
@@ -63,6 +64,25 @@ cmp -s m/points.csv before.csv || wrong 'a finished measurement was not left alo
 # shellcheck disable=SC2086
 (PATH=/nonexistent && "$program" measure ball.scene $points -o m 2> err.txt) || wrong 'no gnuplot: failed'
 grep -q 'gnuplot is not there' err.txt || wrong "no gnuplot: says \"$(cat err.txt)\""
+
+# What was measured of a scene does not go with what it was changed into.
+sed -i 's/ior = 1.5/ior = 1.6/' ball.scene
+# shellcheck disable=SC2086
+expect 2 'm/points.csv: its points of "ball" are of that scene as it was' measure ball.scene $points -o m
+cmp -s m/points.csv before.csv || wrong 'the points of the scene as it was were touched'
+sed -i 's/ior = 1.6/ior = 1.5/; s/^version/# as it was\nversion/' ball.scene
+# shellcheck disable=SC2086
+expect 0 '' measure ball.scene $points -o m
+cmp -s m/points.csv before.csv || wrong 'a comment made another scene'
+
+expect 0 '' measure ball.scene --arith fx --size 16x10 --error 0.7 --quiet -o e
+grep -q '^ball,fx,64,0,16,10,full,fresnel,estimate,0.7,' e/points.csv || wrong '--error does not fix the accuracy'
+grep -q ',estimate,1,' e/points.csv && wrong '--error leaves others'
+rays=$("$program" render ball.scene --error 0.7 --size 16x10 --colour full --quiet -o e.png --stats - |
+    sed -n 's/^ *"rays": \([0-9]*\),.*/\1/p')
+[ "$(sed -n 's/^ball,fx,64,0,.*,estimate,0.7,\([0-9]*\),.*/\1/p' e/points.csv)" = "$rays" ] ||
+    wrong "--error 0.7: not the $rays rays of render"
+grep -q 'fx|0.7|' e/report.md || wrong 'the report lacks the accuracy asked for'
 
 expect 2 'measure: -o DIR is lacking' measure ball.scene
 expect 2 'exposures is not measured' measure ball.scene --colour exposures -o n

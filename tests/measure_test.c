@@ -156,24 +156,74 @@ static void count_feature(void *context, const char *name, int value) {
     counts[2] += strcmp(name, "BOX") == 0 && value != 0;
 }
 
+/* What `check` says that a scene requires, its lines made one. */
+static void requirements_of(const char *scene, char *text, size_t size) {
+    struct compiled_scene *compiled = compile_builtin(scene);
+    FILE *file = tmpfile();
+    assert_non_null(file);
+    requirements_print(file, compiled);
+    rewind(file);
+    size_t length = fread(text, 1, size - 1, file);
+    assert_true(length > 0);
+    text[length] = '\0';
+    for (char *at = text; (at = strstr(at, ",\n            ")) != NULL;) {
+        memmove(at + 2, at + 14, strlen(at + 14) + 1);
+        at[1] = ' ';
+    }
+    (void)fclose(file);
+    free(compiled);
+}
+
 static void check_and_compile_share_the_features(void **state) {
     (void)state;
     struct compiled_scene *fig3 = compile_builtin("fig3");
     int counts[3] = {0, 0, 0};
-    char text[8192] = "";
     features_tell(fig3, count_feature, counts);
     assert_true(counts[0] > 10 && counts[1] == 1 && counts[2] == 1);
-    FILE *file = tmpfile();
-    assert_non_null(file);
-    requirements_print(file, fig3);
-    rewind(file);
-    assert_true(fread(text, 1, sizeof text - 1, file) > 0);
-    (void)fclose(file);
-    assert_non_null(strstr(text, "total reflection"));
-    assert_non_null(strstr(text, "dead        shadow rays: nothing"));
-    assert_non_null(strstr(text, "dead        dispersion"));
-    assert_null(strstr(text, "dead        total reflection"));
     free(fig3);
+}
+
+static void check_names_what_a_scene_requires(void **state) {
+    (void)state;
+    static const struct {
+        const char *scene, *said;
+        bool is_said;
+    } cases[] = {
+        {"fig3", " box,", true},
+        {"fig3", " ball,", false},
+        {"fig3", " csg,", true},
+        {"fig3", " difference,", true},
+        {"fig3", " union,", false},
+        {"fig3", " transparency,", true},
+        {"fig3", " total reflection", true},
+        {"fig3", " highlights", true},
+        {"fig3", "more than one light", false},
+        {"fig3", "dead        shadow rays: nothing", true},
+        {"fig3", "dead        dispersion", true},
+        {"fig3", "dead        total reflection", false},
+        {"fig3", "ranges      1 light, gloss up to 60, indices 1.5 to 1.5", true},
+        {"fig3", "nesting     4 deep", true},
+        {"fig5", " polyhedron, quadric, rotation,", true},
+        {"fig5", " union, intersection, difference,", true},
+        {"fig5", " shadows,", true},
+        {"figA", " point lights,", true},
+        {"figA", " more than one light,", true},
+        {"figA", " transparency", false},
+        {"figA", "dead        total reflection: nothing is transparent", true},
+        {"tests/targets/features.scene", " absorption, dispersion, tint, filter, specular table,",
+         true},
+        {"tests/targets/features.scene", " fading,", true},
+        {"tests/targets/features.scene", "dead        dispersion", false},
+        {"tests/targets/features.scene", "indices 1.6 to 1.65, absorption up to 0.0", true},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        char text[8192];
+        requirements_of(cases[i].scene, text, sizeof text);
+        if ((strstr(text, cases[i].said) != NULL) != cases[i].is_said) {
+            fail_msg("%s: \"%s\" %s", cases[i].scene, cases[i].said,
+                     cases[i].is_said ? "is not said" : "is said");
+        }
+    }
 }
 
 /* ---- Signatures ----------------------------------------------------------------------------- */
@@ -288,6 +338,7 @@ int main(void) {
         cmocka_unit_test(every_machine_has_code_and_a_source),
         cmocka_unit_test(requirements_of_built_in_scenes),
         cmocka_unit_test(check_and_compile_share_the_features),
+        cmocka_unit_test(check_names_what_a_scene_requires),
         cmocka_unit_test(signatures_do_not_depend_on_jobs),
         cmocka_unit_test(drift_and_flips_are_told_apart),
         cmocka_unit_test(signature_files_come_back_and_damage_is_found),

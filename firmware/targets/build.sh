@@ -9,6 +9,7 @@
 # FOLDER      where image.elf (or .wasm, .hdm) is made
 # FIT         any: an image whose stack does not fit the machine's memory is built all the same
 # SUPERFRAME  the program (build/superframe); CC the native compiler (gcc)
+# TARGET_RAM  bytes of memory of a cortex-m0 (16384; up to 65536, for an image that only QEMU will run)
 #
 # Exit status: 0 built, 1 not.
 set -eu
@@ -125,7 +126,7 @@ wasm() {
 }
 
 case $target in
-cortex-m0) cortex_m '-mcpu=cortex-m0 -Os' 16384 coprocessor_none $root ;;
+cortex-m0) cortex_m '-mcpu=cortex-m0 -Os' "${TARGET_RAM:-16384}" coprocessor_none $root ;;
 cortex-m3) cortex_m '-mcpu=cortex-m3 -O2' 65536 coprocessor_none $root ;;
 cortex-m4f) cortex_m '-mcpu=cortex-m4 -mfloat-abi=hard -mfpu=fpv4-sp-d16 -O2' 65536 \
     coprocessor_fpu "${root:+$here/cortex_m/square_root_fpu.c}" ;;

@@ -38,9 +38,14 @@ size: $(BUILD)/superframe $(BUILD)/targets/count.so ## Measure code, memory, sta
 size-keep: $(BUILD)/superframe $(BUILD)/targets/count.so ## Keep the figures of `make size` in docs/size.txt
 	BUILD=$(BUILD) sh tests/targets/size.sh --keep docs/size.txt
 
+.PHONY: minimal-table
+minimal-table: $(BUILD)/superframe $(BUILD)/targets/count.so ## Full against minimal images of every scene; write the table in docs/minimal.md
+	BUILD=$(BUILD) sh tests/targets/minimal.sh docs/minimal.md
+
 SETUP_FOR_pc98      := pc98
 SETUP_FOR_pc98-probe := pc98
 SETUP_FOR_wasm      := quick
 SETUP_FOR_targets   := quick targets
+SETUP_FOR_minimal-table := quick
 SETUP_FOR_size      := quick targets
 SETUP_FOR_size-keep := quick targets

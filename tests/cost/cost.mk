@@ -17,8 +17,16 @@ $(BUILD)/release/count_operations: tests/cost/operations.c $(BUILD)/release/imag
 cost-operations: $(BUILD)/release/count_operations ## Count the operations of rays, boundaries and tests
 	$(BUILD)/release/count_operations
 
+$(BUILD)/release/predict: tests/cost/predict.c $(release_HAL) $(release_EMULATOR) $(release_HOST) $(release_IMAGES) $(release_SCENES) $(BUILD)/sources
+	$(CC) $(WARNINGS) $(POSIX) $(CFLAGS_release) $(INCLUDE_host) -o $@ $(filter %.c %.o,$^) $(LIBS)
+
+.PHONY: cost-check
+cost-check: $(BUILD)/superframe $(BUILD)/targets/count.so $(BUILD)/release/predict ## Hold the predicted instructions against those that qemu counts; write the table in docs/measure.md
+	sh tests/cost/check.sh $(BUILD) docs/measure.md
+SETUP_FOR_cost-check := quick
+
 COST_TARGETS ?= m0 m3 m4f i386 i387 x86_64
 
 .PHONY: cost-instructions
-cost-instructions: | setup ## Count the instructions of operations (COST_TARGETS="m3 ..."; needs qemu-user, gcc-arm-none-eabi)
+cost-instructions: $(BUILD)/targets/count.so | setup ## Count the instructions of operations (COST_TARGETS="m3 ..."; needs qemu-user, gcc-arm-none-eabi)
 	sh tests/cost/instructions.sh $(COST_TARGETS)

@@ -66,7 +66,8 @@ choose() {
     esac
 }
 
-# count_instructions: of $folder/program.
+# count_instructions: of $folder/program, by the plugin of QEMU that COUNT names.
 count_instructions() {
-    "$emulator" -singlestep -d nochain,exec -D /dev/stdout "$folder/program" | grep -c '^Trace'
+    plugin=$(realpath "${COUNT:-${BUILD:-build}/targets/count.so}")
+    (cd "$folder" && "$emulator" -plugin "$plugin" ./program > /dev/null && cat instructions.txt)
 }

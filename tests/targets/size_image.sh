@@ -9,17 +9,12 @@ target=$2 arithmetic=$3 features=$4 counted=$5
 name=$target-$arithmetic-$features
 folder=$1/$name
 here=$(dirname "$0")
+. "$here/image_bytes.sh"
 
 fail() {
     echo "$name: $1:" >&2
     tail -n 20 "$folder.log" >&2
     exit 1
-}
-
-# section NAME...: the bytes of these sections of the image together.
-section() {
-    size -A "$folder/image.elf" |
-        awk -v names=" $* " 'index(names, " " $1 " ") { sum += $2 } END { print sum + 0 }'
 }
 
 # build SIZE
@@ -41,6 +36,6 @@ if [ "$target" = wasm ]; then
     sizes="$(wc -c < "$folder/image.wasm") - - -"
 else
     deep=$(sh firmware/targets/stack.sh "$target" "$folder")
-    sizes="$(section .text .ARM.exidx) $(section .rodata) $(($(section .bss .data) + deep)) $deep"
+    sizes="$(section "$folder/image.elf" .text .ARM.exidx) $(section "$folder/image.elf" .rodata) $(($(section "$folder/image.elf" .bss .data) + deep)) $deep"
 fi
 echo "$target $arithmetic fig3 $features $sizes $count" > "$folder.size"

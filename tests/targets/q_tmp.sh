@@ -1,0 +1,146 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# The quick part of `make targets`: small pictures on a 386, a Cortex-M3 and as WebAssembly, and
+# what `superframe boot` says of images that go wrong.
+#
+# Exit status: 0 all hold, 1 one does not.
+set -u
+cd "$(dirname "$0")/../.." || exit 1
+BUILD=${BUILD:-build}
+# Not the program under the sanitizers: the CPU is not what they look at, and takes its time.
+SUPERFRAME=$BUILD/superframe
+export BUILD SUPERFRAME
+work=$BUILD/targets/quick
+SIZE=40x25
+DEPTH=10
+failures=0
+mkdir -p "$work"
+
+wrong() {
+    echo "WRONG: $*"
+    failures=$((failures + 1))
+}
+
+native_hash() {
+    "$SUPERFRAME" render "$1" --size $SIZE --depth $DEPTH --quiet -o "$work/native.png" --stats - |
+        sed -n 's/.*"trace_hash": "\([0-9a-f]*\)".*/\1/p'
+}
+
+# One hash everywhere, on a scene of boxes and on one of balls and rotated boxes, and in full.
+hashes() {
+    for run in 'cortex-m3 fig3 minimal' 'cortex-m3 fig4b full' 'wasm fig3 minimal' '386-flat fig3 minimal'; do
+        # shellcheck disable=SC2086 # three words
+        set -- $run
+        folder=$work/$1-$2
+        expected=$(native_hash "$2")
+        if ! sh firmware/targets/build.sh "$1" fx "$2" $SIZE $DEPTH "$3" "$folder" ||
+            ! TARGET_TIMEOUT=100 sh tests/targets/run_target.sh "$1" "$folder"; then
+            wrong "$run: not built, or not run to its end"
+            continue
+        fi
+        hash=$(sh tests/targets/trace_hash.sh "$folder")
+        echo "$run: $hash"
+        [ -n "$hash" ] && [ "$hash" = "$expected" ] ||
+            wrong "$run: trace_hash $hash; the native one is $expected"
+    done
+}
+
+# expect STATUS TEXT COMMAND...: the command ends so and says so.
+expect() {
+    status=$1
+    text=$2
+    shift 2
+    timeout 60 "$@" > "$work/said.txt" 2>&1
+    found=$?
+    [ $found -eq "$status" ] || wrong "$*: exit status $found; expected is $status"
+    grep -q "$text" "$work/said.txt" || {
+        wrong "$*: does not say: $text"
+        head -n 5 "$work/said.txt"
+    }
+}
+
+# disk BYTES: an image whose boot sector begins with these bytes, given as for printf.
+disk() {
+    printf "$1" > "$work/bad.hdm"
+    truncate -s 1261568 "$work/bad.hdm"
+}
+
+bad_images() {
+    run="$SUPERFRAME boot $work/bad.hdm --instructions 20000000 -o $work/bad.png"
+    rm -f "$work/bad.png"
+    # shellcheck disable=SC2086 # a list of words, here and below
+    {
+        printf 'no image' > "$work/bad.hdm"
+        expect 1 'no 2HD image: less than 1261568 bytes' $run
+        truncate -s 1261569 "$work/bad.hdm"
+        expect 1 'no 2HD image: more than 1261568 bytes' $run
+        disk '\017\377' # 0F FF: no opcode
+        expect 1 'an opcode that the CPU does not have; at 0001FC00h in real mode' $run
+        expect 1 'cs     00001FC0' $run
+        disk '\353\376' # jmp to itself
+        expect 1 'no end within 20000000 instructions; at 0001FC00h' $run
+        # The stack at 1FC0:0400 grows down into the code: 0FFFh is pushed until it is run.
+        disk '\270\300\037\216\320\274\000\004\150\017\377\353\373'
+        expect 1 'an opcode that the CPU does not have' $run
+        disk '\315\041' # int 21h: there is no DOS
+        expect 1 'interrupt or exception 21h' $run
+        disk '\352\000\000\000\240' # jmp A000:0000: the text screen, and then nothing
+        expect 1 'was run; nothing is there' $run
+        disk '\373\364' # sti, hlt: nothing will wake it
+        expect 1 'waits for an interrupt' $run
+        [ ! -e "$work/bad.png" ] || wrong 'a failed run has left a picture'
+        disk '\372\364' # cli, hlt: a program that stops at once
+        expect 0 '' $run
+        [ -s "$work/bad.png" ] || wrong 'a run to the end has left no picture'
+    }
+    expect 2 'cannot be read' "$SUPERFRAME" boot "$work/none.hdm" -o "$work/bad.png"
+}
+
+# What the screen of the image says: Esc ends it; a board at another address does not answer.
+screens() {
+    image=$work/386-flat-fig3/disk.hdm
+    expect 0 'screen: Ended by Esc' "$SUPERFRAME" boot "$image" --escape 3 -o "$work/screen.png"
+    expect 0 'No SuperFrame board answers' "$SUPERFRAME" boot "$image" --base 02D0 --escape 3 -o "$work/screen.png"
+}
+
+# An image that lacks a feature refuses the scene by the feature's name, when it is built: each feature
+# that these scenes require is taken away once, a number is made one less.
+lacking_feature() {
+    lacking=$work/lacking
+    mkdir -p "$lacking"
+    : > "$lacking/names.txt"
+    lacks_each fig6b --error 1 --highlight blinn
+    lacks_each fig5 --model wavelength --tail estimate
+    lacks_each fig4b --model simple --colour full
+    lacks_each tests/targets/features.scene
+    # Who looks on is no scene's matter.
+    sort -u "$lacking/names.txt" > "$lacking/tried.txt"
+    sed 's/ =.*//' "$work/full.txt" | grep -v FEATURE_OBSERVER | diff - "$lacking/tried.txt" >&2 ||
+        wrong 'no scene above requires these features'
+}
+
+# lacks_each SCENE OPTION...
+lacks_each() {
+    "$SUPERFRAME" compile "$@" --minimal -o "$lacking/all.h"
+    "$SUPERFRAME" compile "$@" -o "$lacking/scene.c"
+    compile="gcc -std=c99 -fsyntax-only -Ifirmware/real/fx -I$lacking -Ifirmware -Ihal $lacking/scene.c"
+    cp "$lacking/all.h" "$lacking/feature_set.h"
+    $compile || wrong "$*: its own features do not do"
+    for feature in $(sed -n 's/^ *\(FEATURE_[A-Z_]*\) = [1-9].*/\1/p' "$lacking/all.h"); do
+        awk -v feature="$feature" '$1 == feature { sub($3, $3 - 1 (/,/ ? "," : "")) } { print }' \
+            "$lacking/all.h" > "$lacking/feature_set.h"
+        # shellcheck disable=SC2086 # a list of words
+        expect 1 "image_lacks_$feature[^A-Z_]" $compile
+        echo "$feature" >> "$lacking/names.txt"
+    done
+}
+
+# --minimal knows every feature that there is.
+feature_names() {
+    "$SUPERFRAME" compile fig3 --minimal -o - | grep -o 'FEATURE_[A-Z_]* =' | sort > "$work/minimal.txt"
+    grep -o 'FEATURE_[A-Z_]* =' firmware/features/full/feature_set.h | sort > "$work/full.txt"
+    [ -s "$work/full.txt" ] && diff "$work/full.txt" "$work/minimal.txt" ||
+        wrong 'host/emit_features.c and firmware/features/full/feature_set.h differ'
+}
+
+feature_names; lacking_feature; echo $failures; wc -l $lacking/tried.txt; [ $failures -eq 0 ]
