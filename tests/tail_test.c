@@ -73,7 +73,7 @@ static void black_is_what_an_empty_estimate_gives(void **state) {
     (void)state;
     render_scene(&black, "fig4b", "fx", 1.0 / 512, false, 0);
     for (int i = 0; i < 3; i++) {
-        assert_int_equal(black.estimate.mean[i], 0);
+        assert_int_equal(black.estimate.level[0].mean[i], 0);
     }
     render_scene(&estimated, "fig4b", "fx", 1.0 / 512, true, 0);
     for (int i = 0; i < PIXELS; i++) {
@@ -91,9 +91,11 @@ static void every_arithmetic_learns_the_same(void **state) {
     for (int i = 0; i < 3; i++) {
         render_scene(&estimated, "fig3", arithmetics[i], 1.0 / 64, true, 2);
         for (int j = 0; j < 3; j++) {
-            assert_true(abs(estimated.estimate.mean[j] - other.estimate.mean[j]) < 65536 / 4);
+            assert_true(abs(estimated.estimate.level[2].mean[j] - other.estimate.level[2].mean[j]) <
+                        65536 / 4);
         }
-        assert_true(abs(estimated.estimate.spread - other.estimate.spread) < 65536 / 4);
+        assert_true(abs(estimated.estimate.level[2].spread - other.estimate.level[2].spread) <
+                    65536 / 4);
     }
 }
 
