@@ -31,7 +31,7 @@ struct render_counts {
 struct estimate_level {
     int32_t mean[3]; /* red, green, blue */
 
-    /* Two and a half standard deviations: of a pixel, over the root of the sum of the squares of
+    /* Two standard deviations: of a pixel, over the root of the sum of the squares of
      * the weights that are cut. */
     int32_t spread;
 

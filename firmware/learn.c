@@ -14,11 +14,12 @@ enum { MORE_EVENTS = 16, LESS_WEIGHT_BITS = 5 };
 
 /* With one: the levels of the first look and of each next one, and those below a level which must
  * be seen for it to be known. */
-enum { FIRST_LEVELS = 7, MORE_LEVELS = 3, LEVELS_BELOW = 2 };
+enum { FIRST_LEVELS = 7, MORE_LEVELS = 3, LEVELS_BELOW = 4 };
 
-/* A spread is so many halves of a standard deviation. One of a branch is taken to be at least what
- * it is if all levels from black to white are as likely, 255 / 12^(1/2): few pixels tell little. */
-enum { SPREAD_HALF_DEVIATIONS = 5, DEVIATION_LEAST = 74 };
+/* A spread is so many quarters of a standard deviation. One of a branch is taken to be at least
+ * what it is if all levels from black to white are as likely, 255 / 12^(1/2): few pixels tell
+ * little. */
+enum { SPREAD_QUARTERS = 9, DEVIATION_LEAST = 74 };
 
 /* Sums over pixels, of one level. */
 struct level_sums {
@@ -183,12 +184,9 @@ static int64_t squared_strays(const struct level_sums *sums, const struct estima
 }
 
 /* The spread, times the root of the squares, is to be no more than the error that is asked for. */
-static void conclude_spread(const struct level_sums *sums, uint32_t error,
-                            struct estimate_level *level) {
+static void conclude_spread(int64_t deviation, uint32_t error, struct estimate_level *level) {
     const int64_t all = (int64_t)1 << 26;
-    int64_t deviation = learn_root(scaled_quotient(squared_strays(sums, level), sums->squares, 52));
-    deviation = deviation > DEVIATION_LEAST << 8 ? deviation : DEVIATION_LEAST << 8;
-    int64_t spread = deviation * SPREAD_HALF_DEVIATIONS << 7;
+    int64_t spread = deviation * SPREAD_QUARTERS << 6;
     level->spread = spread > INT32_MAX ? INT32_MAX : (int32_t)spread;
     int64_t most = quotient((int64_t)error << 26, level->spread);
     most = most < all ? most : all;
@@ -200,16 +198,28 @@ static bool is_enough(const struct level_sums *sums, const struct estimate_level
     return quotient(sums->squares, sums->pixels) <= level->squares_most;
 }
 
-/* The levels that were seen; those below are taken to be like the last of them. */
+/* One standard deviation, in steps of 2^-8 level. */
+static int64_t deviation_of(const struct level_sums *sums, const struct estimate_level *level) {
+    const int64_t least = (int64_t)DEVIATION_LEAST << 8;
+    int64_t deviation = learn_root(scaled_quotient(squared_strays(sums, level), sums->squares, 52));
+    return deviation > least ? deviation : least;
+}
+
+/* The levels that were seen, and those below. There the mean is taken to be the same; the deviation
+ * grows by an eighth from each to the next one, for what is cut is more and more alike. */
 static void conclude(const struct sums *sums, uint32_t error, struct estimate *estimate) {
     uint8_t known = (uint8_t)(sums->levels - LEVELS_BELOW);
+    int64_t deviation = 0;
     for (uint8_t i = 0; i < ESTIMATE_LEVELS; i++) {
+        struct estimate_level *level = &estimate->level[i];
         if (i < known) {
-            conclude_mean(&sums->level[i], &estimate->level[i]);
-            conclude_spread(&sums->level[i], error, &estimate->level[i]);
+            conclude_mean(&sums->level[i], level);
+            deviation = deviation_of(&sums->level[i], level);
         } else {
-            estimate->level[i] = estimate->level[known - 1];
+            *level = estimate->level[known - 1];
+            deviation += deviation >> 3;
         }
+        conclude_spread(deviation, error, level);
     }
     estimate->typical = 0;
     while (estimate->typical + 1 < known &&
@@ -219,7 +229,7 @@ static void conclude(const struct sums *sums, uint32_t error, struct estimate *e
     estimate->first = (uint8_t)(estimate->typical > 2 ? estimate->typical - 2 : 0);
 }
 
-/* Looks deeper until the harder pixels' level is known, with two below it. */
+/* Looks deeper until the harder pixels' level is known, with enough below it. */
 static void learn_levels(const struct scene *scene, struct lesson *lesson,
                          struct estimate *estimate, struct render_counts *counts) {
     struct sums sums;
@@ -231,7 +241,7 @@ static void learn_levels(const struct scene *scene, struct lesson *lesson,
     look(scene, lesson, &sums, 0, counts);
     for (;;) {
         conclude(&sums, scene->error, estimate);
-        if (estimate->typical + 2 * LEVELS_BELOW < lesson->levels ||
+        if (estimate->typical + LEVELS_BELOW < lesson->levels - 1 ||
             lesson->levels + MORE_LEVELS > LESSON_LEVELS) {
             return;
         }

@@ -55,33 +55,49 @@ static bool must_begin_again(const struct tree *tree, const struct estimate_leve
     return tree->kept->losses.squares > level->squares_most && used < tree->scene->ray_budget / 4;
 }
 
-/* Halves the threshold until the pixel is as accurate as was asked for; returns the level. Branches
+/* A threshold on its way down: at a level of the estimate, or half-way to the next one. */
+struct descent {
+    uint8_t level;
+    bool is_between;
+    real_energy threshold;
+};
+
+static void go_down(struct descent *descent, bool whole_level) {
+    if (descent->is_between) {
+        descent->threshold = energy_product(descent->threshold, REAL_ENERGY(2.0 / 3));
+    } else {
+        descent->threshold =
+            energy_product(descent->threshold, whole_level ? REAL_ENERGY(0.5) : REAL_ENERGY(0.75));
+    }
+    descent->is_between = !descent->is_between && !whole_level;
+    descent->level = (uint8_t)(descent->level + !descent->is_between);
+}
+
+/* Lowers the threshold until the pixel is as accurate as was asked for; returns the level. Branches
  * stray from the mean independently of each other, nearly: their squares add. */
 static uint8_t refine(struct tree *tree, const struct ray *eye_ray) {
     const struct estimate *estimate = tree->scene->estimate;
-    uint8_t number = estimate->first;
-    real_energy threshold = tree->scene->threshold;
-    for (uint8_t i = 0; i < number; i++) {
-        threshold = energy_product(threshold, REAL_ENERGY(0.5));
+    struct descent descent = {0, false, tree->scene->threshold};
+    while (descent.level < estimate->first) {
+        go_down(&descent, true);
     }
-    begin(tree, eye_ray, threshold);
-    while (squares_of(tree->kept) > estimate->level[number].squares_most) {
-        bool again = must_begin_again(tree, &estimate->level[number]);
+    begin(tree, eye_ray, descent.threshold);
+    while (squares_of(tree->kept) > estimate->level[descent.level].squares_most) {
+        bool again = must_begin_again(tree, &estimate->level[descent.level]);
         bool is_stuck = tree->kept->count == 0 && !again;
-        if (growth_is_exhausted(tree) || is_stuck || number + 1 >= ESTIMATE_LEVELS) {
+        if (growth_is_exhausted(tree) || is_stuck || descent.level + 1 >= ESTIMATE_LEVELS) {
             tree->exhausted = true;
             break;
         }
-        number++;
-        threshold = energy_product(threshold, REAL_ENERGY(0.5));
+        go_down(&descent, again);
         if (again) {
-            begin(tree, eye_ray, threshold);
+            begin(tree, eye_ray, descent.threshold);
         } else {
-            tree->threshold = threshold;
+            tree->threshold = descent.threshold;
             follow_kept(tree);
         }
     }
-    return number;
+    return descent.level;
 }
 
 /* Everything that is still kept is cut now. */

@@ -34,6 +34,7 @@ static void write_estimate(FILE *out, const struct run_stats *stats) {
         (void)fprintf(out, "  \"error\": %.17g,\n  \"spread\": %.6f,\n", stats->compiled->error,
                       level->spread / 65536.0);
         (void)fprintf(out, "  \"estimated_error\": %.6f,\n", totals->estimated_error / 65536.0);
+        (void)fprintf(out, "  \"worst_pixel\": [%u, %u],\n", totals->worst_x, totals->worst_y);
         write_count(out, "proved_error", totals->proved_error);
     }
 }

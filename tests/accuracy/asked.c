@@ -74,11 +74,11 @@ static bool judge(struct subject *subject, double error, double *rays) {
         exit(2);
     }
     frame_compare(&frame, &subject->converged, error_most * error, &errors);
-    int same = best_uniform(subject, error_most * error, fmin(errors.share, errors.open));
+    int same = best_uniform(subject, error_most * error, errors.share);
     int enough = best_uniform(subject, error_most * error, share_least);
     double same_rays = uniform(subject, same)->rays, enough_rays = uniform(subject, enough)->rays;
-    bool good = errors.share >= share_least && errors.open >= share_least &&
-                frame.rays <= rays_most * same_rays && frame.rays > *rays;
+    bool good =
+        errors.share >= share_least && frame.rays <= rays_most * same_rays && frame.rays > *rays;
     printf("| %s | %g | %.3f | %.3f | %.2f | %.1f at %d, %d | %.1f | %lu | %.1f (%.1f) | %.1f, "
            "%.2f | %.1f, %.2f |%s\n",
            subject->scene, error, errors.share, errors.open, errors.square, errors.worst,
