@@ -334,6 +334,7 @@ void growth_start(struct tree *tree, const struct scene *scene, const struct ray
     tree->sum.red = tree->sum.green = tree->sum.blue = REAL_COLOUR(0.0);
     tree->threshold = scene->threshold;
     tree->rays_before = counts->rays;
+    tree->ray_budget = scene->ray_budget;
     tree->exhausted = false;
     tree->node = 0;
     tree->waiting = 1;
@@ -347,7 +348,7 @@ void growth_start(struct tree *tree, const struct scene *scene, const struct ray
 }
 
 bool growth_is_exhausted(const struct tree *tree) {
-    return tree->counts->rays - tree->rays_before >= tree->scene->ray_budget;
+    return tree->counts->rays - tree->rays_before >= tree->ray_budget;
 }
 
 /* What waits when the budget is used up ends unseen. */

@@ -55,7 +55,8 @@ struct tree {
     struct lesson *lesson;      /* NULL: nothing is learned */
     struct colours sum;
     real_energy threshold;
-    uint32_t rays_before; /* counts->rays when it began: it ends scene->ray_budget later */
+    uint32_t rays_before; /* counts->rays when it began */
+    uint32_t ray_budget;  /* it ends so many rays later */
     bool exhausted;       /* it has */
     uint32_t node;        /* the number of the node at work */
     uint16_t waiting;

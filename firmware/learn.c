@@ -21,6 +21,10 @@ enum { FIRST_LEVELS = 7, MORE_LEVELS = 3, LEVELS_BELOW = 4 };
  * little. */
 enum { SPREAD_QUARTERS = 9, DEVIATION_LEAST = 74 };
 
+/* A pixel that is looked at has this part of the budget of rays. Where this part of the pixels use
+ * it up, light is trapped, and more levels would teach nothing. */
+enum { BUDGET_PART = 8, EXHAUSTED_PART = 8 };
+
 /* Sums over pixels, of one level. */
 struct level_sums {
     int64_t worth[3];  /* in steps of 2^-16 level */
@@ -34,6 +38,7 @@ struct level_sums {
 
 struct sums {
     uint8_t levels;
+    uint16_t exhausted; /* pixels */
     const int32_t
         *rest_mean; /* what ends unseen is worth, in steps of 2^-16 level; NULL: unknown */
     struct level_sums level[LESSON_LEVELS];
@@ -84,7 +89,8 @@ uint32_t learn_root(int64_t square) {
     return root;
 }
 
-static void look_at(const struct scene *scene, struct lesson *lesson, uint16_t cell,
+/* False where the budget ended it. */
+static bool look_at(const struct scene *scene, struct lesson *lesson, uint16_t cell,
                     struct render_counts *counts) {
     /* The middle of the cell; a 16-bit int holds 2 * 31 + 1 times 640. */
     uint16_t column = (uint16_t)(cell % COLUMNS), row = (uint16_t)(cell / COLUMNS);
@@ -94,7 +100,9 @@ static void look_at(const struct scene *scene, struct lesson *lesson, uint16_t c
     struct tree tree;
     growth_start(&tree, scene, &ray, counts);
     tree.lesson = lesson;
+    tree.ray_budget = scene->ray_budget / BUDGET_PART;
     growth_finish(&tree);
+    return !tree.exhausted;
 }
 
 static void clear_lesson(struct lesson *lesson) {
@@ -156,10 +164,11 @@ static void look(const struct scene *scene, struct lesson *lesson, struct sums *
                  const int32_t *rest_mean, struct render_counts *counts) {
     sums->rest_mean = rest_mean;
     sums->levels = lesson->levels;
+    sums->exhausted = 0;
     clear_sums(sums);
     for (uint16_t i = 0; i < COLUMNS * ROWS; i++) {
         clear_lesson(lesson);
-        look_at(scene, lesson, i, counts);
+        sums->exhausted = (uint16_t)(sums->exhausted + !look_at(scene, lesson, i, counts));
         add_pixel(sums, lesson);
     }
 }
@@ -242,6 +251,7 @@ static void learn_levels(const struct scene *scene, struct lesson *lesson,
     for (;;) {
         conclude(&sums, scene->error, estimate);
         if (estimate->typical + LEVELS_BELOW < lesson->levels - 1 ||
+            sums.exhausted > COLUMNS * ROWS / EXHAUSTED_PART ||
             lesson->levels + MORE_LEVELS > LESSON_LEVELS) {
             return;
         }

@@ -52,7 +52,7 @@ static void begin(struct tree *tree, const struct ray *eye_ray, real_energy thre
  * about twice as many as what was done so far. */
 static bool must_begin_again(const struct tree *tree, const struct estimate_level *level) {
     uint32_t used = tree->counts->rays - tree->rays_before;
-    return tree->kept->losses.squares > level->squares_most && used < tree->scene->ray_budget / 4;
+    return tree->kept->losses.squares > level->squares_most && used < tree->ray_budget / 4;
 }
 
 /* A threshold on its way down: at a level of the estimate, or half-way to the next one. */
