@@ -201,6 +201,7 @@ include tests/cost/cost.mk
 include tests/proofs/proofs.mk
 include tests/pov/pov.mk
 include tests/bench/bench.mk
+include tests/accuracy/accuracy.mk
 
 # ---- Running --------------------------------------------------------------------------------
 
@@ -252,10 +253,6 @@ test: $(TEST_PROGRAMS) $(REAL_TEST_PROGRAMS) $(BUILD)/superframe $(BUILD)/saniti
 	@sh tests/run.sh $(BUILD) $(TEST_SCRIPTS) $(TEST_PROGRAMS) $(REAL_TEST_PROGRAMS) $(USB_TEST_PROGRAMS)
 
 # ---- Measuring ------------------------------------------------------------------------------
-
-$(BUILD)/release/tests/accuracy/accuracy.o: tests/accuracy/accuracy.c $(BUILD)/flags | setup
-	@mkdir -p $(@D)
-	$(CC) $(WARNINGS) $(POSIX) $(CFLAGS_release) $(INCLUDE_tests) -MMD -MP -c -o $@ $<
 
 $(BUILD)/release/accuracy: $(BUILD)/release/tests/accuracy/accuracy.o $(release_LIBRARY) $(BUILD)/sources
 	$(CC) $(LDFLAGS_release) -o $@ $(filter %.o,$^) $(LIBS)

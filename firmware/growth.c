@@ -29,22 +29,15 @@ static void add_part(struct tree *tree, struct colours part) {
     tree->sum = colours_add(tree->sum, colours_in_steps(part));
 }
 
-/* The worth of a branch of that weight. */
+/* A branch that is cut adds what the scene's estimate says, or nothing. */
 static void cut_worth(struct tree *tree, struct energies weight) {
     const struct estimate *estimate = tree->scene->estimate;
     if (FEATURE_ESTIMATE && estimate) {
-        const struct colours mean = {colour_of_steps(estimate->mean[0]),
-                                     colour_of_steps(estimate->mean[1]),
-                                     colour_of_steps(estimate->mean[2])};
+        const int32_t *steps = estimate->level[0].mean;
+        const struct colours mean = {colour_of_steps(steps[0]), colour_of_steps(steps[1]),
+                                     colour_of_steps(steps[2])};
         add_part(tree, colours_weighed(mean, weight));
     }
-}
-
-void growth_cut(struct tree *tree, struct energies weight, uint8_t events) {
-    int32_t steps = energy_steps(energies_largest(weight));
-    tree->lost += steps;
-    tree->lost_depth += (int64_t)steps * (tree->scene->depth - events + 1);
-    cut_worth(tree, weight);
 }
 
 static void add_weight(int64_t sum[3], struct energies weight) {
@@ -53,35 +46,83 @@ static void add_weight(int64_t sum[3], struct energies weight) {
     sum[2] += energy_steps(weight.blue);
 }
 
-/* Whether a branch that is cut is followed all the same, to learn what it is worth. */
-static bool learn_beyond(struct tree *tree, const struct branch *branch, bool was_beyond) {
-    struct lesson *lesson = tree->lesson;
-    if (!was_beyond) {
-        add_weight(lesson->weight, branch->weight);
+int64_t growth_square(struct energies weight) {
+    int64_t steps = energy_steps(energies_largest(weight)) >> 4;
+    return steps * steps;
+}
+
+static void lose(struct tree *tree, const struct branch *branch, enum branch_end why) {
+    struct losses *losses = &tree->kept->losses;
+    int64_t steps = energy_steps(energies_largest(branch->weight));
+    losses->depth += steps * (tree->scene->depth - branch->events + 1);
+    if (why == END_DEPTH) {
+        add_weight(losses->ended, branch->weight);
+        return;
     }
-    if (branch->events > lesson->last_depth ||
-        energy_less(energies_largest(branch->weight), lesson->last_threshold)) {
-        add_weight(lesson->rest, branch->weight);
+    add_weight(losses->weight, branch->weight);
+    losses->squares += growth_square(branch->weight);
+}
+
+void growth_lose(struct tree *tree, const struct branch *branch) {
+    lose(tree, branch, END_THRESHOLD);
+}
+
+/* What a threshold or the depth level cut is kept for a lower threshold. When half of the places
+ * are taken, the others are for what weighs most: of the squares of the weights, on which accuracy
+ * depends, branches below a quarter of the threshold have some twentieth. */
+static void keep(struct tree *tree, const struct branch *branch, enum branch_end why) {
+    struct kept_branches *kept = tree->kept;
+    bool has_place = kept->count < KEPT_MOST / 2;
+    if (!has_place && kept->count < KEPT_MOST) {
+        real_energy least = energy_product(tree->threshold, REAL_ENERGY(0.25));
+        has_place = !energy_less(energies_largest(branch->weight), least);
+    }
+    if (has_place && why == END_THRESHOLD) {
+        kept->branches[kept->count++] = *branch;
+    } else {
+        lose(tree, branch, why);
+    }
+}
+
+/* The number of levels whose threshold is above that weight. */
+static uint8_t levels_above(const struct lesson *lesson, int32_t weight) {
+    uint8_t count = 0;
+    while (count < lesson->levels && lesson->first >> count > weight) {
+        count++;
+    }
+    return count;
+}
+
+/* Enters a new branch into the lesson: whether it is followed, beyond the cut if need be. */
+static bool learn_of(struct tree *tree, struct branch *branch, bool is_deep) {
+    struct lesson *lesson = tree->lesson;
+    int32_t steps = energy_steps(energies_largest(branch->weight));
+    uint8_t cut = levels_above(lesson, steps), level = branch->beyond;
+    if (is_deep && lesson->of_depth && cut == 0) {
+        cut = 1;
+    }
+    for (; level < cut; level++) {
+        add_weight(lesson->level[level].weight, branch->weight);
+        lesson->level[level].squares += growth_square(branch->weight);
+    }
+    branch->beyond = level;
+    if (branch->events > lesson->last_depth || (level > 0 && steps < lesson->last)) {
+        if (level > 0) {
+            add_weight(lesson->level[level - 1].rest, branch->weight);
+        }
         return false;
     }
     return true;
 }
 
-/* What becomes of a branch that threshold or depth level cut: false if nothing is left of it. */
-static bool survives(struct tree *tree, struct branch *branch, bool was_beyond,
-                     enum branch_end why) {
+/* What becomes of a branch that threshold or depth level cut. */
+static void cut(struct tree *tree, const struct branch *branch, enum branch_end why) {
     report_end(tree, (enum branch_kind)branch->kind, branch->channel, branch->weight, why);
-    if (FEATURE_ESTIMATE && tree->lesson) {
-        branch->beyond = true;
-        return learn_beyond(tree, branch, was_beyond);
-    }
-    struct kept_branches *kept = tree->kept;
-    if (FEATURE_KEPT > 0 && kept && why == END_THRESHOLD && kept->count < KEPT_MOST) {
-        kept->branches[kept->count++] = *branch;
+    if (FEATURE_KEPT > 0 && tree->kept) {
+        keep(tree, branch, why);
     } else {
-        growth_cut(tree, branch->weight, branch->events);
+        cut_worth(tree, branch->weight);
     }
-    return false;
 }
 
 /* Puts a branch aside, if it is to be followed at all. */
@@ -90,7 +131,6 @@ static void grow(struct tree *tree, const struct node *node, enum branch_kind ki
     const struct hit *hit = node->hit;
     struct energies weight = energies_product(node->branch->weight, coefficient);
     real_energy largest = energies_largest(weight);
-    bool was_beyond = node->branch->beyond;
     if (energy_is_zero(largest)) {
         report_end(tree, kind, channel, weight, END_NOTHING);
         return;
@@ -106,13 +146,16 @@ static void grow(struct tree *tree, const struct node *node, enum branch_kind ki
     branch->events = (uint8_t)(node->branch->events + 1);
     branch->channel = channel;
     branch->kind = (uint8_t)kind;
-    branch->beyond = was_beyond;
+    branch->beyond = node->branch->beyond;
     branch->parent = tree->node;
     bool deep = node->branch->events >= tree->scene->depth;
-    if (was_beyond || deep || energy_less(largest, tree->threshold)) {
-        if (!survives(tree, branch, was_beyond, deep ? END_DEPTH : END_THRESHOLD)) {
+    if (FEATURE_ESTIMATE && tree->lesson) {
+        if (!learn_of(tree, branch, deep)) {
             return;
         }
+    } else if (deep || energy_less(largest, tree->threshold)) {
+        cut(tree, branch, deep ? END_DEPTH : END_THRESHOLD);
+        return;
     }
     tree->waiting++;
 }
@@ -228,10 +271,11 @@ static void grow_transparent(struct tree *tree, const struct node *node) {
 static void add_intensity(struct tree *tree, const struct branch *branch,
                           struct colours intensity) {
     struct colours part = colours_weighed(intensity, branch->weight);
-    if (FEATURE_ESTIMATE && branch->beyond) {
-        tree->lesson->worth[0] += colour_steps(part.red);
-        tree->lesson->worth[1] += colour_steps(part.green);
-        tree->lesson->worth[2] += colour_steps(part.blue);
+    if (FEATURE_ESTIMATE && branch->beyond > 0) {
+        int64_t *worth = tree->lesson->level[branch->beyond - 1].worth;
+        worth[0] += colour_steps(part.red);
+        worth[1] += colour_steps(part.green);
+        worth[2] += colour_steps(part.blue);
     } else {
         add_part(tree, part);
     }
@@ -296,34 +340,36 @@ void growth_start(struct tree *tree, const struct scene *scene, const struct ray
     tree->sum.red = tree->sum.green = tree->sum.blue = REAL_COLOUR(0.0);
     tree->threshold = scene->threshold;
     tree->rays_before = counts->rays;
+    tree->ray_budget = scene->ray_budget;
     tree->exhausted = false;
     tree->node = 0;
-    tree->lost = tree->lost_depth = 0;
     tree->waiting = 1;
     tree->branches[0].ray = *eye_ray;
     tree->branches[0].weight = energies_equal(REAL_ENERGY(1.0));
     tree->branches[0].events = 0;
     tree->branches[0].channel = CHANNEL_ALL;
     tree->branches[0].kind = BRANCH_EYE;
-    tree->branches[0].beyond = false;
+    tree->branches[0].beyond = 0;
     tree->branches[0].parent = 0;
 }
 
 bool growth_is_exhausted(const struct tree *tree) {
-    return tree->counts->rays - tree->rays_before >= tree->scene->ray_budget;
+    return tree->counts->rays - tree->rays_before >= tree->ray_budget;
 }
 
+/* What waits when the budget is used up ends unseen. */
 static void cut_waiting(struct tree *tree) {
     while (tree->waiting > 0) {
         const struct branch *branch = &tree->branches[--tree->waiting];
-        if (!FEATURE_ESTIMATE || !tree->lesson) {
-            growth_cut(tree, branch->weight, branch->events);
-            continue;
+        if (FEATURE_ESTIMATE && tree->lesson) {
+            if (branch->beyond > 0) {
+                add_weight(tree->lesson->level[branch->beyond - 1].rest, branch->weight);
+            }
+        } else if (FEATURE_KEPT > 0 && tree->kept) {
+            growth_lose(tree, branch);
+        } else {
+            cut_worth(tree, branch->weight);
         }
-        if (!branch->beyond) {
-            add_weight(tree->lesson->weight, branch->weight);
-        }
-        add_weight(tree->lesson->rest, branch->weight);
     }
 }
 

@@ -3,6 +3,7 @@
 #ifndef SUPERFRAME_GROWTH_H
 #define SUPERFRAME_GROWTH_H
 
+#include "image.h"
 #include "tree.h"
 
 /* Each event leaves at most one branch waiting, the other is followed at once; dispersion, which
@@ -11,19 +12,39 @@ enum { BRANCHES_MOST = FEATURE_DEPTH + 2 + (FEATURE_DISPERSION ? 3 : 0) };
 
 enum { KEPT_MOST = FEATURE_KEPT > 0 ? FEATURE_KEPT : 1 };
 
+/* What is not followed any farther, with an accuracy asked for: sums in integers. */
+struct losses {
+    int64_t weight[3]; /* that the threshold or the budget cut, in steps of 2^-30 */
+    int64_t squares;   /* of the largest of those, in steps of 2^-52 */
+    int64_t ended[3];  /* that the depth level cut, in steps of 2^-30 */
+    int64_t depth;     /* of all, the largest times the events which it could still have met */
+};
+
 /* Branches that the threshold cut, kept because a lower one may follow them. */
 struct kept_branches {
+    struct losses losses; /* what could not be kept, or is not to be */
     uint16_t count;
     struct branch branches[KEPT_MOST];
 };
 
-/* What is learned about cut branches: sums over their leaves, in integers (real.h, *_steps). */
-struct lesson {
-    real_energy last_threshold; /* beyond the cut, branches are followed down to this */
-    uint8_t last_depth;
+enum { LESSON_LEVELS = FEATURE_KEPT > 0 ? ESTIMATE_LEVELS : 1 };
+
+/* What one pixel teaches of the branches that a threshold cuts. Each sum counts what is cut at its
+ * level and at none before; worth and rest are also part of those before. */
+struct lesson_level {
     int64_t worth[3];  /* in steps of 2^-16 level */
     int64_t weight[3]; /* of what was cut, in steps of 2^-30 */
     int64_t rest[3];   /* of that, what ended beyond the cut without having been seen */
+    int64_t squares;   /* of the largest weights that were cut, in steps of 2^-52 */
+};
+
+struct lesson {
+    int32_t first;      /* the threshold of level 0, in steps of 2^-30; each next one is half */
+    int32_t last;       /* beyond the cut, branches are followed down to this */
+    uint8_t levels;     /* 1..LESSON_LEVELS */
+    uint8_t last_depth; /* and to this depth level */
+    bool of_depth;      /* what the scene's depth level cuts counts as cut at level 0 */
+    struct lesson_level level[LESSON_LEVELS];
 };
 
 struct tree {
@@ -34,11 +55,10 @@ struct tree {
     struct lesson *lesson;      /* NULL: nothing is learned */
     struct colours sum;
     real_energy threshold;
-    uint32_t rays_before; /* counts->rays when it began: it ends scene->ray_budget later */
+    uint32_t rays_before; /* counts->rays when it began */
+    uint32_t ray_budget;  /* it ends so many rays later */
     bool exhausted;       /* it has */
     uint32_t node;        /* the number of the node at work */
-    int64_t lost;         /* the weight of what was cut for good, in steps of 2^-30 */
-    int64_t lost_depth;   /* that times the events which it could still have met */
     uint16_t waiting;
     struct branch branches[BRANCHES_MOST];
 };
@@ -53,7 +73,10 @@ bool growth_is_exhausted(const struct tree *tree);
 /* Follows what is waiting until nothing is; cuts it where the budget ends. */
 void growth_finish(struct tree *tree);
 
-/* Counts a branch as cut: it adds what the scene's estimate says, or nothing. */
-void growth_cut(struct tree *tree, struct energies weight, uint8_t events);
+/* The square of the largest of the weights, in steps of 2^-52. */
+int64_t growth_square(struct energies weight);
+
+/* Counts a branch that the threshold cut among the losses. */
+void growth_lose(struct tree *tree, const struct branch *branch);
 
 #endif

@@ -17,7 +17,12 @@ static void image_row(const struct scene *scene, uint16_t y, uint8_t *rgb,
                       struct render_counts *counts) {
     for (uint16_t x = 0; x < scene->width; x++) {
         const struct ray ray = camera_ray(scene, x, y);
+        uint32_t worst = counts->estimated_error;
         struct colours colour = tree_colour(scene, &ray, counts, 0);
+        if (counts->estimated_error > worst) {
+            counts->worst_x = x;
+            counts->worst_y = y;
+        }
         *rgb++ = colour_level(colour.red);
         *rgb++ = colour_level(colour.green);
         *rgb++ = colour_level(colour.blue);

@@ -22,14 +22,31 @@ struct render_counts {
     uint32_t exhausted_pixels; /* that their budget of rays ended */
 
     /* Of scenes with an accuracy asked for: the worst pixel's, not sums. */
-    uint32_t estimated_error; /* in steps of 2^-16 level: what was cut times its spread */
-    uint32_t proved_error;    /* in levels: what was cut, at its brightest, to the depth level */
+    uint32_t estimated_error;  /* in steps of 2^-16 level: what was cut, times its spread */
+    uint16_t worst_x, worst_y; /* that pixel, where rows are rendered */
+    uint32_t proved_error;     /* in levels: what was cut, at its brightest, to the depth level */
 };
 
-/* What a branch that is cut is worth, learned from the scene; in steps of 2^-16 level. */
-struct estimate {
+/* What branches are worth that one threshold cuts; intensities in steps of 2^-16 level. */
+struct estimate_level {
     int32_t mean[3]; /* red, green, blue */
-    int32_t spread;  /* how far pixels stray from the mean, on average */
+
+    /* Two standard deviations: of a pixel, over the root of the sum of the squares of
+     * the weights that are cut. */
+    int32_t spread;
+
+    /* That sum, in steps of 2^-52, at which a pixel is as accurate as was asked for. */
+    int64_t squares_most;
+};
+
+enum { ESTIMATE_LEVELS = 20 };
+
+/* What is learned of a scene. Level 0 is of its own threshold, each next one of half of that; all
+ * but level 0 are for an accuracy that is asked for. */
+struct estimate {
+    struct estimate_level level[ESTIMATE_LEVELS];
+    uint8_t first;   /* the level where pixels begin */
+    uint8_t typical; /* the level that most of the harder ones take */
 };
 
 /* Gives row y as width x 3 bytes R G B, in full colour; false stops the drawing. */

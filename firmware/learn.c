@@ -8,8 +8,41 @@
 /* The pixels looked at: a grid over the whole picture. */
 enum { COLUMNS = 32, ROWS = 20 };
 
-/* How much deeper than the picture they are followed. */
-enum { MORE_EVENTS = 16 };
+/* Without an accuracy asked for, what is cut is followed this much deeper, and down to this part of
+ * the threshold. */
+enum { MORE_EVENTS = 16, LESS_WEIGHT_BITS = 5 };
+
+/* With one: the levels of the first look and of each next one, and those below a level which must
+ * be seen for it to be known. */
+enum { FIRST_LEVELS = 7, MORE_LEVELS = 3, LEVELS_BELOW = 4 };
+
+/* A spread is so many quarters of a standard deviation. One of a branch is taken to be at least
+ * what it is if all levels from black to white are as likely, 255 / 12^(1/2): few pixels tell
+ * little. */
+enum { SPREAD_QUARTERS = 9, DEVIATION_LEAST = 74 };
+
+/* A pixel that is looked at has this part of the budget of rays. Where this part of the pixels use
+ * it up, light is trapped, and more levels would teach nothing. */
+enum { BUDGET_PART = 8, EXHAUSTED_PART = 8 };
+
+/* Sums over pixels, of one level. */
+struct level_sums {
+    int64_t worth[3];  /* in steps of 2^-16 level */
+    int64_t weight[3]; /* whose worth that is, in steps of 2^-30 */
+    int64_t squares;   /* in steps of 2^-52 */
+    uint16_t pixels;   /* where something is cut */
+
+    /* Of each pixel's worth a, in steps of 2^-8 level, and weight b, in steps of 2^-18. */
+    int64_t aa[3], ab[3], bb[3];
+};
+
+struct sums {
+    uint8_t levels;
+    uint16_t exhausted; /* pixels */
+    const int32_t
+        *rest_mean; /* what ends unseen is worth, in steps of 2^-16 level; NULL: unknown */
+    struct level_sums level[LESSON_LEVELS];
+};
 
 /* a / b for a, b >= 0, bit by bit: no library's 64-bit division is called. b = 0 gives 0. */
 static int64_t quotient(int64_t a, int64_t b) {
@@ -27,18 +60,37 @@ static int64_t quotient(int64_t a, int64_t b) {
     return result;
 }
 
-/* worth (steps of 2^-16 level) over weight (steps of 2^-30) as steps of 2^-16 level: 2^20 of the
- * weight's 2^30 are brought over to the worth, which trapped light can make too large for that. */
-static int32_t per_weight(int64_t worth, int64_t weight) {
-    while (worth >= (int64_t)1 << 42) {
-        worth >>= 1;
-        weight >>= 1;
+/* a 2^bits / b: what a has no room for is taken from b. */
+static int64_t scaled_quotient(int64_t a, int64_t b, uint8_t bits) {
+    for (; bits > 0; bits--) {
+        if (a < (int64_t)1 << 61) {
+            a <<= 1;
+        } else {
+            b >>= 1;
+        }
     }
-    int64_t mean = quotient(worth << 20, weight >> 10);
+    return quotient(a, b);
+}
+
+/* worth (steps of 2^-16 level) over weight (steps of 2^-30) as steps of 2^-16 level. */
+static int32_t per_weight(int64_t worth, int64_t weight) {
+    int64_t mean = scaled_quotient(worth, weight, 30);
     return mean > INT32_MAX ? INT32_MAX : (int32_t)mean;
 }
 
-static void look_at(const struct scene *scene, struct lesson *lesson, uint16_t cell,
+uint32_t learn_root(int64_t square) {
+    uint32_t root = 0;
+    for (int8_t i = 30; i >= 0; i--) {
+        uint32_t larger = root | (uint32_t)1 << i;
+        if ((int64_t)larger * larger <= square) {
+            root = larger;
+        }
+    }
+    return root;
+}
+
+/* False where the budget ended it. */
+static bool look_at(const struct scene *scene, struct lesson *lesson, uint16_t cell,
                     struct render_counts *counts) {
     /* The middle of the cell; a 16-bit int holds 2 * 31 + 1 times 640. */
     uint16_t column = (uint16_t)(cell % COLUMNS), row = (uint16_t)(cell / COLUMNS);
@@ -48,59 +100,192 @@ static void look_at(const struct scene *scene, struct lesson *lesson, uint16_t c
     struct tree tree;
     growth_start(&tree, scene, &ray, counts);
     tree.lesson = lesson;
+    tree.ray_budget = scene->ray_budget / BUDGET_PART;
     growth_finish(&tree);
+    return !tree.exhausted;
 }
 
-static void clear(struct lesson *lesson, const struct scene *scene) {
-    for (uint8_t i = 0; i < 3; i++) {
-        lesson->worth[i] = lesson->weight[i] = lesson->rest[i] = 0;
-    }
-    uint16_t depth = (uint16_t)(scene->depth + MORE_EVENTS);
-    lesson->last_depth = (uint8_t)(depth < FEATURE_DEPTH ? depth : FEATURE_DEPTH);
-    lesson->last_threshold = energy_product(scene->threshold, REAL_ENERGY(0.125));
-}
-
-/* What ended unseen beyond the cut is worth the mean too: worth + rest * mean = weight * mean. */
-static void conclude(const struct lesson *lesson, struct estimate *estimate) {
-    for (uint8_t i = 0; i < 3; i++) {
-        estimate->mean[i] = per_weight(lesson->worth[i], lesson->weight[i] - lesson->rest[i]);
+static void clear_lesson(struct lesson *lesson) {
+    for (uint8_t i = 0; i < lesson->levels; i++) {
+        struct lesson_level *level = &lesson->level[i];
+        for (uint8_t j = 0; j < 3; j++) {
+            level->worth[j] = level->weight[j] = level->rest[j] = 0;
+        }
+        level->squares = 0;
     }
 }
 
-static int64_t magnitude(int64_t a) {
-    return a < 0 ? -a : a;
+static void clear_sums(struct sums *sums) {
+    for (uint8_t i = 0; i < sums->levels; i++) {
+        struct level_sums *level = &sums->level[i];
+        for (uint8_t j = 0; j < 3; j++) {
+            level->worth[j] = level->weight[j] = level->aa[j] = level->ab[j] = level->bb[j] = 0;
+        }
+        level->squares = 0;
+        level->pixels = 0;
+    }
 }
 
-/* How far one pixel's cut branches stray from the mean, the largest of the channels. */
-static int64_t strayed(const struct lesson *lesson, const struct estimate *estimate) {
+/* One channel of a pixel. What is above white is no error: the screen does not show it. */
+static void add_channel(struct level_sums *to, uint8_t channel, int64_t worth, int64_t weight) {
+    const int64_t white = (int64_t)255 << 8;
+    to->worth[channel] += worth;
+    to->weight[channel] += weight;
+    worth >>= 8;
+    weight >>= 12;
+    worth = worth < white ? worth : white;
+    to->aa[channel] += worth * worth;
+    to->ab[channel] += worth * weight;
+    to->bb[channel] += weight * weight;
+}
+
+static void add_pixel(struct sums *sums, struct lesson *lesson) {
+    for (uint8_t i = lesson->levels; i-- > 0;) {
+        struct lesson_level *from = &lesson->level[i];
+        struct level_sums *to = &sums->level[i];
+        for (uint8_t j = 0; j < 3; j++) {
+            if (i + 1 < lesson->levels) {
+                from->worth[j] += from[1].worth[j];
+                from->rest[j] += from[1].rest[j];
+            }
+            if (sums->rest_mean) {
+                int64_t rest = (from->rest[j] * sums->rest_mean[j]) >> 30;
+                add_channel(to, j, from->worth[j] + rest, from->weight[j]);
+            } else {
+                add_channel(to, j, from->worth[j], from->weight[j] - from->rest[j]);
+            }
+        }
+        to->squares += from->squares;
+        to->pixels = (uint16_t)(to->pixels + (from->squares > 0));
+    }
+}
+
+static void look(const struct scene *scene, struct lesson *lesson, struct sums *sums,
+                 const int32_t *rest_mean, struct render_counts *counts) {
+    sums->rest_mean = rest_mean;
+    sums->levels = lesson->levels;
+    sums->exhausted = 0;
+    clear_sums(sums);
+    for (uint16_t i = 0; i < COLUMNS * ROWS; i++) {
+        clear_lesson(lesson);
+        sums->exhausted = (uint16_t)(sums->exhausted + !look_at(scene, lesson, i, counts));
+        add_pixel(sums, lesson);
+    }
+}
+
+static void conclude_mean(const struct level_sums *sums, struct estimate_level *level) {
+    for (uint8_t i = 0; i < 3; i++) {
+        level->mean[i] = per_weight(sums->worth[i], sums->weight[i]);
+    }
+}
+
+/* The sum of the squares of how far pixels stray from the mean, of the channel where that is most:
+ * of (a - mean b)^2, in steps of 2^-16 level^2. */
+static int64_t squared_strays(const struct level_sums *sums, const struct estimate_level *level) {
     int64_t most = 0;
     for (uint8_t i = 0; i < 3; i++) {
-        /* At most 2^16 steps of 2^-15: the weights of a pixel sum to no more than 1. */
-        int64_t seen = (lesson->weight[i] - lesson->rest[i]) >> 15;
-        int64_t away = magnitude(lesson->worth[i] - ((seen * estimate->mean[i]) >> 15));
-        most = away > most ? away : most;
+        int64_t mean = level->mean[i] >> 8;
+        int64_t strays = sums->aa[i] - ((2 * mean * sums->ab[i]) >> 18) +
+                         ((mean * ((mean * sums->bb[i]) >> 18)) >> 18);
+        most = strays > most ? strays : most;
     }
     return most;
+}
+
+/* The spread, times the root of the squares, is to be no more than the error that is asked for. */
+static void conclude_spread(int64_t deviation, uint32_t error, struct estimate_level *level) {
+    const int64_t all = (int64_t)1 << 26;
+    int64_t spread = deviation * SPREAD_QUARTERS << 6;
+    level->spread = spread > INT32_MAX ? INT32_MAX : (int32_t)spread;
+    int64_t most = quotient((int64_t)error << 26, level->spread);
+    most = most < all ? most : all;
+    level->squares_most = most * most;
+}
+
+/* Whether the pixels' mean square is below what is asked for. */
+static bool is_enough(const struct level_sums *sums, const struct estimate_level *level) {
+    return quotient(sums->squares, sums->pixels) <= level->squares_most;
+}
+
+/* One standard deviation, in steps of 2^-8 level. */
+static int64_t deviation_of(const struct level_sums *sums, const struct estimate_level *level) {
+    const int64_t least = (int64_t)DEVIATION_LEAST << 8;
+    int64_t deviation = learn_root(scaled_quotient(squared_strays(sums, level), sums->squares, 52));
+    return deviation > least ? deviation : least;
+}
+
+/* The levels that were seen, and those below. There the mean is taken to be the same; the deviation
+ * grows by an eighth from each to the next one, for what is cut is more and more alike. */
+static void conclude(const struct sums *sums, uint32_t error, struct estimate *estimate) {
+    uint8_t known = (uint8_t)(sums->levels - LEVELS_BELOW);
+    int64_t deviation = 0;
+    for (uint8_t i = 0; i < ESTIMATE_LEVELS; i++) {
+        struct estimate_level *level = &estimate->level[i];
+        if (i < known) {
+            conclude_mean(&sums->level[i], level);
+            deviation = deviation_of(&sums->level[i], level);
+        } else {
+            *level = estimate->level[known - 1];
+            deviation += deviation >> 3;
+        }
+        conclude_spread(deviation, error, level);
+    }
+    estimate->typical = 0;
+    while (estimate->typical + 1 < known &&
+           !is_enough(&sums->level[estimate->typical], &estimate->level[estimate->typical])) {
+        estimate->typical++;
+    }
+    estimate->first = (uint8_t)(estimate->typical > 2 ? estimate->typical - 2 : 0);
+}
+
+/* Looks deeper until the harder pixels' level is known, with enough below it. */
+static void learn_levels(const struct scene *scene, struct lesson *lesson,
+                         struct estimate *estimate, struct render_counts *counts) {
+    struct sums sums;
+    int32_t rest_mean[3];
+    lesson->last_depth = scene->depth;
+    lesson->of_depth = false;
+    lesson->levels = FIRST_LEVELS;
+    lesson->last = lesson->first >> (lesson->levels - 1);
+    look(scene, lesson, &sums, 0, counts);
+    for (;;) {
+        conclude(&sums, scene->error, estimate);
+        if (estimate->typical + LEVELS_BELOW < lesson->levels - 1 ||
+            sums.exhausted > COLUMNS * ROWS / EXHAUSTED_PART ||
+            lesson->levels + MORE_LEVELS > LESSON_LEVELS) {
+            return;
+        }
+        for (uint8_t i = 0; i < 3; i++) {
+            rest_mean[i] = estimate->level[lesson->levels - FIRST_LEVELS].mean[i];
+        }
+        lesson->levels = (uint8_t)(lesson->levels + MORE_LEVELS);
+        lesson->last = lesson->first >> (lesson->levels - 1);
+        look(scene, lesson, &sums, rest_mean, counts);
+    }
+}
+
+static void learn_level(const struct scene *scene, struct lesson *lesson, struct estimate *estimate,
+                        struct render_counts *counts) {
+    struct sums sums;
+    uint16_t depth = (uint16_t)(scene->depth + MORE_EVENTS);
+    lesson->last_depth = (uint8_t)(depth < FEATURE_DEPTH ? depth : FEATURE_DEPTH);
+    lesson->of_depth = true;
+    lesson->levels = 1;
+    lesson->last = lesson->first >> LESS_WEIGHT_BITS;
+    look(scene, lesson, &sums, 0, counts);
+    conclude_mean(&sums.level[0], &estimate->level[0]);
+    estimate->level[0].spread = 0;
+    estimate->level[0].squares_most = 0;
+    estimate->first = estimate->typical = 0;
 }
 
 void learn_estimate(const struct scene *scene, struct estimate *estimate,
                     struct render_counts *counts) {
     struct lesson lesson;
-    int64_t strays = 0, weight = 0;
-    clear(&lesson, scene);
-    for (uint16_t i = 0; i < COLUMNS * ROWS; i++) {
-        look_at(scene, &lesson, i, counts);
+    lesson.first = energy_steps(scene->threshold);
+    if (FEATURE_KEPT > 0 && scene->error > 0) {
+        learn_levels(scene, &lesson, estimate, counts);
+    } else {
+        learn_level(scene, &lesson, estimate, counts);
     }
-    conclude(&lesson, estimate);
-    estimate->spread = 0;
-    if (FEATURE_KEPT == 0 || scene->error == 0) {
-        return;
-    }
-    for (uint16_t i = 0; i < COLUMNS * ROWS; i++) {
-        clear(&lesson, scene);
-        look_at(scene, &lesson, i, counts);
-        strays += strayed(&lesson, estimate);
-        weight += lesson.weight[1] - lesson.rest[1];
-    }
-    estimate->spread = per_weight(strays, weight);
 }

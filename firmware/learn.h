@@ -9,4 +9,7 @@
 void learn_estimate(const struct scene *scene, struct estimate *estimate,
                     struct render_counts *counts);
 
+/* The root of a number that is not negative, rounded down. */
+uint32_t learn_root(int64_t square);
+
 #endif

@@ -26,7 +26,7 @@ struct branch {
     uint8_t events;         /* boundary events on its way: their number is held against N */
     uint8_t channel;        /* 0, 1, 2 or CHANNEL_ALL */
     uint8_t kind;           /* enum branch_kind */
-    bool beyond;            /* cut already, and followed to learn what it is worth */
+    uint8_t beyond;         /* the levels that cut it, of a lesson: 0 is what is seen anyway */
     uint32_t parent;        /* the node where it began; 0: the eye */
 };
 

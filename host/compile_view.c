@@ -6,7 +6,7 @@
 #include <string.h>
 
 /* A pixel that traps light ends here: where an accuracy is asked for, and where it is not. */
-enum { RAYS_FOR_ACCURACY_MOST = 20000, RAYS_OF_A_PIXEL_MOST = 1000000 };
+enum { RAYS_FOR_ACCURACY_MOST = 100000, RAYS_OF_A_PIXEL_MOST = 1000000 };
 
 static void scaled_point(const struct compiler *compiler, const double point[3], double out[3]) {
     affine_point(&compiler->scaling, point, out);
@@ -160,7 +160,7 @@ bool compile_view(struct compiler *compiler) {
     scene->estimates = description->estimates || description->error > 0;
     scene->error = description->error;
     if (scene->error > 0) {
-        scene->threshold = fmin(scene->error, scene->error * scene->error) / 2048;
+        scene->threshold = 1.0 / 16; /* where the search for a lower one begins */
     }
     scene->ray_budget = scene->error > 0 ? RAYS_FOR_ACCURACY_MOST : RAYS_OF_A_PIXEL_MOST;
     scene->simple = description->model == MODEL_SIMPLE;

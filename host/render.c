@@ -52,6 +52,8 @@ static void add_row(struct renderer *renderer, const struct render_counts *count
     totals->exhausted_pixels += counts->exhausted_pixels;
     if (counts->estimated_error > totals->estimated_error) {
         totals->estimated_error = counts->estimated_error;
+        totals->worst_x = counts->worst_x;
+        totals->worst_y = counts->worst_y;
     }
     if (counts->proved_error > totals->proved_error) {
         totals->proved_error = counts->proved_error;

@@ -27,14 +27,15 @@ static void write_count(FILE *out, const char *key, uint64_t count) {
 /* What was reached, where cut branches are estimated. */
 static void write_estimate(FILE *out, const struct run_stats *stats) {
     const struct render_totals *totals = stats->totals;
-    const struct estimate *estimate = &totals->estimate;
+    const struct estimate_level *level = &totals->estimate.level[totals->estimate.typical];
     write_count(out, "learning_rays", totals->learning_rays);
-    (void)fprintf(out, "  \"tail\": [%.6f, %.6f, %.6f],\n", estimate->mean[0] / 65536.0,
-                  estimate->mean[1] / 65536.0, estimate->mean[2] / 65536.0);
+    (void)fprintf(out, "  \"tail\": [%.6f, %.6f, %.6f],\n", level->mean[0] / 65536.0,
+                  level->mean[1] / 65536.0, level->mean[2] / 65536.0);
     if (stats->compiled->error > 0) {
         (void)fprintf(out, "  \"error\": %.17g,\n  \"spread\": %.6f,\n", stats->compiled->error,
-                      estimate->spread / 65536.0);
+                      level->spread / 65536.0);
         (void)fprintf(out, "  \"estimated_error\": %.6f,\n", totals->estimated_error / 65536.0);
+        (void)fprintf(out, "  \"worst_pixel\": [%u, %u],\n", totals->worst_x, totals->worst_y);
         write_count(out, "proved_error", totals->proved_error);
     }
 }

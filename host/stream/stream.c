@@ -178,10 +178,9 @@ static void attenuate(struct stream *stream) {
 
 /* What the cut branches are worth: cut_worth() of firmware/growth.c. */
 static void add_estimate(struct stream *stream, const struct energy_lanes *cut) {
-    const struct estimate *estimate = stream->scene->estimate;
-    const struct colours mean = {colour_of_steps(estimate->mean[0]),
-                                 colour_of_steps(estimate->mean[1]),
-                                 colour_of_steps(estimate->mean[2])};
+    const int32_t *steps = stream->scene->estimate->level[0].mean;
+    const struct colours mean = {colour_of_steps(steps[0]), colour_of_steps(steps[1]),
+                                 colour_of_steps(steps[2])};
     struct colour_lanes worth;
     for (int i = 0; i < LANES; i++) {
         worth.red[i] = mean.red;
