@@ -223,6 +223,7 @@ static void what_is_cut_off_changes_no_point(void **state) {
 /* What is to be seen far out in one place is not cut off for the sake of another one. */
 static void a_solid_is_cut_off_only_beyond_all_of_its_uses(void **state) {
     (void)state;
+    static const double drilled[3] = {0.1, 0.1, 0.1}, beside[3] = {0.6, 0.1, 0.1};
     static const double far_out[3] = {0.1, 0.1, -7.5}, farther[3] = {0.1, 0.1, 20};
     char text[TEXT_SIZE];
     (void)snprintf(text, sizeof text,
@@ -232,6 +233,8 @@ static void a_solid_is_cut_off_only_beyond_all_of_its_uses(void **state) {
                    scene_head, cutters[0].text, cutters[0].text);
     struct loaded_scene loaded = load_text(text, "fx");
     assert_int_equal(loaded.compiled->report.bounded, 1);
+    assert_false(object_has(loaded.compiled, 2, drilled));
+    assert_true(object_has(loaded.compiled, 2, beside));
     assert_true(object_has(loaded.compiled, 3, far_out));
     assert_false(object_has(loaded.compiled, 3, farther));
     unload(&loaded);
