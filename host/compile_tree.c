@@ -6,7 +6,7 @@
 
 void csg_read(const struct compiled_scene *scene, const struct compiled_object *object,
               struct csg_tree *tree) {
-    uint8_t stack[256];
+    uint8_t stack[256] = {0};
     int depth = 0;
     for (uint8_t i = 0; i < object->length; i++) {
         struct csg_node *node = &tree->nodes[i];

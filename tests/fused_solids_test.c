@@ -305,6 +305,22 @@ static void planes_that_lie_slanted_to_a_quadric_stay_by_themselves(void **state
     unload(&loaded);
 }
 
+/* As a quadric here and a ball there one surface would round in two ways. */
+static void a_ball_that_is_used_elsewhere_too_stays_a_ball(void **state) {
+    (void)state;
+    static const char half[] =
+        "{ intersection = ( " BALL ", { half_space = { normal = [0, 0, 1]; offset = 0.1; }; } ); }";
+    static const char shell[] =
+        "{ difference = ( { box = { min = (-1.5, -1.5, -1.5); max = (1.5, 1.5, 1.5); }; }, " BALL
+        " ); }";
+    char text[TEXT_SIZE];
+    make_scene(text, "glass", shell, half);
+    struct loaded_scene loaded = load_text(text, "f64");
+    assert_int_equal(loaded.compiled->quadric_count, 0);
+    assert_int_equal(loaded.compiled->ball_count, 3); /* the two that hold the scene as well */
+    unload(&loaded);
+}
+
 /* ---- Surfaces that cut solids share with others ---------------------------------------------- */
 
 static void two_parts_of_a_quadric_are_the_whole(void **state) {
@@ -367,6 +383,7 @@ int main(void) {
         cmocka_unit_test(a_cut_quadric_looks_like_what_it_is_made_of),
         cmocka_unit_test(cut_solids_are_one_primitive),
         cmocka_unit_test(planes_that_lie_slanted_to_a_quadric_stay_by_themselves),
+        cmocka_unit_test(a_ball_that_is_used_elsewhere_too_stays_a_ball),
         cmocka_unit_test(two_parts_of_a_quadric_are_the_whole),
         cmocka_unit_test(a_part_may_be_entered_from_outside_after_the_whole_was_left),
         cmocka_unit_test(a_cut_quadric_may_stand_on_another_solid),

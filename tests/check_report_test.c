@@ -1,0 +1,57 @@
+/* SPDX-License-Identifier: MIT */
+/* `superframe check` and `superframe compile` say what became of a scene's solids. */
+#include "command_fixture.h"
+
+static void write_scene(const char *objects) {
+    FILE *file = fopen("some.scene", "w");
+    assert_non_null(file);
+    (void)fprintf(file,
+                  "version = 1; size = [32, 20];\n"
+                  "camera = { eye = (3, -7, 5); look_at = (0, 0, 0); field_of_view = 34; };\n"
+                  "materials = { clay = { colour = [200, 90, 40]; diffuse = 0.7; }; };\n"
+                  "objects = ( %s );\n",
+                  objects);
+    (void)fclose(file);
+}
+
+/* A rod less a plate that reaches out of it, and twice the same ball. */
+static const char solids[] =
+    "{ material = \"clay\"; solid = { difference = ( { cylinder = { from = (0, 0, 0); "
+    "to = (0, 0, 2); radius = 0.5; }; }, { box = { min = (0, -4, 0.5); max = (4, 4, 1.5); }; "
+    "rotate = (0, 20, 0); } ); }; }, "
+    "{ material = \"clay\"; solid = { union = ( { ball = { centre = (3, 0, 0); radius = 1; }; }, "
+    "{ ball = { centre = (3, 0, 0); radius = 1; }; } ); }; }";
+
+static void assert_says(const char *path, const char *line) {
+    if (strstr(text_of(path), line) == NULL) {
+        fail_msg("no \"%s\" in: %s", line, text_of(path));
+    }
+}
+
+static void check_says_what_became_of_the_solids(void **state) {
+    (void)state;
+    write_scene(solids);
+    assert_status("superframe check some.scene", 0);
+    assert_says("out", "\nshared      1 solid is the same as another one\n");
+    assert_says("out", "\nsimplified  1 operation of CSG says nothing\n");
+    assert_says("out", "\nfused       1 solid is taken in by its neighbour\n");
+    assert_says("out", "\nbounded     1 solid ends where nothing more of it is seen\n");
+    assert_says("out",
+                "\nhidden      4 pairs of primitives cannot be met one from within the other\n");
+}
+
+static void a_compiled_scene_says_the_same(void **state) {
+    (void)state;
+    write_scene(solids);
+    assert_status("superframe compile some.scene -o some.c", 0);
+    assert_says("some.c",
+                "/* solids shared 1, simplified 1, fused 1, bounded 1, pairs hidden 4 */\n");
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        TEST(check_says_what_became_of_the_solids),
+        TEST(a_compiled_scene_says_the_same),
+    };
+    return cmocka_run_group_tests(tests, enter_group, leave_group);
+}

@@ -1,0 +1,252 @@
+/* SPDX-License-Identifier: MIT */
+/* The scene compiler makes less of a scene, says what it did, and the picture is the same. */
+#include "scene_fixture.h"
+
+enum { TEXT_SIZE = 8192, WIDTH = 32, HEIGHT = 20 };
+
+static const char *const arithmetics[] = {"fx", "f32", "f64"};
+enum { ARITHMETICS = 3 };
+
+/* The board holds the scene's centre and scale fast, whatever else is in it. */
+static const char scene_head[] =
+    "version = 1; size = [32, 20]; depth = 6;\n"
+    "camera = { eye = (3.1, -7.3, 5.2); look_at = (0.0, 0.0, 0.3); field_of_view = 34; };\n"
+    "lights = ( { direction = (0.5, 0.6, -1.0); colour = [255, 255, 255]; } );\n"
+    "materials = {\n"
+    "  board = { colour = [200, 200, 200]; ambient = 0.3; ambient_is_own = true; diffuse = 0.6;\n"
+    "            pattern = { size = (0.7, 0.7, 0); colour = [40, 20, 60]; }; };\n"
+    "  glass = { colour = [10, 30, 20]; ambient = 0.4; ambient_is_own = true; diffuse = 0.3;\n"
+    "            specular = 0.4; gloss = 50; ior = 1.5; };\n"
+    "};\n"
+    "objects = (\n"
+    "  { material = \"board\"; solid = { box = { min = (-9, -9, -6); max = (9, 9, -1.2); }; }; }";
+
+static void make_scene(char text[TEXT_SIZE], const char *solid) {
+    (void)snprintf(text, TEXT_SIZE, "%s%s%s%s\n);\n", scene_head,
+                   solid[0] != '\0' ? ",\n  { material = \"glass\"; solid = " : "", solid,
+                   solid[0] != '\0' ? "; }" : "");
+}
+
+static void render(const char *text, const char *arithmetic, double level[WIDTH * HEIGHT][3]) {
+    struct loaded_scene loaded = load_text(text, arithmetic);
+    struct render_counts counts = {0};
+    for (int i = 0; i < WIDTH * HEIGHT; i++) {
+        loaded.arithmetic->pixel(loaded.scene, (uint16_t)(i % WIDTH), (uint16_t)(i / WIDTH),
+                                 level[i], &counts, NULL);
+    }
+    assert_int_equal(counts.leaked_rays, 0);
+    unload(&loaded);
+}
+
+/* Fails unless two scenes give the same intensities to the last bit. */
+static void assert_same_picture(const char *text_a, const char *text_b) {
+    static double a[WIDTH * HEIGHT][3], b[WIDTH * HEIGHT][3];
+    for (int i = 0; i < ARITHMETICS; i++) {
+        render(text_a, arithmetics[i], a);
+        render(text_b, arithmetics[i], b);
+        if (memcmp(a, b, sizeof a) != 0) {
+            fail_msg("%s: another picture of\n%s\nthan of\n%s", arithmetics[i], text_a, text_b);
+        }
+    }
+}
+
+#define BALL  "{ ball = { centre = (0.2, 0.1, 0.3); radius = 1.1; }; }"
+#define EGG   "{ ellipsoid = { centre = (0.1, 0, 0.2); radii = (1.3, 0.8, 1.0); }; }"
+#define BOX   "{ box = { min = (-0.9, -0.8, -0.6); max = (1.0, 0.7, 0.9); }; }"
+#define SMALL "{ box = { min = (-0.2, -0.2, -0.1); max = (0.2, 0.2, 0.3); }; }"
+#define AWAY  "{ ball = { centre = (5, 5, 3); radius = 0.7; }; }"
+
+/* What a solid is turned into. */
+static const struct simplification {
+    const char *said, *meant;
+    unsigned simplified, primitives; /* without the board */
+} simplifications[] = {
+    {"{ union = ( " BALL ", " BALL " ); }", BALL, 1, 1},
+    {"{ intersection = ( " BOX ", " BOX " ); }", BOX, 1, 1},
+    {"{ difference = ( " EGG ", " EGG " ); }", "", 1, 0},
+    {"{ difference = ( " BOX ", { difference = ( " EGG ", " EGG " ); } ); }", BOX, 2, 1},
+    {"{ union = ( { difference = ( " EGG ", " EGG " ); }, " BOX " ); }", BOX, 2, 1},
+    {"{ intersection = ( { difference = ( " EGG ", " EGG " ); }, " BOX " ); }", "", 2, 0},
+    {"{ difference = ( " BOX ", " AWAY " ); }", BOX, 1, 1},
+    {"{ intersection = ( " BOX ", " AWAY " ); }", "", 1, 0},
+    {"{ intersection = ( { union = ( " BOX ", " EGG " ); }, " AWAY " ); }", "", 1, 0},
+    {"{ union = ( " BOX ", " SMALL " ); }", BOX, 1, 1},
+    {"{ intersection = ( " SMALL ", " BALL " ); }", SMALL, 1, 1},
+    {"{ intersection = ( " EGG ", " SMALL " ); }", SMALL, 1, 1},
+    {"{ difference = ( " SMALL ", " EGG " ); }", "", 1, 0},
+    {"{ difference = ( { union = ( " BOX ", " BALL " ); }, { union = ( " BOX ", " BALL " ); } ); }",
+     "", 1, 0},
+    /* Nothing of this may be left out. */
+    {"{ difference = ( " BOX ", " SMALL " ); }", "{ difference = ( " BOX ", " SMALL " ); }", 0, 2},
+    {"{ difference = ( " BOX ", " BALL " ); }", "{ difference = ( " BOX ", " BALL " ); }", 0, 2},
+    {"{ union = ( " BOX ", " AWAY " ); }", "{ union = ( " BOX ", " AWAY " ); }", 0, 2},
+};
+
+static void operations_that_say_nothing_are_left_out(void **state) {
+    (void)state;
+    for (size_t i = 0; i < sizeof simplifications / sizeof simplifications[0]; i++) {
+        const struct simplification *expected = &simplifications[i];
+        char said[TEXT_SIZE], meant[TEXT_SIZE];
+        make_scene(said, expected->said);
+        make_scene(meant, expected->meant);
+        struct loaded_scene loaded = load_text(said, "f64");
+        if (loaded.compiled->report.simplified != expected->simplified ||
+            loaded.compiled->primitive_count != 1 + expected->primitives) {
+            fail_msg("%u simplified, %d primitives of %s", loaded.compiled->report.simplified,
+                     loaded.compiled->primitive_count - 1, expected->said);
+        }
+        unload(&loaded);
+        assert_same_picture(said, meant);
+    }
+}
+
+static void an_object_of_which_nothing_is_left_takes_its_name_along(void **state) {
+    (void)state;
+    char text[TEXT_SIZE];
+    (void)snprintf(
+        text, sizeof text,
+        "%s,\n  { name = \"nothing\"; material = \"glass\"; solid = { difference = ( " BOX ", " BOX
+        " ); }; },\n  { name = \"egg\"; material = \"glass\"; solid = " EGG "; }\n);\n",
+        scene_head);
+    struct loaded_scene loaded = load_text(text, "fx");
+    assert_int_equal(loaded.compiled->object_count, 3); /* the air, the board, the egg */
+    assert_string_equal(loaded.compiled->object_names[2], "egg");
+    assert_int_equal(loaded.compiled->objects[2].length, 1);
+    unload(&loaded);
+}
+
+static void solids_that_are_the_same_are_shared(void **state) {
+    (void)state;
+    char text[TEXT_SIZE];
+    make_scene(text, "{ union = ( { difference = ( " BOX ", " BALL " ); }, { intersection = ( " BALL
+                     ", " EGG " ); }, { box = { min = (-0.9, -0.8, -0.6); max = (1.0, 0.7, 0.9); "
+                     "}; rotate = (0, 0, 360); } ); }");
+    struct loaded_scene loaded = load_text(text, "fx");
+    assert_int_equal(loaded.compiled->report.shared, 2);
+    assert_int_equal(loaded.compiled->primitive_count, 4);
+    unload(&loaded);
+}
+
+/* ---- The same points ------------------------------------------------------------------------ */
+
+static bool in_box(const double p[3]) {
+    return p[0] > -0.9 && p[0] < 1 && p[1] > -0.8 && p[1] < 0.7 && p[2] > -0.6 && p[2] < 0.9;
+}
+
+static bool in_rod(const double p[3]) {
+    return p[0] * p[0] + p[1] * p[1] < 0.16;
+}
+
+static bool in_half_space(const double p[3]) {
+    return p[0] + p[2] < -0.3;
+}
+
+static bool in_plank(const double p[3]) {
+    return p[0] > -5 && p[0] < 5 && p[1] > -0.2 && p[1] < 0.2 && p[2] > -5 && p[2] < 0.4;
+}
+
+static bool in_turned_plank(const double p[3]) {
+    const double turned[3] = {0.6 * p[0] + 0.8 * p[1], -0.8 * p[0] + 0.6 * p[1], p[2]};
+    return in_plank(turned);
+}
+
+static bool in_bell(const double p[3]) {
+    return p[0] * p[0] + p[1] * p[1] - 0.5 * p[2] * p[2] < 0.16;
+}
+
+/* Solids that go on far beyond what they cut: as the file says them, and as points. */
+static const struct cutter {
+    const char *text;
+    bool (*holds)(const double p[3]);
+} cutters[] = {
+    {"{ quadric = { coefficients = (1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.16); }; }",
+     in_rod},
+    {"{ half_space = { normal = (1, 0, 1); offset = -0.3; }; }", in_half_space},
+    {"{ box = { min = (-5, -0.2, -5); max = (5, 0.2, 0.4); }; }", in_plank},
+    {"{ box = { min = (-5, -0.2, -5); max = (5, 0.2, 0.4); }; rotate = (0, 0, "
+     "53.13010235415598); }",
+     in_turned_plank},
+    {"{ quadric = { coefficients = (1.0, 1.0, -0.5, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.16); }; }",
+     in_bell},
+};
+enum { CUTTERS = sizeof cutters / sizeof cutters[0] };
+
+/* Whether the compiled object holds a point of the file. */
+static bool object_has(const struct compiled_scene *scene, uint8_t object, const double point[3]) {
+    struct compiled_set inside = {{0}};
+    double scaled[3];
+    for (int i = 0; i < 3; i++) {
+        scaled[i] = ldexp(point[i] - scene->centre[i], scene->exponent);
+    }
+    for (uint8_t i = 0; i < scene->primitive_count; i++) {
+        if (compiled_primitive_holds(scene, i, scaled)) {
+            inside.word[i / 32] |= UINT32_C(1) << i % 32;
+        }
+    }
+    return compiled_object_holds(scene, object, &inside);
+}
+
+enum operation { LESS, WITHIN, OPERATIONS };
+
+static void what_is_cut_off_changes_no_point(void **state) {
+    (void)state;
+    static const char *const names[OPERATIONS] = {"difference", "intersection"};
+    for (int i = 0; i < CUTTERS * OPERATIONS; i++) {
+        const struct cutter *cutter = &cutters[i / OPERATIONS];
+        enum operation operation = (enum operation)(i % OPERATIONS);
+        char solid[1024], text[TEXT_SIZE];
+        uint64_t seed = 31337 + (uint64_t)i;
+        int held = 0, missed = 0;
+        (void)snprintf(solid, sizeof solid, "{ %s = ( " BOX ", %s ); }", names[operation],
+                       cutter->text);
+        make_scene(text, solid);
+        struct loaded_scene loaded = load_text(text, "fx");
+        const struct compiled_report *report = &loaded.compiled->report;
+        assert_true(report->bounded + report->fused > 0);
+        for (int j = 0; j < 4000; j++) {
+            double point[3];
+            for (int k = 0; k < 3; k++) {
+                point[k] = random_between(&seed, -1.3, 1.3);
+            }
+            bool expected = in_box(point) && cutter->holds(point) == (operation == WITHIN);
+            if (object_has(loaded.compiled, 2, point) != expected) {
+                fail_msg("(%g, %g, %g) of %s", point[0], point[1], point[2], solid);
+            }
+            held += expected;
+            missed += !expected;
+        }
+        assert_true(held > 50 && missed > 50);
+        unload(&loaded);
+    }
+}
+
+/* What is to be seen far out in one place is not cut off for the sake of another one. */
+static void a_solid_is_cut_off_only_beyond_all_of_its_uses(void **state) {
+    (void)state;
+    static const double drilled[3] = {0.1, 0.1, 0.1}, beside[3] = {0.6, 0.1, 0.1};
+    static const double far_out[3] = {0.1, 0.1, -7.5}, farther[3] = {0.1, 0.1, 20};
+    char text[TEXT_SIZE];
+    (void)snprintf(text, sizeof text,
+                   "%s,\n  { material = \"glass\"; solid = { difference = ( " BOX
+                   ", %s ); }; },\n  { material = \"board\"; solid = { intersection = ( %s, "
+                   "{ ball = { centre = (0, 0, -7.5); radius = 1; }; } ); }; }\n);\n",
+                   scene_head, cutters[0].text, cutters[0].text);
+    struct loaded_scene loaded = load_text(text, "fx");
+    assert_int_equal(loaded.compiled->report.bounded, 1);
+    assert_false(object_has(loaded.compiled, 2, drilled));
+    assert_true(object_has(loaded.compiled, 2, beside));
+    assert_true(object_has(loaded.compiled, 3, far_out));
+    assert_false(object_has(loaded.compiled, 3, farther));
+    unload(&loaded);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(operations_that_say_nothing_are_left_out),
+        cmocka_unit_test(an_object_of_which_nothing_is_left_takes_its_name_along),
+        cmocka_unit_test(solids_that_are_the_same_are_shared),
+        cmocka_unit_test(what_is_cut_off_changes_no_point),
+        cmocka_unit_test(a_solid_is_cut_off_only_beyond_all_of_its_uses),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
