@@ -133,7 +133,7 @@ plot() {
     for name in rays ratio; do
         if [ -s "$out/$name-f64.dat" ]; then
             gnuplot -e "folder='$out'; arithmetics='$BENCH_ARITHMETICS'" "$here/$name.gp" ||
-                complain "gnuplot failed on $name.gp"
+                give_up "gnuplot failed on $name.gp"
         fi
     done
 }

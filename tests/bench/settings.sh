@@ -35,6 +35,12 @@ complain() {
     exit 2
 }
 
+# As complain(), for what went wrong while working.
+give_up() {
+    echo "bench: $*" >&2
+    exit 1
+}
+
 # check_settings: all are what the stages can work with.
 check_settings() {
     known=$("$superframe" scenes | cut -f 1 | tr '\n' ' ')
@@ -99,13 +105,13 @@ begin_table() {
 # ours OPTION...: renders to $out/ours.png; its settings are those of `superframe render`.
 ours() {
     "$superframe" render "$@" --colour full --quiet -o "$out/ours.png" 2>> "$out/log" ||
-        complain "superframe render $* failed; see $out/log"
+        give_up "superframe render $* failed; see $out/log"
 }
 
 # export_pov SCENE SIZE DEPTH THRESHOLD: to $out/theirs.pov.
 export_pov() {
     "$superframe" export "$1" --pov --size "$2" --depth "$3" --threshold "$4" --colour full \
-        -o "$out/theirs.pov" || complain "superframe export $1 failed"
+        -o "$out/theirs.pov" || give_up "superframe export $1 failed"
 }
 
 # POV-Ray's command line for SIZE: one thread, no antialiasing, no display, a PNG, as ours.
@@ -117,7 +123,7 @@ pov_options() {
 theirs() {
     # shellcheck disable=SC2046 # a list of options
     timeout -k 10 300 povray $(pov_options "$1") < /dev/null > "$out/povray.log" 2>&1 ||
-        complain "povray failed or took more than 300 s; see $out/povray.log"
+        give_up "povray failed or took more than 300 s; see $out/povray.log"
 }
 
 # Rays that POV-Ray has followed, of its last run.
@@ -141,12 +147,12 @@ time_ours() {
     "$tools/timed" "$time_times" "$superframe" render "$time_scene" --size "$time_size" \
         --depth "$time_depth" --threshold "$time_threshold" --tail "$time_tail" \
         --arith "$time_arithmetic" --colour full --quiet -o "$out/ours.png" "$@" 2>> "$out/log" ||
-        complain "superframe render $time_scene --depth $time_depth failed; see $out/log"
+        give_up "superframe render $time_scene --depth $time_depth failed; see $out/log"
 }
 
 # time_theirs SIZE TIMES: of $out/theirs.pov.
 time_theirs() {
     # shellcheck disable=SC2046 # a list of options
     "$tools/timed" "$2" timeout -k 10 600 povray $(pov_options "$1") < /dev/null 2> "$out/povray.log" ||
-        complain "povray failed or took more than 600 s; see $out/povray.log"
+        give_up "povray failed or took more than 600 s; see $out/povray.log"
 }
