@@ -67,9 +67,9 @@ static bool size_is_allowed(unsigned width, unsigned height) {
 /* ---- Writing -------------------------------------------------------------------------------- */
 
 /* Differences to the left, then runs of equal bytes: a rendered picture is flat areas and slopes.
- * Against libpng's own choice the files of the built-in scenes are a third larger and written in a
- * quarter of the time (`make bench`). The window stays large though runs look back one byte only:
- * zlib moves a small one along all the time, which took as long again. */
+ * Against libpng's own choice a 640 x 400 file takes a quarter of the time and 67 KB instead of 38
+ * (fig3), 107 instead of 72 (fig5), 99 instead of 87 (figA). The window stays large though runs
+ * look back one byte only: zlib moves a small one along all the time, which took as long again. */
 static void compress_fast(png_structp png) {
     png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
     png_set_compression_strategy(png, Z_RLE);

@@ -38,16 +38,14 @@ struct bus {
 /* Writes through the bus. Dropped once the bus has failed. */
 void bus_write(struct bus *bus, uint16_t port, uint16_t value, unsigned width);
 
-/* What a decorator does with a write: hands it to inner and takes over how inner fares. Inline: a
- * frame has a million writes, each through every bus of the chain. */
+/* What a decorator that works does with a write: hands it to inner and takes over how inner fares.
+ * Inline: a frame has a million writes, each through every bus of the chain. */
 static inline void bus_pass_on(struct bus *bus, struct bus *inner, uint16_t port, uint16_t value,
                                unsigned width) {
     if (inner->status == BUS_OK) {
         inner->operations->write(inner, port, value, width);
     }
-    if (bus->status == BUS_OK) {
-        bus->status = inner->status;
-    }
+    bus->status = inner->status;
 }
 
 /* Reads through the bus: 00FFh (width 1) or FFFFh (width 2) once the bus has failed. */

@@ -137,6 +137,15 @@ expect 'a match without N' 2 '"fig3" is no SCENE:DEPTH' bench BENCH_MATCHES=fig3
 expect 'instructions without what' 2 usage sh $bench/instructions.sh "$BUILD"
 expect 'nothing kept' 2 'none.txt cannot be read' sh $bench/instructions.sh "$BUILD" check "$folder/none.txt"
 
+# A program that knows its scenes and renders none.
+mkdir -p "$folder/broken/release"
+ln -s "$(cd "$BUILD" && pwd)/release/bench" "$folder/broken/release/bench"
+printf '#!/bin/sh\n[ "$1" = scenes ] && "%s" scenes && exit 0\necho no >&2\nexit 1\n' \
+    "$(cd "$BUILD" && pwd)/superframe" > "$folder/broken/superframe"
+chmod +x "$folder/broken/superframe"
+expect 'a render that fails' 1 'superframe render fig3 --depth 1 failed' \
+    sh $bench/bench.sh "$folder/broken" renders
+
 # Where there is no povray, that is said and no more.
 mkdir "$folder/bin"
 for tool in sh awk sed cut tr date mkdir dirname cat; do

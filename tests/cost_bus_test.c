@@ -101,6 +101,20 @@ static void answers_and_failures_come_through(void **state) {
     assert_int_equal(bus_bound_status(), BUS_LOST);
 }
 
+static void a_write_to_a_device_that_has_failed_is_counted_and_goes_no_further(void **state) {
+    (void)state;
+    power_on(BOARD_1987);
+    cost_bus_init(&cost, &board_bus.bus);
+    bus_bind(&cost.bus);
+    bus_fail(&board_bus.bus, BUS_TIMEOUT);
+    outp(0x00D8, 0x77);
+    assert_int_equal(bus_bound_status(), BUS_TIMEOUT);
+    assert_int_equal(cost.writes[0], 1);
+    assert_int_equal(board.accesses, 0);
+    outp(0x00D8, 0x78);
+    assert_int_equal(cost.writes[0], 1);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(each_cpu_has_the_clocks_of_its_manual),
@@ -108,6 +122,7 @@ int main(void) {
         cmocka_unit_test(a_line_of_a_picture_takes_as_long_as_reckoned_by_hand),
         cmocka_unit_test(reads_and_words_at_odd_ports_are_counted_apart),
         cmocka_unit_test(answers_and_failures_come_through),
+        cmocka_unit_test(a_write_to_a_device_that_has_failed_is_counted_and_goes_no_further),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -25,7 +25,7 @@ bench: $(BUILD)/superframe $(BENCH_TOOLS) ## Measure what renders cost, alone an
 bench-keep: ## Keep the page, the JSON and the plots of the last `make bench` in docs/
 	@mkdir -p docs/bench
 	cp $(BUILD)/bench/bench.md docs/bench.md
-	cp $(BUILD)/bench/settings.tsv $(BUILD)/bench/bench.json $(BUILD)/bench/rays.png $(BUILD)/bench/ratio.png docs/bench/
+	cp $(wildcard $(addprefix $(BUILD)/bench/,settings.tsv bench.json rays.png ratio.png)) docs/bench/
 
 bench-check: $(BUILD)/superframe ## Hold instructions a ray against docs/bench/instructions.txt (at most 2 % more)
 	@sh tests/bench/instructions.sh $(BUILD) check docs/bench/instructions.txt

@@ -27,6 +27,7 @@ machine() {
     compiler=$(cut -d ' ' -f 1 "$build/flags")
     echo "compiler$TAB$($compiler --version | head -n 1)"
     echo "flags$TAB$(sed -e 's/^[^ ]* //' -e 's/-O1 .*//' "$build/flags")"
+    echo "load$TAB$(uptime | sed 's/.*average[s]*: *//')"
     if command -v povray > /dev/null 2>&1; then
         echo "povray$TAB$(povray --version 2>&1 | sed -n 's/.*POV-Ray \([0-9.]*\).*/POV-Ray \1/p' | head -n 1)"
     fi
@@ -132,7 +133,7 @@ plot() {
     for name in rays ratio; do
         if [ -s "$out/$name-f64.dat" ]; then
             gnuplot -e "folder='$out'; arithmetics='$BENCH_ARITHMETICS'" "$here/$name.gp" ||
-                complain "gnuplot failed on $name.gp"
+                give_up "gnuplot failed on $name.gp"
         fi
     done
 }

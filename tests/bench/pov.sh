@@ -113,7 +113,7 @@ cheapest() {
             before=$rays
         done
     done
-    [ -n "$best" ] || complain "$scene: no setting of $name is within $DECIBELS dB"
+    [ -n "$best" ] || give_up "$scene: no setting of $name is within $DECIBELS dB"
     # shellcheck disable=SC2086 # four words
     row "$out/settings.tsv" "$scene" "$name" $best "$least"
 }

@@ -4,6 +4,7 @@ set terminal pngcairo size 720,420 font "sans,11"
 set output folder."/rays.png"
 set title "fig4a, 640 x 400: user CPU a ray"
 set xlabel "depth level N"
+set xrange [0:21]
 set ylabel "nanoseconds a ray"
 set yrange [0:*]
 set grid ytics

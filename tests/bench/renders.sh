@@ -51,7 +51,7 @@ stage_jobs() {
         for jobs in 1 2; do
             "$tools/timed" 1 "$superframe" render fig4a --size 640x400 --depth 10 --arith f64 \
                 --colour full --quiet --jobs $jobs -o "$out/ours.png" > "$out/jobs$jobs" 2>> "$out/log" ||
-                complain "superframe render fig4a --jobs $jobs failed; see $out/log"
+                give_up "superframe render fig4a --jobs $jobs failed; see $out/log"
         done
         row "$out/jobs.tsv" fig4a 640x400 10 f64 "$(cut -d ' ' -f 1 "$out/jobs1")" \
             "$(cut -d ' ' -f 1 "$out/jobs2")"

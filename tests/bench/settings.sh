@@ -2,7 +2,7 @@
 # What the stages of the bench share: settings, runs of the two programs. Read by bench.sh.
 #
 # Settings come from the environment; the defaults are a part that takes less than ten minutes.
-# BENCH=all          every scene, N = 1..20, f128 too
+# BENCH=all          every scene, N = 1..20, f128 too; against POV-Ray N = 15 as well: hours
 # BENCH_SCENES       of the whole renders
 # BENCH_ARITHMETICS  of the whole renders and of the pairs
 # BENCH_SMALL        depth levels at 320x200
@@ -17,13 +17,14 @@ if [ "${BENCH:-part}" = all ]; then
     : "${BENCH_ARITHMETICS:=fx f32 f64 f128}"
     : "${BENCH_SMALL:=1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20}"
     : "${BENCH_LARGE:=$BENCH_SMALL}"
+    : "${BENCH_MATCHES:=fig3:10 fig3:15 fig4a:10 fig4a:15 fig5:10 fig5:15 fig7-isolated:10 figA:10}"
 fi
 : "${BENCH_SCENES:=fig3 fig4a fig5 fig7-isolated figA}"
 : "${BENCH_ARITHMETICS:=fx f32 f64}"
 : "${BENCH_SMALL:=1 2 3 5 7 10 15 20}"
 : "${BENCH_LARGE:=5 10 20}"
 : "${BENCH_PAIRS:=5}"
-: "${BENCH_MATCHES:=fig3:10 fig3:15 fig4a:10 fig4a:15 fig5:10 fig5:15 fig7-isolated:10 figA:10}"
+: "${BENCH_MATCHES:=fig3:10 fig4a:10 fig5:10 fig7-isolated:10 figA:10}"
 : "${BENCH_EQUAL:=fig3 fig4a fig5}"
 THRESHOLD=1/4096 # the scenes' own
 DECIBELS=45
@@ -32,6 +33,12 @@ TAB=$(printf '\t')
 complain() {
     echo "bench: $*" >&2
     exit 2
+}
+
+# As complain(), for what went wrong while working.
+give_up() {
+    echo "bench: $*" >&2
+    exit 1
 }
 
 # check_settings: all are what the stages can work with.
@@ -98,13 +105,13 @@ begin_table() {
 # ours OPTION...: renders to $out/ours.png; its settings are those of `superframe render`.
 ours() {
     "$superframe" render "$@" --colour full --quiet -o "$out/ours.png" 2>> "$out/log" ||
-        complain "superframe render $* failed; see $out/log"
+        give_up "superframe render $* failed; see $out/log"
 }
 
 # export_pov SCENE SIZE DEPTH THRESHOLD: to $out/theirs.pov.
 export_pov() {
     "$superframe" export "$1" --pov --size "$2" --depth "$3" --threshold "$4" --colour full \
-        -o "$out/theirs.pov" || complain "superframe export $1 failed"
+        -o "$out/theirs.pov" || give_up "superframe export $1 failed"
 }
 
 # POV-Ray's command line for SIZE: one thread, no antialiasing, no display, a PNG, as ours.
@@ -116,7 +123,7 @@ pov_options() {
 theirs() {
     # shellcheck disable=SC2046 # a list of options
     timeout -k 10 300 povray $(pov_options "$1") < /dev/null > "$out/povray.log" 2>&1 ||
-        complain "povray failed or took more than 300 s; see $out/povray.log"
+        give_up "povray failed or took more than 300 s; see $out/povray.log"
 }
 
 # Rays that POV-Ray has followed, of its last run.
@@ -140,12 +147,12 @@ time_ours() {
     "$tools/timed" "$time_times" "$superframe" render "$time_scene" --size "$time_size" \
         --depth "$time_depth" --threshold "$time_threshold" --tail "$time_tail" \
         --arith "$time_arithmetic" --colour full --quiet -o "$out/ours.png" "$@" 2>> "$out/log" ||
-        complain "superframe render $time_scene --depth $time_depth failed; see $out/log"
+        give_up "superframe render $time_scene --depth $time_depth failed; see $out/log"
 }
 
 # time_theirs SIZE TIMES: of $out/theirs.pov.
 time_theirs() {
     # shellcheck disable=SC2046 # a list of options
     "$tools/timed" "$2" timeout -k 10 600 povray $(pov_options "$1") < /dev/null 2> "$out/povray.log" ||
-        complain "povray failed or took more than 600 s; see $out/povray.log"
+        give_up "povray failed or took more than 600 s; see $out/povray.log"
 }
