@@ -63,7 +63,11 @@ HOST_SOURCES += $(if $(BOOT_PACKAGE),host/processor/unicorn.c host/processor/uni
 BOOT_LIBS    := $(if $(BOOT_PACKAGE),-ldl)
 # Streams of rays, for the arithmetics that CPUs have in vectors: the sets of instructions that are
 # compiled for, one of which is taken at run time.
-STREAM_REALS   := f32 f64
+STREAM_REALS   := f32 f64 fx
+# fx as it suits vectors: the same bits.
+STREAM_REAL_f32 := f32
+STREAM_REAL_f64 := f64
+STREAM_REAL_fx  := fx_vector
 ifneq ($(filter x86_64%,$(shell $(CC) -dumpmachine)),)
 STREAM_SETS    := plain avx2 avx512
 HOST_SOURCES   += host/engines/x86_64.c
@@ -155,7 +159,7 @@ endef
 define stream_rules
 $$(BUILD)/$(1)/stream/$(2)_$(3)/%.o: %.c $$(BUILD)/flags | setup
 	@mkdir -p $$(@D)
-	$$(CC) $$(WARNINGS) $$(FLOATING) $$(CFLAGS_$(1)) $$(STREAM_FLAGS) $$(FLAGS_$(3)) -Ifirmware/real/$(2) -Ihost/stream/sets/$(3) -Ifirmware/features/full $$(INCLUDE_host) -MMD -MP -c -o $$@ $$<
+	$$(CC) $$(WARNINGS) $$(FLOATING) $$(CFLAGS_$(1)) $$(STREAM_FLAGS) $$(FLAGS_$(3)) -Ifirmware/real/$$(STREAM_REAL_$(2)) -Ihost/stream/sets/$(3) -Ifirmware/features/full $$(INCLUDE_host) -MMD -MP -c -o $$@ $$<
 
 $$(BUILD)/$(1)/stream_$(2)_$(3).o: $$(STREAM_SOURCES:%.c=$$(BUILD)/$(1)/stream/$(2)_$(3)/%.o) $$(BUILD)/sources
 	$$(CC) -r -nostdlib -o $$@ $$(filter %.o,$$^)

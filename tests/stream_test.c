@@ -68,13 +68,13 @@ struct settings {
 
 static void check_description(const char *name, struct scene_description *description,
                               const struct settings *settings, unsigned *fitting) {
-    static const char *const arithmetics[] = {"f32", "f64"};
+    static const char *const arithmetics[] = {"f32", "f64", "fx"};
     description->width = settings->width;
     description->height = settings->height;
     description->depth = settings->depth;
     description->threshold = settings->threshold;
     description->estimates = settings->estimates;
-    for (size_t i = 0; i < 2; i++) {
+    for (size_t i = 0; i < 3; i++) {
         struct loaded_scene loaded = load_description(description, arithmetics[i]);
         struct estimate estimate;
         struct render_counts ignored = {0};

@@ -34,10 +34,9 @@ static inline int64_t fixed_rounded(int64_t v, unsigned shift) {
 /* The low 32 bits of an exact result, and whether they are all of it, brought into a 32-bit format;
  * if they are not, the end is that of the sign of `sign`. */
 static inline int32_t fixed_ended(int32_t low, bool fits, int32_t sign) {
-    if (!fits) {
-        return sign < 0 ? -FIXED_MOST : FIXED_MOST;
-    }
-    return low + (low == INT32_MIN);
+    int32_t whole = low == INT32_MIN ? -FIXED_MOST : low;
+    int32_t end = sign < 0 ? -FIXED_MOST : FIXED_MOST;
+    return fits ? whole : end;
 }
 
 /* v brought into a 32-bit format. */

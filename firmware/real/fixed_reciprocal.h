@@ -9,7 +9,7 @@
  * 2^30 <= |mantissa| < 2^31, 1 <= shift <= 32. */
 struct fixed_slope {
     int32_t mantissa;
-    uint8_t shift;
+    uint32_t shift;
 };
 
 /* The integer nearest to 2^62 / m, for 2^31 <= m < 2^32; it lies in (2^30, 2^31]. (A half cannot
@@ -33,7 +33,7 @@ static inline uint32_t fixed_reciprocal(uint32_t m) {
 static inline struct fixed_slope fixed_slope_of(uint32_t m, unsigned zeros) {
     struct fixed_slope slope;
     uint32_t r = fixed_reciprocal(m);
-    unsigned shift = 32 - zeros;
+    uint32_t shift = 32 - zeros;
     if (r > (uint32_t)INT32_MAX) { /* m is 2^31: a power of two stays exact */
         if (shift > 1) {
             r >>= 1;
@@ -43,7 +43,7 @@ static inline struct fixed_slope fixed_slope_of(uint32_t m, unsigned zeros) {
         }
     }
     slope.mantissa = (int32_t)r;
-    slope.shift = (uint8_t)shift;
+    slope.shift = shift;
     return slope;
 }
 

@@ -9,6 +9,7 @@
 #include "../fixed_operations.h"
 #include "../product_whole.h"
 #include "../registers_64.h"
+#include "../root_table.h"
 
 #include <stdbool.h>
 #include <stdint.h>

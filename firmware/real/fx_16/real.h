@@ -9,6 +9,7 @@
 #include "../fixed_unwatched.h"
 #include "../product_quarters.h"
 #include "../registers_32.h"
+#include "../root_table.h"
 
 #include "../fixed.h"
 
