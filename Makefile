@@ -78,6 +78,10 @@ endif
 STREAM_SOURCES := $(wildcard host/stream/*.c) firmware/solids.c
 # Nothing here changes a result: no trap is waited for, and no errno is read.
 STREAM_FLAGS   := -O3 -fno-trapping-math -fno-math-errno
+# gcc's elimination of partial redundancies makes branches in loops that are to be vectors.
+ifeq ($(findstring clang,$(shell $(CC) --version)),)
+STREAM_FLAGS_search_solids := -fno-tree-pre
+endif
 FLAGS_plain    :=
 FLAGS_avx2     := -march=x86-64-v3
 FLAGS_avx512   := -march=x86-64-v4 -mprefer-vector-width=512
@@ -159,7 +163,7 @@ endef
 define stream_rules
 $$(BUILD)/$(1)/stream/$(2)_$(3)/%.o: %.c $$(BUILD)/flags | setup
 	@mkdir -p $$(@D)
-	$$(CC) $$(WARNINGS) $$(FLOATING) $$(CFLAGS_$(1)) $$(STREAM_FLAGS) $$(FLAGS_$(3)) -Ifirmware/real/$$(STREAM_REAL_$(2)) -Ihost/stream/sets/$(3) -Ifirmware/features/full $$(INCLUDE_host) -MMD -MP -c -o $$@ $$<
+	$$(CC) $$(WARNINGS) $$(FLOATING) $$(CFLAGS_$(1)) $$(STREAM_FLAGS) $$(STREAM_FLAGS_$$(*F)) $$(FLAGS_$(3)) -Ifirmware/real/$$(STREAM_REAL_$(2)) -Ihost/stream/sets/$(3) -Ifirmware/features/full $$(INCLUDE_host) -MMD -MP -c -o $$@ $$<
 
 $$(BUILD)/$(1)/stream_$(2)_$(3).o: $$(STREAM_SOURCES:%.c=$$(BUILD)/$(1)/stream/$(2)_$(3)/%.o) $$(BUILD)/sources
 	$$(CC) -r -nostdlib -o $$@ $$(filter %.o,$$^)

@@ -10,32 +10,62 @@ struct passage_lanes {
     real_energy reflectance[LANES], transmittance[LANES];
 };
 
-/* optics_passage() of firmware/optics.c. */
-static void find_passages(const struct direction_lanes *restrict direction,
-                          const struct hit_lanes *restrict hit,
-                          const struct border_lanes *restrict border,
-                          struct passage_lanes *restrict passage) {
+/* Snell's law: 1 in `passes` where light gets through, and the cosine of its angle then. */
+static void find_cosines(const struct hit_lanes *restrict hit,
+                         const struct border_lanes *restrict border,
+                         real_unit refracted[restrict LANES], uint32_t passes[restrict LANES]) {
+    for (int i = 0; i < LANES; i++) {
+        real_unit cosine = REAL_UNIT(0.0);
+        bool gets_through = unit_refracted_cosine(hit->cosine[i], border->eta[i], &cosine);
+        refracted[i] = cosine;
+        passes[i] = gets_through ? 1 : 0;
+    }
+}
+
+static void find_shares(const struct hit_lanes *restrict hit,
+                        const struct border_lanes *restrict border,
+                        const real_unit refracted[restrict LANES],
+                        const uint32_t passes[restrict LANES],
+                        struct passage_lanes *restrict passage) {
     const real_energy none = REAL_ENERGY(0.0), all = REAL_ENERGY(1.0);
     for (int i = 0; i < LANES; i++) {
-        const struct direction d = {direction->x[i], direction->y[i], direction->z[i]};
-        const struct direction normal = {hit->normal.x[i], hit->normal.y[i], hit->normal.z[i]};
-        real_index eta = border->eta[i], n = border->n[i];
-        real_unit cosine = hit->cosine[i], refracted = REAL_UNIT(0.0);
-        bool passes = unit_refracted_cosine(cosine, eta, &refracted);
-        bool bends = border->bends[i] != 0;
-        bool clear = border->clear[i] != 0;
-        real_index bend = index_bend(eta, cosine, refracted);
-        real_energy reflectance = fresnel_reflectance(cosine, refracted, n);
-        reflectance = passes ? reflectance : all;
+        bool bends = border->bends[i] != 0, clear = border->clear[i] != 0, through = passes[i] != 0;
+        real_energy part = fresnel_reflectance(hit->cosine[i], refracted[i], border->n[i]);
+        real_energy reflectance = through ? part : all;
+        real_energy transmittance = through ? energy_complement(part) : none;
         reflectance = bends ? reflectance : none;
-        real_energy transmittance = passes ? energy_complement(reflectance) : none;
         transmittance = bends ? transmittance : all;
         passage->reflectance[i] = clear ? reflectance : border->specular[i];
         passage->transmittance[i] = clear ? transmittance : none;
-        passage->refracted.x[i] = bends ? unit_bent(d.x, eta, bend, normal.x) : d.x;
-        passage->refracted.y[i] = bends ? unit_bent(d.y, eta, bend, normal.y) : d.y;
-        passage->refracted.z[i] = bends ? unit_bent(d.z, eta, bend, normal.z) : d.z;
     }
+}
+
+static void find_refracted(const struct direction_lanes *restrict direction,
+                           const struct hit_lanes *restrict hit,
+                           const struct border_lanes *restrict border,
+                           const real_unit refracted[restrict LANES],
+                           struct direction_lanes *restrict bent) {
+    for (int i = 0; i < LANES; i++) {
+        bool bends = border->bends[i] != 0;
+        real_index eta = border->eta[i];
+        real_index bend = index_bend(eta, hit->cosine[i], refracted[i]);
+        real_unit x = unit_bent(direction->x[i], eta, bend, hit->normal.x[i]);
+        real_unit y = unit_bent(direction->y[i], eta, bend, hit->normal.y[i]);
+        real_unit z = unit_bent(direction->z[i], eta, bend, hit->normal.z[i]);
+        bent->x[i] = bends ? x : direction->x[i];
+        bent->y[i] = bends ? y : direction->y[i];
+        bent->z[i] = bends ? z : direction->z[i];
+    }
+}
+
+/* optics_passage() of firmware/optics.c. */
+static void find_passages(const struct direction_lanes *direction, const struct hit_lanes *hit,
+                          const struct border_lanes *border, struct passage_lanes *passage) {
+    real_unit refracted[LANES];
+    uint32_t passes[LANES];
+    find_cosines(hit, border, refracted, passes);
+    find_shares(hit, border, refracted, passes, passage);
+    find_refracted(direction, hit, border, refracted, &passage->refracted);
 }
 
 /* The weights of one kind of children: which of them are followed, and what is cut of the others
