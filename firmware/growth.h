@@ -10,7 +10,7 @@
  * happens once on a way, leaves three. */
 enum { BRANCHES_MOST = FEATURE_DEPTH + 2 + (FEATURE_DISPERSION ? 3 : 0) };
 
-enum { KEPT_MOST = FEATURE_KEPT > 0 ? FEATURE_KEPT : 1 };
+enum { KEPT_MOST = FEATURE_KEPT > 0 ? FEATURE_KEPT : 2 };
 
 /* What is not followed any farther, with an accuracy asked for: sums in integers. */
 struct losses {
