@@ -113,7 +113,7 @@ $(BUILD)/superframe: $(BUILD)/release/superframe
 # Compiler and flags of the last build: when they change, everything is compiled again.
 $(BUILD)/flags: FORCE | setup
 	@mkdir -p $(@D)
-	@echo '$(subst ','\'',$(CC) $(WARNINGS) $(FLOATING) $(foreach configuration,$(CONFIGURATIONS),$(CFLAGS_$(configuration))))' > $@.new
+	@echo '$(subst ','\'',$(CC) $(WARNINGS) $(FLOATING) $(foreach configuration,$(CONFIGURATIONS),$(CFLAGS_$(configuration))) $(STREAM_FLAGS) $(STREAM_FLAGS_search_solids) $(FLAGS_avx2) $(FLAGS_avx512))' > $@.new
 	@cmp -s $@.new $@ && rm $@.new || mv $@.new $@
 
 # The list of sources: when a file goes away, what was linked from it is linked again.
