@@ -86,11 +86,21 @@ static bool bound_box(struct compiler *compiler, int index, const struct bounds 
     return changed;
 }
 
+/* What a plane across an axis of the world leaves of a polyhedron's bounds. */
+static void cut_bounds(struct compiled_polyhedron *polyhedron, const struct compiled_plane *plane) {
+    for (int i = 0; i < 3; i++) {
+        if (plane->normal[i] >= 1) {
+            polyhedron->high[i] = fmin(polyhedron->high[i], plane->offset);
+        } else if (plane->normal[i] <= -1) {
+            polyhedron->low[i] = fmax(polyhedron->low[i], -plane->offset);
+        }
+    }
+}
+
 /* Those planes of a half-space that end it where the world does. */
 static bool bound_polyhedron(struct compiler *compiler, int index, const struct bounds *view) {
     struct compiled_scene *scene = compiler->scene;
-    const struct compiled_polyhedron *polyhedron =
-        &scene->polyhedra[scene->primitives[index].index];
+    struct compiled_polyhedron *polyhedron = &scene->polyhedra[scene->primitives[index].index];
     bool changed = false;
     for (int i = 0; i < polyhedron->count; i++) {
         struct compiled_plane *plane = &scene->planes[polyhedron->first + i];
@@ -101,6 +111,7 @@ static bool bound_polyhedron(struct compiler *compiler, int index, const struct 
                 plane->offset = compile_place_of_plane(compiler, surface, plane->normal);
                 plane->surface = (uint16_t)surface;
                 changed = true;
+                cut_bounds(polyhedron, plane);
             }
         }
     }

@@ -141,6 +141,9 @@ static bool is_within_quadric(const struct compiled_scene *scene, int inner, int
         }
         high[i] = primitive_reach(scene, inner, axis) - middle;
         low[i] = -primitive_reach(scene, inner, down) - middle;
+        if (!isfinite(low[i]) || !isfinite(high[i])) {
+            return false;
+        }
     }
     surrounding_ball(scene, inner, centre, &radius);
     return most_of_form(quadric, low, high) < -COMPILE_STRICTLY * COMPILE_EXTENT ||

@@ -125,6 +125,24 @@ static double quadric_reach(const struct compiled_scene *scene,
     return vector_dot(direction, quadric->centre) + fmin(reach, sqrt(square));
 }
 
+/* Exact across its own faces, and along the axes of the world. */
+static double polyhedron_reach(const struct compiled_scene *scene,
+                               const struct compiled_polyhedron *polyhedron,
+                               const double direction[3]) {
+    double reach = 0;
+    for (int i = 0; i < 3; i++) {
+        if (direction[i] < 0 || direction[i] > 0) {
+            reach += direction[i] * (direction[i] < 0 ? polyhedron->low[i] : polyhedron->high[i]);
+        }
+    }
+    for (int i = polyhedron->first; i < polyhedron->first + polyhedron->count; i++) {
+        if (compile_same_point(direction, scene->planes[i].normal)) {
+            reach = fmin(reach, scene->planes[i].offset);
+        }
+    }
+    return reach;
+}
+
 double primitive_reach(const struct compiled_scene *scene, int index, const double direction[3]) {
     const struct compiled_primitive *primitive = &scene->primitives[index];
     switch (primitive->kind) {
@@ -136,7 +154,7 @@ double primitive_reach(const struct compiled_scene *scene, int index, const doub
     case KIND_QUADRIC:
         return quadric_reach(scene, primitive, direction);
     default:
-        return HUGE_VAL;
+        return polyhedron_reach(scene, &scene->polyhedra[primitive->index], direction);
     }
 }
 

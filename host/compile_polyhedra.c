@@ -45,6 +45,17 @@ static bool same_planes(const struct compiled_scene *scene,
     return true;
 }
 
+/* Everything for a slab, which has no end. */
+static void set_bounds(struct compiled_polyhedron *polyhedron, const struct scene_plane *planes,
+                       size_t count) {
+    struct scene_plane copy[SCENE_PLANES_MOST];
+    memcpy(copy, planes, count * sizeof *planes);
+    const struct solid_node node = {.planes = copy, .plane_count = count};
+    const struct bounds bounds = polyhedron_bounds(&affine_identity, &node);
+    memcpy(polyhedron->low, bounds.low, sizeof polyhedron->low);
+    memcpy(polyhedron->high, bounds.high, sizeof polyhedron->high);
+}
+
 /* A polyhedron of planes in scaled coordinates. */
 static int add_polyhedron(struct compiler *compiler, const struct scene_plane *planes,
                           size_t count) {
@@ -78,6 +89,7 @@ static int add_polyhedron(struct compiler *compiler, const struct scene_plane *p
     struct compiled_polyhedron *polyhedron = &scene->polyhedra[scene->polyhedron_count++];
     polyhedron->first = scene->plane_count;
     polyhedron->count = (uint8_t)count;
+    set_bounds(polyhedron, planes, count);
     for (size_t i = 0; i < count; i++) {
         struct compiled_plane *plane = &scene->planes[scene->plane_count++];
         memcpy(plane->normal, planes[i].normal, sizeof plane->normal);

@@ -59,6 +59,7 @@ struct compiled_plane {
 struct compiled_polyhedron {
     uint16_t first;
     uint8_t count;
+    double low[3], high[3]; /* bounds, perhaps infinite; no part of the firmware's tables */
 };
 
 struct compiled_quadric {

@@ -127,6 +127,44 @@ static void solids_that_are_the_same_are_shared(void **state) {
     unload(&loaded);
 }
 
+#define FRUSTUM                                                                                    \
+    "polyhedron = { planes = ( { normal = (0, 0, -1); offset = 1; }, { normal = (0, 0, 1); "       \
+    "offset = 1; }, { normal = (2, 0, 1); offset = 2; }, { normal = (-2, 0, 1); offset = 2; }, "   \
+    "{ normal = (0, 2, 1); offset = 2; }, { normal = (0, -2, 1); offset = 2; } ); }; "
+
+/* The board lies apart from all of them, and they from it. */
+static void what_cannot_be_met_from_within_another_one_is_counted(void **state) {
+    (void)state;
+    static const struct {
+        const char *solid;
+        unsigned hidden;
+    } cases[] = {
+        {BALL, 2},
+        {"{ difference = ( { " FRUSTUM "}, { " FRUSTUM "scale = 0.7; } ); }", 5},
+        {"{ difference = ( " EGG ", { ball = { centre = (0.1, 0, 0.2); radius = 0.7; }; } ); }", 5},
+        {"{ difference = ( " EGG ", " SMALL " ); rotate = (10, 20, 30); }", 5},
+        {"{ difference = ( " EGG ", { ball = { centre = (0.1, 0, 0.2); radius = 0.9; }; } ); }", 4},
+        {"{ union = ( " BOX ", " AWAY " ); }", 6},
+        /* The plane between them lies slanted. */
+        {"{ union = ( { ball = { radius = 1; }; }, { ball = { centre = (1.3, 1.3, 1.3); radius = "
+         "1; }; } ); }",
+         6},
+        {"{ union = ( { ball = { radius = 1; }; }, { ball = { centre = (1, 1, 1); radius = 1; }; } "
+         "); }",
+         4},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        char text[TEXT_SIZE];
+        make_scene(text, cases[i].solid);
+        struct loaded_scene loaded = load_text(text, "fx");
+        if (loaded.compiled->report.hidden != cases[i].hidden) {
+            fail_msg("%u pairs instead of %u of %s", loaded.compiled->report.hidden,
+                     cases[i].hidden, cases[i].solid);
+        }
+        unload(&loaded);
+    }
+}
+
 /* ---- The same points ------------------------------------------------------------------------ */
 
 static bool in_box(const double p[3]) {
@@ -245,6 +283,7 @@ int main(void) {
         cmocka_unit_test(operations_that_say_nothing_are_left_out),
         cmocka_unit_test(an_object_of_which_nothing_is_left_takes_its_name_along),
         cmocka_unit_test(solids_that_are_the_same_are_shared),
+        cmocka_unit_test(what_cannot_be_met_from_within_another_one_is_counted),
         cmocka_unit_test(what_is_cut_off_changes_no_point),
         cmocka_unit_test(a_solid_is_cut_off_only_beyond_all_of_its_uses),
     };
