@@ -10,6 +10,8 @@
 
 #include <stdint.h>
 
+#include "real.h"
+
 /*@ requires m >= 0x80000000;
     assigns \result \from m;
     ensures 0x40000000 < \result <= 0x80000000; */
@@ -22,12 +24,6 @@ static inline uint32_t fixed_reciprocal(uint32_t m);
     ensures \result >= 0x80000000; */
 static inline uint32_t fixed_root_of_normal(uint64_t m, uint64_t *rest);
 
-#include "real/fixed_operations.h"
-
-static inline void fixed_watch(enum fixed_operation operation, int64_t exact, _Bool saturated);
-
-#include "real/fixed_reciprocal.h"
-
 /*@ requires norm > 0 && \valid(length);
     assigns *length \from norm;
     assigns \result \from norm;
@@ -35,8 +31,6 @@ static inline void fixed_watch(enum fixed_operation operation, int64_t exact, _B
     ensures 0x40000000 <= \result.mantissa <= 0x7FFFFFFF;
     ensures 1 <= \result.shift <= 32; */
 static inline struct fixed_slope fixed_slope_of_norm(uint64_t norm, uint32_t *length);
-
-#include "real/fixed_root.h"
 
 /*@ requires x < 0xFFFFFFFF00000000;
     assigns \result \from x; */
@@ -54,8 +48,6 @@ static inline uint32_t fixed_magnitude(int32_t a);
     behavior negative: assumes a < 0; ensures \result == -a;
     complete behaviors; disjoint behaviors; */
 static inline uint64_t fixed_magnitude64(int64_t a);
-
-#include "real.h"
 
 static int32_t between(int32_t least, int32_t most) {
     return (int32_t)Frama_C_long_interval(least, most);

@@ -38,7 +38,7 @@ eva() {
     report=$reports/$1-$2
     main=$2 machine=$3 taken=$4
     shift 4
-    timeout -k 5 300 frama-c -eva -eva-precision 5 -main "$main" -machdep "$machine" "$@" \
+    timeout -k 5 500 frama-c -eva -eva-precision 5 -main "$main" -machdep "$machine" "$@" \
         -eva-use-spec "$taken" -cpp-extra-args="-Ifirmware/real/fx -Ihal -Ifirmware" \
         "$here/ranges.c" -then -report-csv "$report.csv" > "$report.txt" 2>&1 || {
         tail -n 20 "$report.txt" >&2
