@@ -86,7 +86,7 @@ static inline real_length length_over(real_length a, real_slope slope) {
 static inline bool length_cell_is_odd(real_length a, real_length size) {
     floating ratio = a / size;
     /* Finer than a length in fixed point: no pattern that an image could show. */
-    bool is_shown = ratio > -(floating)0x1p31 && ratio < (floating)0x1p31;
+    bool is_shown = (ratio > -(floating)0x1p31) & (ratio < (floating)0x1p31);
     floating cells = is_shown ? ratio : 0;
     int32_t cell = (int32_t)cells; /* towards zero */
     cell -= (floating)cell > cells ? 1 : 0;

@@ -22,7 +22,8 @@ static void turn_points(struct point_lanes *restrict turned, const struct frame 
 static void find_cells(const struct scene *scene, const struct pattern *source,
                        const struct point_lanes *restrict where, uint32_t odd[restrict LANES]) {
     const struct pattern pattern = *source;
-    const bool along_x = pattern.axes & 1, along_y = pattern.axes & 2, along_z = pattern.axes & 4;
+    const uint32_t along_x = pattern.axes & 1, along_y = pattern.axes >> 1 & 1,
+                   along_z = pattern.axes >> 2 & 1;
     const struct point size = {along_x ? pattern.size.x : REAL_LENGTH(1.0),
                                along_y ? pattern.size.y : REAL_LENGTH(1.0),
                                along_z ? pattern.size.z : REAL_LENGTH(1.0)};
@@ -35,11 +36,10 @@ static void find_cells(const struct scene *scene, const struct pattern *source,
     for (int i = 0; i < LANES; i++) {
         struct point p = {place->x[i], place->y[i], place->z[i]};
         p = point_subtract(p, pattern.origin);
-        odd[i] = (along_x & length_cell_is_odd(p.x, size.x)) ^
-                         (along_y & length_cell_is_odd(p.y, size.y)) ^
-                         (along_z & length_cell_is_odd(p.z, size.z))
-                     ? 1
-                     : 0;
+        uint32_t x = length_cell_is_odd(p.x, size.x) ? along_x : 0;
+        uint32_t y = length_cell_is_odd(p.y, size.y) ? along_y : 0;
+        uint32_t z = length_cell_is_odd(p.z, size.z) ? along_z : 0;
+        odd[i] = x ^ y ^ z;
     }
 }
 
@@ -83,9 +83,13 @@ static struct meeting_place meeting_place(const struct scene *scene, uint32_t be
     return place;
 }
 
+/* fresh: there is nothing yet, and the other lanes get 0. */
 static void apply_place(const struct meeting_place place, const uint32_t here[restrict LANES],
-                        const uint32_t odd[restrict LANES],
+                        const uint32_t odd[restrict LANES], bool fresh,
                         struct border_lanes *restrict border) {
+    const real_colour black = REAL_COLOUR(0.0);
+    const real_energy none = REAL_ENERGY(0.0);
+    const real_index nought = REAL_INDEX(0.0);
     for (int i = 0; i < LANES; i++) {
         bool is = here[i] != 0, is_odd = odd[i] != 0;
         struct colours colour = {is_odd ? place.other.red : place.own.red,
@@ -94,26 +98,27 @@ static void apply_place(const struct meeting_place place, const uint32_t here[re
         struct colours ambient = {is_odd ? place.other_ambient.red : place.own_ambient.red,
                                   is_odd ? place.other_ambient.green : place.own_ambient.green,
                                   is_odd ? place.other_ambient.blue : place.own_ambient.blue};
-        border->colour.red[i] = is ? colour.red : border->colour.red[i];
-        border->colour.green[i] = is ? colour.green : border->colour.green[i];
-        border->colour.blue[i] = is ? colour.blue : border->colour.blue[i];
-        border->ambient.red[i] = is ? ambient.red : border->ambient.red[i];
-        border->ambient.green[i] = is ? ambient.green : border->ambient.green[i];
-        border->ambient.blue[i] = is ? ambient.blue : border->ambient.blue[i];
-        border->diffuse[i] = is ? place.diffuse : border->diffuse[i];
-        border->specular[i] = is ? place.specular : border->specular[i];
-        border->gloss[i] = is ? place.gloss : border->gloss[i];
-        border->eta[i] = is ? place.eta : border->eta[i];
-        border->n[i] = is ? place.n : border->n[i];
-        border->bends[i] = is ? place.bends : border->bends[i];
-        border->clear[i] = is ? place.clear : border->clear[i];
+        border->colour.red[i] = is ? colour.red : fresh ? black : border->colour.red[i];
+        border->colour.green[i] = is ? colour.green : fresh ? black : border->colour.green[i];
+        border->colour.blue[i] = is ? colour.blue : fresh ? black : border->colour.blue[i];
+        border->ambient.red[i] = is ? ambient.red : fresh ? black : border->ambient.red[i];
+        border->ambient.green[i] = is ? ambient.green : fresh ? black : border->ambient.green[i];
+        border->ambient.blue[i] = is ? ambient.blue : fresh ? black : border->ambient.blue[i];
+        border->diffuse[i] = is ? place.diffuse : fresh ? none : border->diffuse[i];
+        border->specular[i] = is ? place.specular : fresh ? none : border->specular[i];
+        border->gloss[i] = is ? place.gloss : fresh ? 0 : border->gloss[i];
+        border->eta[i] = is ? place.eta : fresh ? nought : border->eta[i];
+        border->n[i] = is ? place.n : fresh ? nought : border->n[i];
+        border->bends[i] = is ? place.bends : fresh ? 0 : border->bends[i];
+        border->clear[i] = is ? place.clear : fresh ? 0 : border->clear[i];
     }
 }
 
 void borders_find(const struct scene *scene, const struct hit_lanes *restrict hit,
                   struct border_lanes *restrict border) {
     uint32_t left[LANES], here[LANES], odd[LANES];
-    memset(border, 0, sizeof *border);
+    bool fresh = true;
+    border->gloss_most = 0;
     for (int i = 0; i < LANES; i++) {
         left[i] = hit->is[i];
     }
@@ -132,7 +137,11 @@ void borders_find(const struct scene *scene, const struct hit_lanes *restrict hi
         if (place.pattern) {
             find_cells(scene, place.pattern, &hit->where, odd);
         }
-        apply_place(place, here, odd, border);
+        apply_place(place, here, odd, fresh, border);
+        fresh = false;
         border->gloss_most = place.gloss > border->gloss_most ? place.gloss : border->gloss_most;
+    }
+    if (fresh) {
+        memset(border, 0, sizeof *border);
     }
 }

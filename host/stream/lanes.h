@@ -6,7 +6,7 @@
 #include "scene.h"
 
 /* Loops over lanes all run from 0 to LANES: a constant that vectors of any width divide. Small
- * enough for what a step works on to stay in the nearest cache. */
+ * enough for what a step works on to stay in the nearest cache; and as many as a word has bits. */
 enum { LANES = 64 };
 
 /* The sets of a stream's rays are single words: a scene of more primitives goes the other way. */

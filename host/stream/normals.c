@@ -115,10 +115,24 @@ static void set_normals(const struct search_lanes *search, uint32_t index,
     }
 }
 
+/* The boxes whose axes are the world's: all of their normals are set at once. */
+static uint32_t straight_boxes(const struct scene *scene) {
+    uint32_t set = 0;
+    for (uint8_t i = 0; i < scene->primitive_count; i++) {
+        const struct primitive *primitive = &scene->primitives[i];
+        bool is = primitive->kind == PRIMITIVE_BOX && primitive->frame == FRAME_WORLD;
+        set |= is ? (uint32_t)1 << i : 0;
+    }
+    return set;
+}
+
 void normals_find(const struct search_lanes *restrict search, struct hit_lanes *restrict hit) {
+    const uint32_t straight = straight_boxes(search->scene);
     uint32_t left[LANES], here[LANES];
+    set_flat(search, hit->is, frame_of(search->scene, FRAME_WORLD), &hit->normal);
     for (int i = 0; i < LANES; i++) {
-        left[i] = hit->is[i];
+        uint32_t bit = (uint32_t)1 << crossed_primitive(search->crossed[i]);
+        left[i] = (straight & bit) != 0 ? 0 : hit->is[i];
     }
     for (int first = 0; first < LANES; first++) {
         if (left[first] == 0) {

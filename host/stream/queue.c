@@ -11,11 +11,16 @@ void queue_clear(struct queue *queue) {
     }
 }
 
+/* The number of the lowest bit that is set in a word that is not 0. */
+static uint32_t lowest_bit(uint64_t word) {
+    return (uint32_t)__builtin_ctzll(word);
+}
+
 static void push_into(struct queue_bin *restrict bin, const struct ray_lanes *restrict rays,
-                      const uint32_t lanes[restrict LANES], uint32_t count) {
+                      uint64_t lanes) {
     uint32_t at = bin->count;
-    for (uint32_t k = 0; k < count; k++, at++) {
-        uint32_t lane = lanes[k];
+    for (; lanes != 0; lanes &= lanes - 1, at++) {
+        uint32_t lane = lowest_bit(lanes);
         bin->origin_x[at] = rays->origin.x[lane];
         bin->origin_y[at] = rays->origin.y[lane];
         bin->origin_z[at] = rays->origin.z[lane];
@@ -34,26 +39,26 @@ static void push_into(struct queue_bin *restrict bin, const struct ray_lanes *re
 }
 
 void queue_push(struct queue *queue, const struct ray_lanes *rays, const uint32_t wanted[LANES]) {
-    uint32_t bit[LANES], lanes[LANES], bins = 0;
+    uint32_t bit[LANES], bins = 0;
     for (int i = 0; i < LANES; i++) {
         bit[i] = wanted[i] << path_object(rays->path[i]) % QUEUE_BINS;
         bins |= bit[i];
     }
     for (uint32_t number = 0; bins >> number != 0; number++) {
         struct queue_bin *bin = &queue->bins[number];
-        uint32_t count = 0;
         if (!(bins >> number & 1)) {
             continue;
         }
-        for (uint32_t i = 0; i < LANES; i++) {
-            lanes[count] = i;
-            count += bit[i] >> number & 1;
-        }
-        if (bin->count + count > QUEUE_ROOM) {
+        if (bin->count + LANES > QUEUE_ROOM) {
             queue->overflowed = true;
             continue;
         }
-        push_into(bin, rays, lanes, count);
+        uint32_t low = 0, high = 0;
+        for (int i = 0; i < LANES / 2; i++) {
+            low |= (bit[i] >> number & 1) << i;
+            high |= (bit[i + LANES / 2] >> number & 1) << i;
+        }
+        push_into(bin, rays, (uint64_t)high << 32 | low);
     }
 }
 

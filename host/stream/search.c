@@ -3,10 +3,13 @@
 #include "search_solids.h"
 #include "solids.h"
 
-/* Whether a component of some lane's direction is zero. */
-static bool set_slopes(struct local_lanes *local) {
+/* Boxes alone ask for slopes: they are made when one does. */
+static void need_slopes(struct local_lanes *restrict local, enum sloping *sloping) {
     const real_unit *components[3] = {local->direction.x, local->direction.y, local->direction.z};
     uint32_t levels = 0;
+    if (*sloping != SLOPES_UNKNOWN) {
+        return;
+    }
     for (int axis = 0; axis < 3; axis++) {
         const real_unit *u = components[axis];
         for (int i = 0; i < LANES; i++) {
@@ -17,12 +20,12 @@ static bool set_slopes(struct local_lanes *local) {
             levels |= local->level[axis][i];
         }
     }
-    return levels != 0;
+    *sloping = levels != 0 ? SLOPES_SOME : SLOPES_ALL;
 }
 
 void search_begin(struct search_lanes *search) {
     const struct scene *scene = search->scene;
-    search->any_level = set_slopes(&search->world);
+    search->world_sloping = SLOPES_UNKNOWN;
     for (int i = 0; i < SEARCH_VIEWS; i++) {
         search->frames[i] = FRAME_WORLD;
     }
@@ -64,7 +67,7 @@ static void choose_lanes(const struct search_lanes *restrict search, uint8_t ind
 }
 
 /* The rays in a primitive's frame, turned once for all of its primitives. */
-static const struct local_lanes *view_from(struct search_lanes *restrict search, uint8_t number) {
+static struct local_lanes *view_from(struct search_lanes *restrict search, uint8_t number) {
     if (number == FRAME_WORLD) {
         return &search->world;
     }
@@ -87,8 +90,12 @@ static const struct local_lanes *view_from(struct search_lanes *restrict search,
         local->direction.y[i] = direction_dot(direction, frame.axis[1]);
         local->direction.z[i] = direction_dot(direction, frame.axis[2]);
     }
-    search->any_level_there[number % SEARCH_VIEWS] = set_slopes(local);
+    search->sloping[number % SEARCH_VIEWS] = SLOPES_UNKNOWN;
     return local;
+}
+
+static enum sloping *sloping_of(struct search_lanes *search, uint8_t frame) {
+    return frame == FRAME_WORLD ? &search->world_sloping : &search->sloping[frame % SEARCH_VIEWS];
 }
 
 static void search_primitive(struct search_lanes *search, uint8_t index,
@@ -101,14 +108,17 @@ static void search_primitive(struct search_lanes *search, uint8_t index,
     } else if (primitive->kind == PRIMITIVE_QUADRIC) {
         struct quadric_lanes quadric;
         if (quadric_meets(search, index, chosen, &quadric)) {
-            search_quadric(search, index, &quadric, view_from(search, primitive->frame), chosen);
+            struct local_lanes *local = view_from(search, primitive->frame);
+            if (search->scene->quadrics[primitive->index].cuts) {
+                need_slopes(local, sloping_of(search, primitive->frame));
+            }
+            search_quadric(search, index, &quadric, local, chosen);
         }
     } else {
-        const struct local_lanes *local = view_from(search, primitive->frame);
-        bool any_level = local == &search->world
-                             ? search->any_level
-                             : search->any_level_there[primitive->frame % SEARCH_VIEWS];
-        search_box(search, index, local, any_level, chosen);
+        struct local_lanes *local = view_from(search, primitive->frame);
+        enum sloping *sloping = sloping_of(search, primitive->frame);
+        need_slopes(local, sloping);
+        search_box(search, index, local, *sloping == SLOPES_SOME, chosen);
     }
 }
 

@@ -5,6 +5,9 @@
 
 #include "lanes.h"
 
+/* What is known of slopes: nothing yet; that no component is zero; that some are. */
+enum sloping { SLOPES_UNKNOWN, SLOPES_ALL, SLOPES_SOME };
+
 /* Rays in the coordinates of a frame; see struct local_ray. */
 struct local_lanes {
     struct point_lanes origin;
@@ -34,9 +37,9 @@ struct search_lanes {
     /* After the arrays, so that these begin where vectors like to. */
     const struct scene *scene;
     bool shadows;   /* only what can keep light off is looked at */
-    /* Whether in some lane a component of the direction is zero: in the world, in the views. */
-    bool any_level, any_level_there[SEARCH_VIEWS];
-    uint8_t frames[SEARCH_VIEWS]; /* of the views; FRAME_WORLD: none yet */
+    uint8_t frames[SEARCH_VIEWS];       /* of the views; FRAME_WORLD: none yet */
+    enum sloping sloping[SEARCH_VIEWS]; /* of the views */
+    enum sloping world_sloping;
 };
 
 static inline bool crossed_leaving(uint32_t crossed) {

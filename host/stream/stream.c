@@ -18,7 +18,7 @@ enum { BAND_PIXELS = STREAM_ROWS_MOST * FEATURE_WIDTH };
 
 /* What a pixel has so far. */
 struct pixel_sum {
-    int32_t steps[3]; /* of 2^-16 level */
+    int64_t steps[3]; /* of 2^-16 level */
     uint32_t rays;
 };
 
@@ -69,10 +69,6 @@ static void start_eye_rays(struct stream *stream, uint16_t first_row, uint32_t f
     queue_push(&stream->queue, rays, wanted);
 }
 
-static void add_steps(int32_t *sum, int32_t steps) {
-    *sum = *sum > INT32_MAX - steps ? INT32_MAX : *sum + steps;
-}
-
 /* Adds what each lane sends to its pixel, times its weight. */
 static void add_intensities(struct stream *stream, const struct colour_lanes *restrict colour,
                             const struct energy_lanes *restrict weight) {
@@ -85,9 +81,9 @@ static void add_intensities(struct stream *stream, const struct colour_lanes *re
     for (int i = 0; i < LANES; i++) {
         struct pixel_sum *pixel =
             &stream->pixels[stream->rays.target[i] & ~TARGET_CONTINUED];
-        add_steps(&pixel->steps[0], red[i]);
-        add_steps(&pixel->steps[1], green[i]);
-        add_steps(&pixel->steps[2], blue[i]);
+        pixel->steps[0] += red[i];
+        pixel->steps[1] += green[i];
+        pixel->steps[2] += blue[i];
     }
 }
 
@@ -291,7 +287,8 @@ static bool stream_rows(void *memory, const struct scene *scene, uint16_t first,
     }
     for (uint32_t i = 0; i < pixels; i++) {
         for (int primary = 0; primary < 3; primary++) {
-            *rgb++ = colour_level(colour_of_steps(stream->pixels[i].steps[primary]));
+            int64_t steps = stream->pixels[i].steps[primary];
+            *rgb++ = colour_level(colour_of_steps(steps < INT32_MAX ? (int32_t)steps : INT32_MAX));
         }
     }
     add_counts(counts, &stream->counts);
