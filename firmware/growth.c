@@ -23,8 +23,8 @@ static void report_end(const struct tree *tree, enum branch_kind kind, uint8_t c
     }
 }
 
-/* Parts are rounded to steps of 2^-16 level before they are added: their order does not matter then,
- * and whoever follows the branches in another one gets the same picture, bit for bit. */
+/* Parts are rounded to steps of 2^-16 level before they are added: their order does not matter
+ * then, and whoever follows the branches in another one gets the same picture, bit for bit. */
 static void add_part(struct tree *tree, struct colours part) {
     tree->sum = colours_add(tree->sum, colours_in_steps(part));
 }

@@ -4,8 +4,7 @@
 
 #include <stdlib.h>
 
-void band_start(struct band *band, const struct arithmetic *arithmetic,
-                const struct scene *scene) {
+void band_start(struct band *band, const struct arithmetic *arithmetic, const struct scene *scene) {
     band->image = arithmetic->image;
     band->scene = scene;
     band->engine = stream_engine_find(arithmetic->image->name);

@@ -13,7 +13,7 @@ struct band {
     const struct image *image;
     const struct scene *scene;
     const struct stream_engine *engine; /* NULL: rows one by one */
-    void *block, *memory; /* what was allocated, and the engine's part of it; NULL */
+    void *block, *memory;               /* what was allocated, and the engine's part of it; NULL */
 };
 
 /* Prepares for a loaded scene, whose estimate has been learned if it is to be. Where memory for an

@@ -37,9 +37,9 @@ struct renderer {
     struct row_slot *slots;
     uint8_t *pixels; /* of all slots */
 
-    struct band band;    /* of one job */
-    unsigned band_last;  /* its rows up to this one are in `pixels` */
-    uint8_t *kept; /* all rows from job->first_row on, to be drawn again; NULL: drawn once */
+    struct band band;   /* of one job */
+    unsigned band_last; /* its rows up to this one are in `pixels` */
+    uint8_t *kept;      /* all rows from job->first_row on, to be drawn again; NULL: drawn once */
 };
 
 static void add_row(struct renderer *renderer, const struct render_counts *counts) {
@@ -103,7 +103,8 @@ static uint8_t *band_row(const struct renderer *renderer, unsigned y) {
     return renderer->pixels + (y - renderer->job->first_row) % BAND_ROWS * row_bytes(renderer);
 }
 
-/* The row_source of one job: the drawing thread computes, a band when its first row is asked for. */
+/* The row_source of one job: the drawing thread computes, a band when its first row is asked for.
+ */
 static bool compute_row(void *context, uint16_t y, uint8_t *rgb) {
     struct renderer *renderer = context;
     struct render_counts counts = {0};

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* First estimates of a reciprocal and of that of a root, on a CPU with floating point in vectors. */
+/* First estimates of a reciprocal and of that of a root, on a CPU with floating point in vectors.
+ */
 #ifndef SUPERFRAME_FIXED_ESTIMATE_H
 #define SUPERFRAME_FIXED_ESTIMATE_H
 

@@ -20,8 +20,8 @@ static bool has_avx512(void) {
 extern const struct stream_engine stream_fx_plain, stream_fx_avx2, stream_fx_avx512;
 
 const struct engine_choice engine_choices[] = {
-    {"f32", &stream_f32_plain, NULL},     {"f32", &stream_f32_avx2, has_avx2},
+    {"f32", &stream_f32_plain, NULL},        {"f32", &stream_f32_avx2, has_avx2},
     {"f32", &stream_f32_avx512, has_avx512}, {"f64", &stream_f64_plain, NULL},
-    {"f64", &stream_f64_avx2, has_avx2},  {"f64", &stream_f64_avx512, has_avx512},
-    {"fx", &stream_fx_plain, NULL},       {"fx", &stream_fx_avx2, has_avx2},
+    {"f64", &stream_f64_avx2, has_avx2},     {"f64", &stream_f64_avx512, has_avx512},
+    {"fx", &stream_fx_plain, NULL},          {"fx", &stream_fx_avx2, has_avx2},
     {"fx", &stream_fx_avx512, has_avx512},   {NULL, NULL, NULL}};

@@ -18,28 +18,32 @@ static void turn_points(struct point_lanes *restrict turned, const struct frame 
     }
 }
 
-/* 1 where the pattern has its other colour: colour_at() of firmware/shade.c. */
-static void find_cells(const struct scene *scene, const struct pattern *source,
-                       const struct point_lanes *restrict where, uint32_t odd[restrict LANES]) {
-    const struct pattern pattern = *source;
-    const uint32_t along_x = pattern.axes & 1, along_y = pattern.axes >> 1 & 1,
-                   along_z = pattern.axes >> 2 & 1;
-    const struct point size = {along_x ? pattern.size.x : REAL_LENGTH(1.0),
-                               along_y ? pattern.size.y : REAL_LENGTH(1.0),
-                               along_z ? pattern.size.z : REAL_LENGTH(1.0)};
+/* Adds the cells along one axis. */
+static void add_cells(const real_length where[restrict LANES], real_length origin, real_length size,
+                      uint32_t odd[restrict LANES]) {
+    for (int i = 0; i < LANES; i++) {
+        bool is_odd = length_cell_is_odd(length_subtract(where[i], origin), size);
+        odd[i] ^= is_odd ? 1 : 0;
+    }
+}
+
+/* Adds 1 where the pattern has its other colour: colour_at() of firmware/shade.c. */
+static void find_cells(const struct scene *scene, const struct pattern *pattern,
+                       const struct point_lanes *where, uint32_t odd[LANES]) {
     struct point_lanes turned;
     const struct point_lanes *place = where;
-    if (pattern.frame != FRAME_WORLD) {
-        turn_points(&turned, &scene->frames[pattern.frame], where);
+    if (pattern->frame != FRAME_WORLD) {
+        turn_points(&turned, &scene->frames[pattern->frame], where);
         place = &turned;
     }
-    for (int i = 0; i < LANES; i++) {
-        struct point p = {place->x[i], place->y[i], place->z[i]};
-        p = point_subtract(p, pattern.origin);
-        uint32_t x = length_cell_is_odd(p.x, size.x) ? along_x : 0;
-        uint32_t y = length_cell_is_odd(p.y, size.y) ? along_y : 0;
-        uint32_t z = length_cell_is_odd(p.z, size.z) ? along_z : 0;
-        odd[i] = x ^ y ^ z;
+    if (pattern->axes & 1) {
+        add_cells(place->x, pattern->origin.x, pattern->size.x, odd);
+    }
+    if (pattern->axes & 2) {
+        add_cells(place->y, pattern->origin.y, pattern->size.y, odd);
+    }
+    if (pattern->axes & 4) {
+        add_cells(place->z, pattern->origin.z, pattern->size.z, odd);
     }
 }
 

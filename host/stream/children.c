@@ -81,8 +81,7 @@ static void weigh(const struct scene *scene, const struct ray_lanes *restrict ra
                                         rays->weight.blue[i]};
         struct energies weight = energies_scaled(before, share[i]);
         real_energy largest = energies_largest(weight);
-        bool goes_on =
-            !((path_events(rays->path[i]) >= depth) | energy_less(largest, threshold));
+        bool goes_on = !((path_events(rays->path[i]) >= depth) | energy_less(largest, threshold));
         bool is = (hit->is[i] != 0) & !energy_is_zero(largest);
         child->weight.red[i] = weight.red;
         child->weight.green[i] = weight.green;

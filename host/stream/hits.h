@@ -10,7 +10,7 @@ struct hit_lanes {
     uint32_t is[LANES];
     real_length t[LANES];
     struct point_lanes where;
-    struct direction_lanes normal; /* turned towards the arriving ray */
+    struct direction_lanes normal;        /* turned towards the arriving ray */
     uint32_t before[LANES], after[LANES]; /* objects on the near and the far side */
     uint32_t inside_before[LANES], inside_after[LANES];
     uint32_t surface[LANES];

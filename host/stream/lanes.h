@@ -35,8 +35,8 @@ struct ray_lanes {
     struct energy_lanes weight;
     real_length from[LANES]; /* where the search for the next crossing begins */
     uint32_t inside[LANES];  /* a set of primitives */
-    uint32_t path[LANES];    /* surface that it starts on | object it runs in << 16 | events << 24 */
-    uint32_t target[LANES];  /* the pixel that it is for, in the band | CONTINUED */
+    uint32_t path[LANES];   /* surface that it starts on | object it runs in << 16 | events << 24 */
+    uint32_t target[LANES]; /* the pixel that it is for, in the band | CONTINUED */
 };
 
 /* Set for a ray behind a crossing where the material did not change: it has been counted. */

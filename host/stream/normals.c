@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Normals: primitive_normal() of firmware/solids.c for many rays at once, primitive by primitive. */
+/* Normals: primitive_normal() of firmware/solids.c for many rays at once, primitive by primitive.
+ */
 #include "normals.h"
 
 #include "solids.h"
@@ -73,12 +74,10 @@ static void set_curved(const struct search_lanes *restrict search,
 }
 
 static void set_polyhedron(const struct search_lanes *restrict search,
-                           const uint32_t here[restrict LANES],
-                           const struct polyhedron *polyhedron,
+                           const uint32_t here[restrict LANES], const struct polyhedron *polyhedron,
                            struct direction_lanes *restrict normal) {
     for (uint32_t face = 0; face < polyhedron->count; face++) {
-        const struct direction outward =
-            search->scene->planes[polyhedron->first + face].normal;
+        const struct direction outward = search->scene->planes[polyhedron->first + face].normal;
         for (int i = 0; i < LANES; i++) {
             bool is = (here[i] != 0) & ((search->place[i] & 0xFF) == face);
             set_normal(normal, i, is, outward, crossed_leaving(search->crossed[i]));

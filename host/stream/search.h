@@ -22,21 +22,21 @@ enum { SEARCH_VIEWS = 2, CROSSED_LEAVING = 256 };
 struct search_lanes {
     struct local_lanes world;
     struct local_lanes views[SEARCH_VIEWS]; /* in the frames that were asked for last */
-    uint32_t surface[LANES]; /* that the ray starts on, or SURFACE_NONE */
-    uint32_t touch[LANES];   /* the primitives that it bounds */
-    uint32_t inside[LANES];  /* the primitives that the ray is inside of */
+    uint32_t surface[LANES];                /* that the ray starts on, or SURFACE_NONE */
+    uint32_t touch[LANES];                  /* the primitives that it bounds */
+    uint32_t inside[LANES];                 /* the primitives that the ray is inside of */
     real_length from[LANES];
     uint32_t active[LANES]; /* 0: an idle lane, which finds nothing */
 
     /* The nearest crossing. */
     real_length t[LANES];
-    uint32_t place[LANES]; /* its surface and face (stretch.h), or PLACE_NONE */
+    uint32_t place[LANES];   /* its surface and face (stretch.h), or PLACE_NONE */
     uint32_t crossed[LANES]; /* the primitive, + CROSSED_LEAVING where it is left, not entered */
     uint32_t toggled[LANES]; /* all primitives that are crossed there */
 
     /* After the arrays, so that these begin where vectors like to. */
     const struct scene *scene;
-    bool shadows;   /* only what can keep light off is looked at */
+    bool shadows;                       /* only what can keep light off is looked at */
     uint8_t frames[SEARCH_VIEWS];       /* of the views; FRAME_WORLD: none yet */
     enum sloping sloping[SEARCH_VIEWS]; /* of the views */
     enum sloping world_sloping;

@@ -44,8 +44,7 @@ static inline struct form lane_form(const struct quadric *quadric, const struct 
     const struct point there = {lanes->foot.x[i], lanes->foot.y[i], lanes->foot.z[i]};
     const struct direction direction = {local->direction.x[i], local->direction.y[i],
                                         local->direction.z[i]};
-    struct form form =
-        quadric_form(quadric, turned ? turn_point(frame, there) : there, direction);
+    struct form form = quadric_form(quadric, turned ? turn_point(frame, there) : there, direction);
     form.start = lanes->nearest[i];
     return form;
 }
@@ -59,8 +58,7 @@ static inline void set_stretches(struct quadric_stretches *found, int i, const s
     real_length root = length_root(square);
     real_length q = falls ? length_subtract(root, form.b) : length_negate(length_add(root, form.b));
     bool no_root = area_is_negative(square), no_q = length_is_zero(q), flat = unit_is_zero(form.a);
-    real_length near =
-        length_add(form.start, length_quotient(form.c, no_q ? REAL_LENGTH(1.0) : q));
+    real_length near = length_add(form.start, length_quotient(form.c, no_q ? REAL_LENGTH(1.0) : q));
     real_length over = length_over(q, slope_of(flat ? REAL_UNIT(1.0) : form.a));
     bool ahead = length_less(q, REAL_LENGTH(0.0)) ^ !opens;
     real_length none = ahead ? LENGTH_FAR : far_back;
@@ -84,9 +82,8 @@ static inline void set_stretches(struct quadric_stretches *found, int i, const s
     found->in_place[1][i] = found->out_place[1][i] = place;
 }
 
-static void find_stretches(const struct search_lanes *restrict search,
-                           const struct quadric quadric, uint8_t frame_number,
-                           const struct quadric_lanes *restrict lanes,
+static void find_stretches(const struct search_lanes *restrict search, const struct quadric quadric,
+                           uint8_t frame_number, const struct quadric_lanes *restrict lanes,
                            const struct local_lanes *restrict local,
                            struct quadric_stretches *restrict found) {
     const uint32_t place = place_of(quadric.surface, QUADRIC_FACE);
@@ -150,16 +147,15 @@ static void cut_by_box(const struct search_lanes *search, uint32_t bit,
         cut_stretches(search, bit, slab, local->origin.z, local, 2, which, found);
     }
     for (int i = 0; i < LANES; i++) {
-        bool is = (found->hit[which][i] != 0) &
-                  length_less(found->in[which][i], found->out[which][i]);
+        bool is =
+            (found->hit[which][i] != 0) & length_less(found->in[which][i], found->out[which][i]);
         found->hit[which][i] = is ? 1 : 0;
     }
 }
 
 static inline struct stretch stretch_of(const struct quadric_stretches *found, int which, int i) {
-    const struct stretch s = {found->in[which][i], found->out[which][i],
-                              found->in_place[which][i], found->out_place[which][i],
-                              found->hit[which][i] != 0};
+    const struct stretch s = {found->in[which][i], found->out[which][i], found->in_place[which][i],
+                              found->out_place[which][i], found->hit[which][i] != 0};
     return s;
 }
 
@@ -205,8 +201,8 @@ void search_quadric(struct search_lanes *search, uint8_t index, const struct qua
     struct quadric_stretches found;
     find_stretches(search, *quadric, primitive->frame, lanes, local, &found);
     if (quadric->cuts) {
-        bool may_open = unit_is_negative(quadric->square.x) |
-                        unit_is_negative(quadric->square.y) | unit_is_negative(quadric->square.z);
+        bool may_open = unit_is_negative(quadric->square.x) | unit_is_negative(quadric->square.y) |
+                        unit_is_negative(quadric->square.z);
         cut_by_box(search, bit, quadric, local, 0, &found);
         if (may_open) {
             cut_by_box(search, bit, quadric, local, 1, &found);

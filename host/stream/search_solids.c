@@ -20,9 +20,8 @@ static struct slabs slabs_of(const struct box *box) {
 
 /* Where one lane leaves or enters a box; inside and may_be_level are constants at each call. */
 static inline struct meeting box_meeting(const struct search_lanes *search, int i, uint32_t bit,
-                                         const struct slabs *slabs,
-                                         const struct local_lanes *local, bool inside,
-                                         bool may_be_level) {
+                                         const struct slabs *slabs, const struct local_lanes *local,
+                                         bool inside, bool may_be_level) {
     uint32_t start = search->surface[i];
     struct stretch s = stretch_everything(slabs->x.low_place);
     s = stretch_slab(s, slabs->x, local->origin.x[i], local->slope[0][i], local->level[0][i] != 0,
@@ -35,8 +34,8 @@ static inline struct meeting box_meeting(const struct search_lanes *search, int 
     return meeting_of(s, search->from[i], inside, (search->touch[i] & bit) != 0);
 }
 
-static void leave_box(struct search_lanes *restrict search, uint8_t index,
-                      const struct slabs slabs, const struct local_lanes *restrict local,
+static void leave_box(struct search_lanes *restrict search, uint8_t index, const struct slabs slabs,
+                      const struct local_lanes *restrict local,
                       const uint32_t chosen[restrict LANES]) {
     uint32_t bit = (uint32_t)1 << index;
     for (int i = 0; i < LANES; i++) {
@@ -45,8 +44,8 @@ static void leave_box(struct search_lanes *restrict search, uint8_t index,
     }
 }
 
-static void enter_box(struct search_lanes *restrict search, uint8_t index,
-                      const struct slabs slabs, const struct local_lanes *restrict local,
+static void enter_box(struct search_lanes *restrict search, uint8_t index, const struct slabs slabs,
+                      const struct local_lanes *restrict local,
                       const uint32_t chosen[restrict LANES]) {
     uint32_t bit = (uint32_t)1 << index;
     for (int i = 0; i < LANES; i++) {

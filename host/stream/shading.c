@@ -3,8 +3,8 @@
 #include "shading.h"
 
 #include "media.h"
-#include "stretch.h"
 #include "optics.h"
+#include "stretch.h"
 
 /* Way, cosine and distance from each lane's place to a light. */
 struct way_lanes {
@@ -77,8 +77,8 @@ static void cast_shadows(const struct scene *scene, const struct hit_lanes *rest
         }
         search_next(search, &counts->solid_tests);
         for (int i = 0; i < LANES; i++) {
-            bool found = (search->place[i] != PLACE_NONE) &
-                         length_less(search->t[i], way->distance[i]);
+            bool found =
+                (search->place[i] != PLACE_NONE) & length_less(search->t[i], way->distance[i]);
             search->active[i] = found ? search->active[i] : 0;
             search->inside[i] ^= found ? search->toggled[i] : 0;
             search->from[i] = search->t[i];

@@ -79,8 +79,7 @@ static void add_intensities(struct stream *stream, const struct colour_lanes *re
         blue[i] = colour_steps(colour_scaled(colour->blue[i], weight->blue[i]));
     }
     for (int i = 0; i < LANES; i++) {
-        struct pixel_sum *pixel =
-            &stream->pixels[stream->rays.target[i] & ~TARGET_CONTINUED];
+        struct pixel_sum *pixel = &stream->pixels[stream->rays.target[i] & ~TARGET_CONTINUED];
         pixel->steps[0] += red[i];
         pixel->steps[1] += green[i];
         pixel->steps[2] += blue[i];
@@ -162,12 +161,12 @@ static void attenuate(struct stream *stream) {
         const struct material *medium = &stream->scene->materials[stream->hit.material_before[i]];
         if (stream->hit.is[i] && medium->absorbs) {
             real_length way = stream->hit.t[i];
-            weight->red[i] = energy_product(weight->red[i],
-                                            energy_transmitted(medium->absorption[0], way));
-            weight->green[i] = energy_product(weight->green[i],
-                                              energy_transmitted(medium->absorption[1], way));
-            weight->blue[i] = energy_product(weight->blue[i],
-                                             energy_transmitted(medium->absorption[2], way));
+            weight->red[i] =
+                energy_product(weight->red[i], energy_transmitted(medium->absorption[0], way));
+            weight->green[i] =
+                energy_product(weight->green[i], energy_transmitted(medium->absorption[1], way));
+            weight->blue[i] =
+                energy_product(weight->blue[i], energy_transmitted(medium->absorption[2], way));
         }
     }
 }

@@ -68,8 +68,8 @@ static inline struct meeting meeting_of(struct stretch s, real_length from, bool
     return inside ? meeting_leaving(s, from) : meeting_entering(s, from, starts_there);
 }
 
-/* Of one stretch or two, in order: the ray leaves the one that it is in, or enters the first that is
- * ahead. */
+/* Of one stretch or two, in order: the ray leaves the one that it is in, or enters the first that
+ * is ahead. */
 static inline struct meeting meeting_of_two(struct stretch a, struct stretch b, bool two,
                                             real_length from, bool inside, bool starts_there) {
     bool second = two & !length_less(from, a.out) &
@@ -91,10 +91,9 @@ struct slab {
 
 /* inside and may_be_level are constants at each call: a ray that is inside is asked only where it
  * leaves, and mostly no ray of a chunk runs level. */
-static inline struct stretch stretch_slab(struct stretch s, struct slab slab,
-                                          real_length origin, real_slope slope, bool level,
-                                          bool falling, uint32_t start, bool inside,
-                                          bool may_be_level) {
+static inline struct stretch stretch_slab(struct stretch s, struct slab slab, real_length origin,
+                                          real_slope slope, bool level, bool falling,
+                                          uint32_t start, bool inside, bool may_be_level) {
     real_length ahead_in = length_subtract(falling ? slab.high : slab.low, origin);
     real_length ahead_out = length_subtract(falling ? slab.low : slab.high, origin);
     uint32_t in_place = falling ? slab.high_place : slab.low_place;
