@@ -77,7 +77,8 @@ HOST_SOURCES   += host/engines/portable.c
 endif
 STREAM_SOURCES := $(wildcard host/stream/*.c) firmware/solids.c
 # Nothing here changes a result: no trap is waited for, and no errno is read.
-STREAM_FLAGS   := -O3 -fno-trapping-math -fno-math-errno
+# No operand is to be skipped: in lanes, & is what && is elsewhere.
+STREAM_FLAGS   := -O3 -fno-trapping-math -fno-math-errno -Wno-bitwise-instead-of-logical
 # gcc's elimination of partial redundancies makes branches in loops that are to be vectors.
 ifeq ($(findstring clang,$(shell $(CC) --version)),)
 STREAM_FLAGS_search_solids := -fno-tree-pre

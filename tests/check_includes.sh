@@ -31,7 +31,9 @@ BEGIN {
     may["emulator/testing"] = "emulator/testing emulator hal"
     may["host"] = "host hal hal/* emulator firmware"
     may["host/arithmetic"] = "host/arithmetic host firmware firmware/real/* firmware/features/*"
-    # What host/ may see of the folders below it; host/arithmetic/ is compiled beside the firmware.
+    may["host/stream"] = "host/stream host/stream/sets/* host firmware firmware/real/* firmware/features/*"
+    # What host/ may see of the folders below it; host/arithmetic/ and host/stream/ are compiled beside the
+    # firmware.
     is_public["firmware/image.h"] = 1
     freestanding = " float.h iso646.h limits.h stdarg.h stdbool.h stddef.h stdint.h "
     while ((getline file < list) > 0) {

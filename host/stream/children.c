@@ -86,10 +86,10 @@ static void weigh(const struct scene *scene, const struct ray_lanes *restrict ra
         child->weight.red[i] = weight.red;
         child->weight.green[i] = weight.green;
         child->weight.blue[i] = weight.blue;
-        cut->red[i] = is & !goes_on ? weight.red : none;
-        cut->green[i] = is & !goes_on ? weight.green : none;
-        cut->blue[i] = is & !goes_on ? weight.blue : none;
-        follow[i] = is & goes_on ? 1 : 0;
+        cut->red[i] = (is & !goes_on) ? weight.red : none;
+        cut->green[i] = (is & !goes_on) ? weight.green : none;
+        cut->blue[i] = (is & !goes_on) ? weight.blue : none;
+        follow[i] = (is & goes_on) ? 1 : 0;
     }
 }
 

@@ -24,7 +24,7 @@ bool quadric_meets(const struct search_lanes *restrict search, uint8_t index,
         lanes->foot.y[i] = foot.y;
         lanes->foot.z[i] = foot.z;
         lanes->nearest[i] = nearest;
-        lanes->passes[i] = quadric.ends & beyond ? 1 : 0;
+        lanes->passes[i] = (quadric.ends & beyond) ? 1 : 0;
         meeting |= chosen->leave[i] | (chosen->enter[i] & ~lanes->passes[i]);
     }
     return meeting != 0;
@@ -64,8 +64,8 @@ static inline void set_stretches(struct quadric_stretches *found, int i, const s
     real_length none = ahead ? LENGTH_FAR : far_back;
     real_length far = flat ? none : length_add(form.start, over);
     bool far_is_nearer = length_less(length_magnitude(far), length_magnitude(near));
-    far = on_curve & far_is_nearer ? REAL_LENGTH(0.0) : far;
-    near = on_curve & !far_is_nearer ? REAL_LENGTH(0.0) : near;
+    far = (on_curve & far_is_nearer) ? REAL_LENGTH(0.0) : far;
+    near = (on_curve & !far_is_nearer) ? REAL_LENGTH(0.0) : near;
     bool ordered = length_less(near, far);
     real_length low = ordered ? near : far, high = ordered ? far : near;
     bool whole = no_root | no_q, full = opens | (!no_root & area_is_negative(form.c));
@@ -73,11 +73,11 @@ static inline void set_stretches(struct quadric_stretches *found, int i, const s
     real_length whole_out = full ? LENGTH_FAR : form.start;
     found->in[0][i] = whole ? whole_in : opens ? far_back : low;
     found->out[0][i] = whole ? whole_out : opens ? low : high;
-    found->hit[0][i] = full | !whole ? 1 : 0;
+    found->hit[0][i] = (full | !whole) ? 1 : 0;
     found->in[1][i] = high;
     found->out[1][i] = LENGTH_FAR;
     found->hit[1][i] = 1;
-    found->two[i] = opens & !whole ? 1 : 0;
+    found->two[i] = (opens & !whole) ? 1 : 0;
     found->in_place[0][i] = found->out_place[0][i] = place;
     found->in_place[1][i] = found->out_place[1][i] = place;
 }

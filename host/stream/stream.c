@@ -144,8 +144,8 @@ static void sort_lanes(struct stream *stream, uint32_t continuing[LANES], uint32
         bool found = search->place[i] != PLACE_NONE;
         bool same = hit->material_before[i] == hit->material_after[i];
         uint32_t active = search->active[i];
-        hit->is[i] = found & !same ? active : 0;
-        continuing[i] = found & same ? active : 0;
+        hit->is[i] = (found & !same) ? active : 0;
+        continuing[i] = (found & same) ? active : 0;
         gone[i] = found ? 0 : active;
         nodes += hit->is[i];
         leaked += hit->before[i] != OBJECT_AIR ? gone[i] : 0;
