@@ -144,7 +144,7 @@ static void add_pixel(struct sums *sums, struct lesson *lesson) {
         struct lesson_level *from = &lesson->level[i];
         struct level_sums *to = &sums->level[i];
         for (uint8_t j = 0; j < 3; j++) {
-            if (i + 1 < lesson->levels) {
+            if (LESSON_LEVELS > 1 && i + 1 < lesson->levels) {
                 from->worth[j] += from[1].worth[j];
                 from->rest[j] += from[1].rest[j];
             }
