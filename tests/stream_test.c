@@ -111,9 +111,81 @@ static void every_built_in_scene_comes_out_alike(void **state) {
     assert_true(fitting >= 2 * 2 * sizeof table / sizeof table[0]);
 }
 
+/* A built-in scene with one thing changed, in f32, as an engine sees it. */
+static bool plainest_engine_fits(const char *name, void (*change)(struct scene_description *)) {
+    struct scene_error error;
+    struct scene_description *description = load_scene(name, &error);
+    assert_non_null(description);
+    change(description);
+    struct loaded_scene loaded = load_description(description, "f32");
+    bool fits = stream_engine_get("f32", 0)->fits(loaded.scene);
+    unload(&loaded);
+    scene_description_free(description);
+    return fits;
+}
+
+static void keep(struct scene_description *description) {
+    (void)description;
+}
+
+static void ask_for_accuracy(struct scene_description *description) {
+    description->error = 1;
+}
+
+static void take_the_simple_model(struct scene_description *description) {
+    description->model = MODEL_SIMPLE;
+}
+
+static void what_an_engine_does_not_know_is_left_to_the_image(void **state) {
+    (void)state;
+    assert_true(plainest_engine_fits("fig3", keep));
+    assert_true(plainest_engine_fits("fig5", keep));
+    assert_false(plainest_engine_fits("fig3", ask_for_accuracy));
+    assert_false(plainest_engine_fits("fig3", take_the_simple_model));
+}
+
+/* What has no room, or no budget, is the image's work: nothing of it is counted. */
+static void a_band_beyond_its_budget_is_given_back(void **state) {
+    (void)state;
+    struct scene_error error;
+    struct scene_description *description = load_scene("fig3", &error);
+    assert_non_null(description);
+    description->width = 24;
+    description->height = 16;
+    struct compiled_scene *compiled = scene_compile(description, &error);
+    assert_non_null(compiled);
+    compiled->ray_budget = 5;
+    struct loaded_scene loaded = {arithmetic_find("f64"), compiled, NULL};
+    loaded.scene = loaded.arithmetic->load(compiled, &error);
+    assert_non_null(loaded.scene);
+    const struct stream_engine *engine;
+    for (unsigned i = 0; (engine = stream_engine_get("f64", i)) != NULL; i++) {
+        assert_true(compare_rows("fig3", &loaded, engine, 24, 16) > 0);
+    }
+    unload(&loaded);
+    scene_description_free(description);
+}
+
+static void the_best_engine_is_the_last_that_runs_here(void **state) {
+    (void)state;
+    static const char *const arithmetics[] = {"fx", "f32", "f64"};
+    for (size_t i = 0; i < 3; i++) {
+        const struct stream_engine *last = NULL, *next;
+        for (unsigned j = 0; (next = stream_engine_get(arithmetics[i], j)) != NULL; j++) {
+            last = next;
+        }
+        assert_non_null(last);
+        assert_ptr_equal(stream_engine_find(arithmetics[i]), last);
+    }
+    assert_null(stream_engine_find("f128"));
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_built_in_scene_comes_out_alike),
+        cmocka_unit_test(what_an_engine_does_not_know_is_left_to_the_image),
+        cmocka_unit_test(a_band_beyond_its_budget_is_given_back),
+        cmocka_unit_test(the_best_engine_is_the_last_that_runs_here),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
