@@ -111,6 +111,80 @@ static void every_built_in_scene_comes_out_alike(void **state) {
     assert_true(fitting >= 2 * 2 * sizeof table / sizeof table[0]);
 }
 
+/* One solid whose faces lie on a coarse grid, so that many of them coincide; some are turned. */
+static int write_solid(char *text, size_t room, uint64_t *random) {
+    double x = next_random(random) % 5, y = next_random(random) % 5, z = next_random(random) % 4;
+    double size = 1 + next_random(random) % 3;
+    switch (next_random(random) % 6) {
+    case 0:
+        return snprintf(text, room, "{ ball = { centre = (%g, %g, %g); radius = %g; }; }", x, y, z,
+                        size / 2);
+    case 1:
+        return snprintf(text, room,
+                        "{ ellipsoid = { centre = (%g, %g, %g); radii = (%g, 1.0, 0.5); }; }", x, y,
+                        z, size);
+    case 2:
+        return snprintf(
+            text, room,
+            "{ intersection = ({ ellipsoid = { centre = (%g, %g, %g); radii = (1.0, %g, 1.5); }; },"
+            " { half_space = { normal = [0, 0, 1]; offset = %g; }; }); }",
+            x, y, z, size, z);
+    case 3:
+        return snprintf(text, room,
+                        "{ box = { min = (%g, %g, %g); max = (%g, %g, %g); }; rotate = [0, %g, 30];"
+                        " }",
+                        x, y, z, x + size, y + 1, z + 1, 10 * size);
+    default:
+        return snprintf(text, room, "{ box = { min = (%g, %g, %g); max = (%g, %g, %g); }; }", x, y,
+                        z, x + size, y + size, z + 1);
+    }
+}
+
+static void write_scene(char *text, size_t room, uint64_t *random) {
+    static const char *const materials[] = {"glass", "water", "chalk"};
+    static const char *const operations[] = {"difference", "union", "intersection"};
+    char first[400], second[400];
+    int at = snprintf(text, room,
+                      "version = 1; size = [37, 23]; depth = 9; background = [10, 20, 30];"
+                      "camera = { eye = (9.0, -8.0, 7.0); look_at = (2.5, 2.5, 1.5);"
+                      " field_of_view = 45; };"
+                      "lights = ({ direction = (-0.4, 0.5, -1.0); colour = [255, 250, 240]; },"
+                      " { position = (6.0, -5.0, 9.0); colour = [90, 90, 120]; });"
+                      "materials = {"
+                      " glass = { colour = [20, 30, 10]; ambient = 0.2; diffuse = 0.3;"
+                      "  specular = 0.4; gloss = 37; ior = 1.5; };"
+                      " water = { colour = [0, 10, 40]; ambient = 0.1; diffuse = 0.2; ior = 1.33;"
+                      "  absorption = [0.2, 0.1, 0.05]; };"
+                      " chalk = { colour = [210, 190, 170]; ambient = 0.3; diffuse = 0.6;"
+                      "  specular = 0.2; gloss = 5;"
+                      "  pattern = { size = (0.5, 0, 0.7); colour = [60, 20, 20]; }; }; };"
+                      "objects = (");
+    for (int i = 0; i < 5; i++) {
+        (void)write_solid(first, sizeof first, random);
+        (void)write_solid(second, sizeof second, random);
+        at += snprintf(text + at, room - (size_t)at,
+                       "%s{ name = \"%d\"; material = \"%s\"; solid = { %s = (%s, %s); }; }",
+                       i == 0 ? "" : ", ", i, materials[next_random(random) % 3],
+                       operations[next_random(random) % 3], first, second);
+    }
+    (void)snprintf(text + at, room - (size_t)at, ");");
+}
+
+static void random_scenes_with_coincident_faces_come_out_alike(void **state) {
+    (void)state;
+    static char text[8192];
+    uint64_t random = 20261122;
+    unsigned fitting = 0;
+    for (int i = 0; i < 24; i++) {
+        const struct settings settings = {37, 23, 9, 1.0 / 4096, i % 2 == 1};
+        write_scene(text, sizeof text, &random);
+        struct scene_description *description = read_text(text);
+        check_description("a random scene", description, &settings, &fitting);
+        scene_description_free(description);
+    }
+    assert_true(fitting >= 24 * 3);
+}
+
 /* A built-in scene with one thing changed, in f32, as an engine sees it. */
 static bool plainest_engine_fits(const char *name, void (*change)(struct scene_description *)) {
     struct scene_error error;
@@ -183,6 +257,7 @@ static void the_best_engine_is_the_last_that_runs_here(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_built_in_scene_comes_out_alike),
+        cmocka_unit_test(random_scenes_with_coincident_faces_come_out_alike),
         cmocka_unit_test(what_an_engine_does_not_know_is_left_to_the_image),
         cmocka_unit_test(a_band_beyond_its_budget_is_given_back),
         cmocka_unit_test(the_best_engine_is_the_last_that_runs_here),
