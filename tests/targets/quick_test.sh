@@ -128,6 +128,7 @@ lacking_feature() {
     lacks_each fig6b --error 1 --highlight blinn
     lacks_each fig5 --model wavelength --tail estimate
     lacks_each fig4b --model simple --colour full
+    lacks_each fig7-frustum
     lacks_each tests/targets/features.scene
     # Who looks on is no scene's matter.
     sort -u "$lacking/names.txt" > "$lacking/tried.txt"
