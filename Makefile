@@ -295,6 +295,7 @@ lint-cppcheck: | setup
 lint-tidy: | setup
 	@printf '%s\n' $(HAL_SOURCES) $(EMULATOR_SOURCES) $(HOST_SOURCES) $(TESTKIT_SOURCES) | xargs -P 2 -n 8 sh -c '$(TIDY) "$$@" -- -std=c99 $(POSIX) $(INCLUDE_host) $(USB_CFLAGS) -Iemulator/testing' tidy
 	@printf '%s\n' fx f64 | xargs -P 2 -I % $(TIDY) --checks=-clang-analyzer-core.DivideZero $(FIRMWARE_SOURCES) $(PER_ARITHMETIC_SOURCES) -- -std=c99 -Ifirmware/real/% -Ifirmware/features/full $(INCLUDE_host)
+	@printf '%s\n' fx_vector f64 | xargs -P 2 -I % $(TIDY) --checks=-clang-analyzer-core.DivideZero $(wildcard host/stream/*.c) -- -std=c99 -Ifirmware/real/% -Ihost/stream/sets/plain -Ifirmware/features/full $(INCLUDE_host)
 
 # ---- The machine ----------------------------------------------------------------------------
 

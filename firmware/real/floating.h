@@ -83,13 +83,14 @@ static inline real_length length_over(real_length a, real_slope slope) {
     return a * slope;
 }
 
-/* Cells beyond the end, an even number, are finer than a length in fixed point: no pattern that an
- * image could show. */
 static inline bool length_cell_is_odd(real_length a, real_length size) {
-    floating cells = floating_clamped(a / size, (floating)2147483520.0);
+    floating ratio = a / size;
+    /* Finer than a length in fixed point: no pattern that an image could show. */
+    bool is_shown = ratio > -(floating)0x1p31 && ratio < (floating)0x1p31;
+    floating cells = is_shown ? ratio : 0;
     int32_t cell = (int32_t)cells; /* towards zero */
-    int32_t floor = (floating)cell > cells ? cell - 1 : cell;
-    return floor % 2 != 0;
+    cell -= (floating)cell > cells ? 1 : 0;
+    return (cell & 1) != 0;
 }
 
 static inline real_area area_product(real_length a, real_length b) {
