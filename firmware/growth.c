@@ -271,7 +271,7 @@ static void grow_transparent(struct tree *tree, const struct node *node) {
 static void add_intensity(struct tree *tree, const struct branch *branch,
                           struct colours intensity) {
     struct colours part = colours_weighed(intensity, branch->weight);
-    if (FEATURE_ESTIMATE && branch->beyond > 0) {
+    if (FEATURE_ESTIMATE && tree->lesson && branch->beyond > 0) {
         int64_t *worth = tree->lesson->level[branch->beyond - 1].worth;
         worth[0] += colour_steps(part.red);
         worth[1] += colour_steps(part.green);

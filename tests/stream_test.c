@@ -94,10 +94,12 @@ static void check_description(const char *name, struct scene_description *descri
 
 static void every_built_in_scene_comes_out_alike(void **state) {
     (void)state;
-    static const struct settings table[] = {
-        {47, 21, 10, 1.0 / 4096, false}, {7, 3, 1, 1.0 / 256, false},
-        {40, 25, 20, 1.0 / 8192, true},  {1, 1, 64, 1.0 / 4096, true},
-        {64, 9, 5, 0, false},           {33, 9, 0, 1.0 / 4096, true}};
+    static const struct settings table[] = {{47, 21, 10, 1.0 / 4096, false},
+                                            {7, 3, 1, 1.0 / 256, false},
+                                            {40, 25, 20, 1.0 / 8192, true},
+                                            {1, 1, 64, 1.0 / 4096, true},
+                                            {64, 9, 5, 0, false},
+                                            {33, 9, 0, 1.0 / 4096, true}};
     unsigned fitting = 0;
     for (size_t i = 0; i < builtin_scene_count; i++) {
         for (size_t j = 0; j < sizeof table / sizeof table[0]; j++) {

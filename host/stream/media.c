@@ -14,7 +14,7 @@ static void object_holds(const struct scene *scene, const struct object *object,
         uint8_t code = program[step];
         if (code < PROGRAM_UNION) {
             for (int i = 0; i < LANES; i++) {
-                stack[height][i] = inside[i] >> code & 1;
+                stack[height][i] = inside[i] >> code % STREAM_PRIMITIVES_MOST & 1;
             }
             height++;
             continue;

@@ -37,14 +37,14 @@ struct quadric_stretches {
     uint32_t two[LANES];
 };
 
-/* The form of one lane: turned into the quadric's frame, if it has one. */
+/* The form of one lane: turned into the quadric's frame; NULL: it has none. */
 static inline struct form lane_form(const struct quadric *quadric, const struct frame *frame,
-                                    bool turned, const struct quadric_lanes *lanes,
+                                    const struct quadric_lanes *lanes,
                                     const struct local_lanes *local, int i) {
     const struct point there = {lanes->foot.x[i], lanes->foot.y[i], lanes->foot.z[i]};
     const struct direction direction = {local->direction.x[i], local->direction.y[i],
                                         local->direction.z[i]};
-    struct form form = quadric_form(quadric, turned ? turn_point(frame, there) : there, direction);
+    struct form form = quadric_form(quadric, frame ? turn_point(frame, there) : there, direction);
     form.start = lanes->nearest[i];
     return form;
 }
@@ -89,14 +89,14 @@ static void find_stretches(const struct search_lanes *restrict search, const str
     const uint32_t place = place_of(quadric.surface, QUADRIC_FACE);
     if (frame_number == FRAME_WORLD) {
         for (int i = 0; i < LANES; i++) {
-            struct form form = lane_form(&quadric, 0, false, lanes, local, i);
+            struct form form = lane_form(&quadric, 0, lanes, local, i);
             set_stretches(found, i, form, search->surface[i] == quadric.surface, place);
         }
         return;
     }
     const struct frame frame = search->scene->frames[frame_number];
     for (int i = 0; i < LANES; i++) {
-        struct form form = lane_form(&quadric, &frame, true, lanes, local, i);
+        struct form form = lane_form(&quadric, &frame, lanes, local, i);
         set_stretches(found, i, form, search->surface[i] == quadric.surface, place);
     }
 }

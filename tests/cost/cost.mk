@@ -10,14 +10,14 @@ measure: $(BUILD)/superframe ## Measure speed against accuracy: report and plots
 
 $(eval $(call image_rules,release,count))
 
-$(BUILD)/release/count_operations: tests/cost/operations.c $(BUILD)/release/image_count.o $(release_HAL) $(release_EMULATOR) $(release_HOST) $(release_IMAGES) $(release_SCENES) $(BUILD)/sources
+$(BUILD)/release/count_operations: tests/cost/operations.c $(BUILD)/release/image_count.o $(release_HAL) $(release_EMULATOR) $(release_HOST) $(release_STREAMS) $(release_IMAGES) $(release_SCENES) $(BUILD)/sources
 	$(CC) $(WARNINGS) $(POSIX) $(CFLAGS_release) $(INCLUDE_host) -o $@ $(filter %.c %.o,$^) $(LIBS)
 
 .PHONY: cost-operations
 cost-operations: $(BUILD)/release/count_operations ## Count the operations of rays, boundaries and tests
 	$(BUILD)/release/count_operations
 
-$(BUILD)/release/predict: tests/cost/predict.c $(release_HAL) $(release_EMULATOR) $(release_HOST) $(release_IMAGES) $(release_SCENES) $(BUILD)/sources
+$(BUILD)/release/predict: tests/cost/predict.c $(release_HAL) $(release_EMULATOR) $(release_HOST) $(release_STREAMS) $(release_IMAGES) $(release_SCENES) $(BUILD)/sources
 	$(CC) $(WARNINGS) $(POSIX) $(CFLAGS_release) $(INCLUDE_host) -o $@ $(filter %.c %.o,$^) $(LIBS)
 
 .PHONY: cost-check
