@@ -2,34 +2,29 @@
 /* Objects as Boolean functions of sets of primitives, for all lanes at once. */
 #include "media.h"
 
-enum { STACK_MOST = 32 }; /* the firmware's stack of Booleans is a word */
-
-/* Runs an object's program: 1 where it holds the lane's set. */
+/* Runs an object's program: 1 where it holds the lane's set. As in firmware/ray.c, each lane's
+ * stack of Booleans is a word. */
 static void object_holds(const struct scene *scene, const struct object *object,
                          const uint32_t inside[restrict LANES], uint32_t holds[restrict LANES]) {
     const uint8_t *program = &scene->programs[object->program];
-    uint32_t stack[STACK_MOST][LANES];
-    uint32_t height = 0;
+    for (int i = 0; i < LANES; i++) {
+        holds[i] = 0;
+    }
     for (uint8_t step = 0; step < object->length; step++) {
         uint8_t code = program[step];
         if (code < PROGRAM_UNION) {
             for (int i = 0; i < LANES; i++) {
-                stack[height][i] = inside[i] >> code % STREAM_PRIMITIVES_MOST & 1;
+                holds[i] = holds[i] << 1 | (inside[i] >> code % STREAM_PRIMITIVES_MOST & 1);
             }
-            height++;
             continue;
         }
-        height--;
-        uint32_t *left = stack[height - 1];
-        const uint32_t *right = stack[height];
         for (int i = 0; i < LANES; i++) {
-            left[i] = code == PROGRAM_UNION          ? left[i] | right[i]
-                      : code == PROGRAM_INTERSECTION ? left[i] & right[i]
-                                                     : left[i] & ~right[i];
+            uint32_t right = holds[i] & 1, left = holds[i] >> 1 & 1;
+            uint32_t value = code == PROGRAM_UNION          ? left | right
+                             : code == PROGRAM_INTERSECTION ? left & right
+                                                            : left & ~right;
+            holds[i] = holds[i] >> 2 << 1 | value;
         }
-    }
-    for (int i = 0; i < LANES; i++) {
-        holds[i] = stack[0][i];
     }
 }
 
