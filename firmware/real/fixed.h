@@ -199,9 +199,9 @@ static inline real_length length_quotient(real_area a, real_length b) {
     /* (A r) / 2^32 < 2^62: what the low half drops is below one. */
     uint64_t quotient = fixed_times_unsigned((uint32_t)(area >> 32), r) +
                         (fixed_times_unsigned((uint32_t)area, r) >> 32);
-    int64_t shifted = zeros < 30            ? fixed_rounded((int64_t)quotient, 30 - zeros)
-                      : quotient >> 31 != 0 ? (int64_t)1 << 32
-                                            : (int64_t)(quotient << (zeros - 30));
+    int64_t shifted = zeros < 30             ? fixed_rounded((int64_t)quotient, 30 - zeros)
+                      : quotient > INT32_MAX ? (int64_t)1 << 32
+                                             : (int64_t)(quotient << (zeros - 30));
     return fixed_saturated(FIXED_length_quotient, (a < 0) != (b < 0) ? -shifted : shifted);
 }
 
