@@ -37,9 +37,8 @@ struct renderer {
     struct row_slot *slots;
     uint8_t *pixels; /* of all slots */
 
-    struct band band;   /* of one job */
-    unsigned band_last; /* its rows up to this one are in `pixels` */
-    uint8_t *kept;      /* all rows from job->first_row on, to be drawn again; NULL: drawn once */
+    struct band band; /* of one job */
+    uint8_t *kept;    /* all rows from job->first_row on, to be drawn again; NULL: drawn once */
 };
 
 static void add_row(struct renderer *renderer, const struct render_counts *counts) {

@@ -19,7 +19,6 @@ static void set_places(const struct search_lanes *restrict search, struct hit_la
         hit->where.z[i] = where.z;
         hit->surface[i] = hit->is[i] != 0 ? search->place[i] >> 8 : SURFACE_NONE;
         hit->inside_before[i] = search->inside[i];
-        hit->inside_after[i] = search->inside[i] ^ search->toggled[i];
     }
 }
 

@@ -20,7 +20,7 @@ struct hit_lanes {
 };
 
 /* Describes the boundaries that `search` has found in the lanes where hit->is says so; the caller
- * has set is, the objects and their materials. */
+ * has set is, inside_after, the objects and their materials. */
 void hits_describe(const struct search_lanes *search, struct hit_lanes *hit);
 
 #endif

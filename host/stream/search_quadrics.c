@@ -130,21 +130,15 @@ static void cut_stretches(const struct search_lanes *restrict search, uint32_t b
 static void cut_by_box(const struct search_lanes *search, uint32_t bit,
                        const struct quadric *quadric, const struct local_lanes *local, int which,
                        struct quadric_stretches *found) {
-    const struct box *box = &search->scene->boxes[quadric->box];
+    const struct slabs slabs = slabs_of(&search->scene->boxes[quadric->box]);
     if (quadric->cuts & 1) {
-        const struct slab slab = {box->minimum.x, box->maximum.x, place_of(box->surface[0], 0),
-                                  place_of(box->surface[3], 3)};
-        cut_stretches(search, bit, slab, local->origin.x, local, 0, which, found);
+        cut_stretches(search, bit, slabs.x, local->origin.x, local, 0, which, found);
     }
     if (quadric->cuts & 2) {
-        const struct slab slab = {box->minimum.y, box->maximum.y, place_of(box->surface[1], 1),
-                                  place_of(box->surface[4], 4)};
-        cut_stretches(search, bit, slab, local->origin.y, local, 1, which, found);
+        cut_stretches(search, bit, slabs.y, local->origin.y, local, 1, which, found);
     }
     if (quadric->cuts & 4) {
-        const struct slab slab = {box->minimum.z, box->maximum.z, place_of(box->surface[2], 2),
-                                  place_of(box->surface[5], 5)};
-        cut_stretches(search, bit, slab, local->origin.z, local, 2, which, found);
+        cut_stretches(search, bit, slabs.z, local->origin.z, local, 2, which, found);
     }
     for (int i = 0; i < LANES; i++) {
         bool is =

@@ -4,20 +4,6 @@
 
 #include "solids.h"
 
-/* The slabs of a box. */
-struct slabs {
-    struct slab x, y, z;
-};
-
-static struct slabs slabs_of(const struct box *box) {
-    const uint16_t *surface = box->surface;
-    const struct slabs slabs = {
-        {box->minimum.x, box->maximum.x, place_of(surface[0], 0), place_of(surface[3], 3)},
-        {box->minimum.y, box->maximum.y, place_of(surface[1], 1), place_of(surface[4], 4)},
-        {box->minimum.z, box->maximum.z, place_of(surface[2], 2), place_of(surface[5], 5)}};
-    return slabs;
-}
-
 /* Where one lane leaves or enters a box; inside and may_be_level are constants at each call. */
 static inline struct meeting box_meeting(const struct search_lanes *search, int i, uint32_t bit,
                                          const struct slabs *slabs, const struct local_lanes *local,

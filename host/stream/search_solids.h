@@ -35,6 +35,20 @@ bool quadric_meets(const struct search_lanes *search, uint8_t index,
 void search_quadric(struct search_lanes *search, uint8_t index, const struct quadric_lanes *lanes,
                     const struct local_lanes *local, const struct chosen_lanes *chosen);
 
+/* The slabs of a box. */
+struct slabs {
+    struct slab x, y, z;
+};
+
+static inline struct slabs slabs_of(const struct box *box) {
+    const uint16_t *surface = box->surface;
+    const struct slabs slabs = {
+        {box->minimum.x, box->maximum.x, place_of(surface[0], 0), place_of(surface[3], 3)},
+        {box->minimum.y, box->maximum.y, place_of(surface[1], 1), place_of(surface[4], 4)},
+        {box->minimum.z, box->maximum.z, place_of(surface[2], 2), place_of(surface[5], 5)}};
+    return slabs;
+}
+
 /* Puts one lane's crossing with a primitive beside the best so far: what next_crossing() of
  * firmware/ray.c does. */
 static inline void search_consider(struct search_lanes *restrict search, int i, uint32_t index,

@@ -5,7 +5,6 @@
 #include "children.h"
 #include "instruction_set.h"
 #include "media.h"
-#include "optics.h"
 #include "shading.h"
 #include "stretch.h"
 
