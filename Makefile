@@ -76,11 +76,14 @@ STREAM_SETS    := plain
 HOST_SOURCES   += host/engines/portable.c
 endif
 STREAM_SOURCES := $(wildcard host/stream/*.c) firmware/solids.c
-# Nothing here changes a result: no trap is waited for, and no errno is read.
+# Nothing here changes a result: no trap is waited for, no errno is read, no infinity is made in a
+# lane that counts (strict/real.h), and no sign of a zero is asked for.
 # No operand is to be skipped: in lanes, & is what && is elsewhere.
-STREAM_FLAGS   := -O3 -fno-trapping-math -fno-math-errno -Wno-bitwise-instead-of-logical
-# gcc's elimination of partial redundancies makes branches in loops that are to be vectors.
+STREAM_FLAGS   := -O3 -fno-trapping-math -fno-math-errno -ffinite-math-only -fno-signed-zeros -Wno-bitwise-instead-of-logical
+# Two of gcc's passes make branches in loops that are to be vectors: they thread jumps through
+# choices that hang together, and look for partial redundancies.
 ifeq ($(findstring clang,$(shell $(CC) --version)),)
+STREAM_FLAGS   += -fno-thread-jumps
 STREAM_FLAGS_search_solids := -fno-tree-pre
 endif
 FLAGS_plain    :=

@@ -199,9 +199,11 @@ static inline real_length length_quotient(real_area a, real_length b) {
     /* (A r) / 2^32 < 2^62: what the low half drops is below one. */
     uint64_t quotient = fixed_times_unsigned((uint32_t)(area >> 32), r) +
                         (fixed_times_unsigned((uint32_t)area, r) >> 32);
-    int64_t shifted = zeros < 30             ? fixed_rounded((int64_t)quotient, 30 - zeros)
-                      : quotient > INT32_MAX ? (int64_t)1 << 32
-                                             : (int64_t)(quotient << (zeros - 30));
+    /* Both ways without a branch, that a compiler's vectors may take them. */
+    bool few = zeros < 30;
+    int64_t lowered = (int64_t)(((quotient >> (few ? 29 - zeros : 0)) + 1) >> 1);
+    int64_t raised = quotient > INT32_MAX ? (int64_t)1 << 32 : (int64_t)(quotient << (zeros == 31));
+    int64_t shifted = few ? lowered : raised;
     return fixed_saturated(FIXED_length_quotient, (a < 0) != (b < 0) ? -shifted : shifted);
 }
 

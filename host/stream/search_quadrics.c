@@ -30,6 +30,12 @@ bool quadric_meets(const struct search_lanes *restrict search, uint8_t index,
     return meeting != 0;
 }
 
+/* Where the lanes cross a quadric. */
+struct meeting_lanes {
+    real_length t[LANES];
+    uint32_t place[LANES], valid[LANES];
+};
+
 /* The stretches of lanes in a quadric: the second one only where `two` is 1. */
 struct quadric_stretches {
     real_length in[2][LANES], out[2][LANES];
@@ -37,68 +43,140 @@ struct quadric_stretches {
     uint32_t two[LANES];
 };
 
-/* The form of one lane: turned into the quadric's frame; NULL: it has none. */
-static inline struct form lane_form(const struct quadric *quadric, const struct frame *frame,
-                                    const struct quadric_lanes *lanes,
-                                    const struct local_lanes *local, int i) {
-    const struct point there = {lanes->foot.x[i], lanes->foot.y[i], lanes->foot.z[i]};
+/* The forms of the lanes, and what their square roots come to: see struct form and form_segments()
+ * of firmware/solids.c, which goes one ray through these steps. One short loop each, that they may
+ * be vectors in every arithmetic. */
+struct root_lanes {
+    real_unit a[LANES];
+    real_length b[LANES];
+    real_area c[LANES], square[LANES];
+    real_length q[LANES], divisor[LANES]; /* the same, but never 0 */
+    real_length near[LANES], far[LANES];
+};
+
+static inline void set_form(const struct quadric *quadric, struct point foot,
+                            const struct local_lanes *local, int i, struct root_lanes *roots) {
     const struct direction direction = {local->direction.x[i], local->direction.y[i],
                                         local->direction.z[i]};
-    struct form form = quadric_form(quadric, frame ? turn_point(frame, there) : there, direction);
-    form.start = lanes->nearest[i];
-    return form;
+    struct form form = quadric_form(quadric, foot, direction);
+    roots->a[i] = form.a;
+    roots->b[i] = form.b;
+    roots->c[i] = form.c;
 }
 
-/* form_segments() of firmware/solids.c for one lane. */
-static inline void set_stretches(struct quadric_stretches *found, int i, const struct form form,
-                                 bool on_curve, uint32_t place) {
-    const real_length far_back = length_negate(LENGTH_FAR);
-    real_area square = area_subtract(area_product(form.b, form.b), area_scaled(form.c, form.a));
-    bool opens = unit_is_negative(form.a), falls = length_less(form.b, REAL_LENGTH(0.0));
-    real_length root = length_root(square);
-    real_length q = falls ? length_subtract(root, form.b) : length_negate(length_add(root, form.b));
-    bool no_root = area_is_negative(square), no_q = length_is_zero(q), flat = unit_is_zero(form.a);
-    real_length near = length_add(form.start, length_quotient(form.c, no_q ? REAL_LENGTH(1.0) : q));
-    real_length over = length_over(q, slope_of(flat ? REAL_UNIT(1.0) : form.a));
-    bool ahead = length_less(q, REAL_LENGTH(0.0)) ^ !opens;
-    real_length none = ahead ? LENGTH_FAR : far_back;
-    real_length far = flat ? none : length_add(form.start, over);
-    bool far_is_nearer = length_less(length_magnitude(far), length_magnitude(near));
-    far = (on_curve & far_is_nearer) ? REAL_LENGTH(0.0) : far;
-    near = (on_curve & !far_is_nearer) ? REAL_LENGTH(0.0) : near;
-    bool ordered = length_less(near, far);
-    real_length low = ordered ? near : far, high = ordered ? far : near;
-    bool whole = no_root | no_q, full = opens | (!no_root & area_is_negative(form.c));
-    real_length whole_in = full ? far_back : form.start;
-    real_length whole_out = full ? LENGTH_FAR : form.start;
-    found->in[0][i] = whole ? whole_in : opens ? far_back : low;
-    found->out[0][i] = whole ? whole_out : opens ? low : high;
-    found->hit[0][i] = (full | !whole) ? 1 : 0;
-    found->in[1][i] = high;
-    found->out[1][i] = LENGTH_FAR;
-    found->hit[1][i] = 1;
-    found->two[i] = (opens & !whole) ? 1 : 0;
-    found->in_place[0][i] = found->out_place[0][i] = place;
-    found->in_place[1][i] = found->out_place[1][i] = place;
-}
-
-static void find_stretches(const struct search_lanes *restrict search, const struct quadric quadric,
-                           uint8_t frame_number, const struct quadric_lanes *restrict lanes,
-                           const struct local_lanes *restrict local,
-                           struct quadric_stretches *restrict found) {
-    const uint32_t place = place_of(quadric.surface, QUADRIC_FACE);
+static void find_forms(const struct scene *scene, const struct quadric quadric,
+                       uint8_t frame_number, const struct quadric_lanes *restrict lanes,
+                       const struct local_lanes *restrict local,
+                       struct root_lanes *restrict roots) {
     if (frame_number == FRAME_WORLD) {
         for (int i = 0; i < LANES; i++) {
-            struct form form = lane_form(&quadric, 0, lanes, local, i);
-            set_stretches(found, i, form, search->surface[i] == quadric.surface, place);
+            const struct point foot = {lanes->foot.x[i], lanes->foot.y[i], lanes->foot.z[i]};
+            set_form(&quadric, foot, local, i, roots);
         }
         return;
     }
-    const struct frame frame = search->scene->frames[frame_number];
+    const struct frame frame = scene->frames[frame_number];
     for (int i = 0; i < LANES; i++) {
-        struct form form = lane_form(&quadric, &frame, lanes, local, i);
-        set_stretches(found, i, form, search->surface[i] == quadric.surface, place);
+        const struct point foot = {lanes->foot.x[i], lanes->foot.y[i], lanes->foot.z[i]};
+        set_form(&quadric, turn_point(&frame, foot), local, i, roots);
     }
+}
+
+static void find_squares(struct root_lanes *restrict roots) {
+    for (int i = 0; i < LANES; i++) {
+        real_area product = area_product(roots->b[i], roots->b[i]);
+        roots->square[i] = area_subtract(product, area_scaled(roots->c[i], roots->a[i]));
+    }
+}
+
+static void find_roots(struct root_lanes *restrict roots) {
+    for (int i = 0; i < LANES; i++) {
+        real_length b = roots->b[i], root = length_root(roots->square[i]);
+        bool falls = length_less(b, REAL_LENGTH(0.0));
+        real_length less = length_subtract(root, b), more = length_add(root, b);
+        real_length q = falls ? less : length_negate(more);
+        roots->q[i] = q;
+        roots->divisor[i] = length_is_zero(q) ? REAL_LENGTH(1.0) : q;
+    }
+}
+
+/* Counted from where the ray is nearest to the centre. */
+static void find_near(struct root_lanes *restrict roots) {
+    for (int i = 0; i < LANES; i++) {
+        roots->near[i] = length_quotient(roots->c[i], roots->divisor[i]);
+    }
+}
+
+static void find_far(const struct quadric_lanes *restrict lanes,
+                     struct root_lanes *restrict roots) {
+    const real_length far_back = length_negate(LENGTH_FAR);
+    for (int i = 0; i < LANES; i++) {
+        real_length q = roots->q[i];
+        real_unit a = roots->a[i];
+        bool flat = unit_is_zero(a), opens = unit_is_negative(a);
+        real_length over = length_over(q, slope_of(flat ? REAL_UNIT(1.0) : a));
+        real_length far = length_add(lanes->nearest[i], over);
+        bool ahead = length_less(q, REAL_LENGTH(0.0)) ^ !opens;
+        real_length none = ahead ? LENGTH_FAR : far_back;
+        roots->far[i] = flat ? none : far;
+    }
+}
+
+/* Counts the near roots from the ray's start; that at which a ray starts is 0 for good. */
+static void pin_starts(const struct quadric_lanes *restrict lanes,
+                       const uint32_t start[restrict LANES], uint32_t surface,
+                       struct root_lanes *restrict roots) {
+    for (int i = 0; i < LANES; i++) {
+        real_length near = length_add(lanes->nearest[i], roots->near[i]), far = roots->far[i];
+        bool on_curve = start[i] == surface;
+        bool far_is_nearer = length_less(length_magnitude(far), length_magnitude(near));
+        roots->far[i] = (on_curve & far_is_nearer) ? REAL_LENGTH(0.0) : far;
+        roots->near[i] = (on_curve & !far_is_nearer) ? REAL_LENGTH(0.0) : near;
+    }
+}
+
+static void set_stretches(const struct quadric_lanes *restrict lanes, uint32_t place,
+                          const struct root_lanes *restrict roots,
+                          struct quadric_stretches *restrict found) {
+    const real_length far_back = length_negate(LENGTH_FAR);
+    for (int i = 0; i < LANES; i++) {
+        real_length near = roots->near[i], far = roots->far[i], start = lanes->nearest[i];
+        bool opens = unit_is_negative(roots->a[i]), no_q = length_is_zero(roots->q[i]);
+        bool no_root = area_is_negative(roots->square[i]);
+        bool ordered = length_less(near, far);
+        real_length low = ordered ? near : far, high = ordered ? far : near;
+        bool whole = no_root | no_q, full = opens | (!no_root & area_is_negative(roots->c[i]));
+        real_length in = opens ? far_back : low, out = opens ? low : high;
+        real_length whole_in = full ? far_back : start, whole_out = full ? LENGTH_FAR : start;
+        found->in[0][i] = whole ? whole_in : in;
+        found->out[0][i] = whole ? whole_out : out;
+        found->hit[0][i] = (full | !whole) ? 1 : 0;
+        found->in_place[0][i] = found->out_place[0][i] = place;
+        found->in[1][i] = high;
+        found->two[i] = (opens & !whole) ? 1 : 0;
+    }
+}
+
+/* The ends of the second stretches that are the same for all. */
+static void set_second(uint32_t place, struct quadric_stretches *restrict found) {
+    for (int i = 0; i < LANES; i++) {
+        found->out[1][i] = LENGTH_FAR;
+        found->hit[1][i] = 1;
+        found->in_place[1][i] = found->out_place[1][i] = place;
+    }
+}
+
+static void find_stretches(const struct search_lanes *search, const struct quadric *quadric,
+                           uint8_t frame, const struct quadric_lanes *lanes,
+                           const struct local_lanes *local, struct quadric_stretches *found) {
+    struct root_lanes roots;
+    find_forms(search->scene, *quadric, frame, lanes, local, &roots);
+    find_squares(&roots);
+    find_roots(&roots);
+    find_near(&roots);
+    find_far(lanes, &roots);
+    pin_starts(lanes, search->surface, quadric->surface, &roots);
+    set_stretches(lanes, place_of(quadric->surface, QUADRIC_FACE), &roots, found);
 }
 
 /* What two faces of the quadric's box leave of the stretches: cut_segment() of firmware/solids.c.
@@ -153,60 +231,119 @@ static inline struct stretch stretch_of(const struct quadric_stretches *found, i
     return s;
 }
 
-static void leave_quadric(struct search_lanes *restrict search, uint8_t index, uint32_t place,
-                          const struct quadric_lanes *restrict lanes,
-                          const struct quadric_stretches *restrict found,
-                          const uint32_t chosen[restrict LANES]) {
+/* Of both stretches, or of the first where no quadric's form can make two: a constant. */
+static inline struct meeting meeting_with(struct stretch first, struct stretch second, bool two,
+                                          bool may_open, real_length from, bool inside,
+                                          bool starts_there) {
+    return may_open ? meeting_of_two(first, second, two, from, inside, starts_there)
+                    : meeting_of(first, from, inside, starts_there);
+}
+
+static inline void set_meeting(struct meeting_lanes *meetings, int i, struct meeting meeting) {
+    meetings->t[i] = meeting.t;
+    meetings->place[i] = meeting.place;
+    meetings->valid[i] = meeting.valid ? 1 : 0;
+}
+
+static inline void find_leaving(const struct search_lanes *restrict search, uint32_t place,
+                                const struct quadric_lanes *restrict lanes,
+                                const struct quadric_stretches *restrict found, bool may_open,
+                                struct meeting_lanes *restrict meetings) {
     for (int i = 0; i < LANES; i++) {
         struct stretch first = stretch_of(found, 0, i), second = stretch_of(found, 1, i);
-        bool passes = lanes->passes[i] != 0;
+        bool passes = lanes->passes[i] != 0, two = (found->two[i] != 0) & !passes;
         first.out = passes ? lanes->nearest[i] : first.out;
         first.out_place = passes ? place : first.out_place;
-        struct meeting meeting = meeting_of_two(first, second, (found->two[i] != 0) & !passes,
-                                                search->from[i], true, false);
-        search_consider(search, i, index, meeting, true, chosen[i] != 0);
+        set_meeting(meetings, i,
+                    meeting_with(first, second, two, may_open, search->from[i], true, false));
+    }
+}
+
+static inline void find_entering(const struct search_lanes *restrict search, uint32_t bit,
+                                 const struct quadric_lanes *restrict lanes,
+                                 const struct quadric_stretches *restrict found, bool may_open,
+                                 struct meeting_lanes *restrict meetings) {
+    for (int i = 0; i < LANES; i++) {
+        bool starts_there = (search->touch[i] & bit) != 0, passes = lanes->passes[i] != 0;
+        struct meeting meeting =
+            meeting_with(stretch_of(found, 0, i), stretch_of(found, 1, i), found->two[i] != 0,
+                         may_open, search->from[i], false, starts_there);
+        meeting.valid = meeting.valid & !passes;
+        set_meeting(meetings, i, meeting);
+    }
+}
+
+static struct meeting meeting_in(const struct meeting_lanes *meetings, int i) {
+    const struct meeting meeting = {meetings->t[i], meetings->place[i], meetings->valid[i] != 0};
+    return meeting;
+}
+
+static void leave_quadric(struct search_lanes *restrict search, uint8_t index,
+                          const struct meeting_lanes *restrict meetings,
+                          const uint32_t chosen[restrict LANES]) {
+    for (int i = 0; i < LANES; i++) {
+        search_consider(search, i, index, meeting_in(meetings, i), true, chosen[i] != 0);
     }
 }
 
 static void enter_quadric(struct search_lanes *restrict search, uint8_t index,
                           const struct quadric *restrict quadric,
-                          const struct quadric_lanes *restrict lanes,
-                          const struct quadric_stretches *restrict found,
+                          const struct meeting_lanes *restrict meetings,
                           const uint32_t chosen[restrict LANES]) {
-    const uint32_t bit = (uint32_t)1 << index, surface = quadric->surface;
+    const uint32_t surface = quadric->surface;
     const bool for_good = quadric->left_for_good;
     for (int i = 0; i < LANES; i++) {
-        bool starts_there = (search->touch[i] & bit) != 0;
         bool left = for_good & (search->surface[i] == surface);
-        struct meeting meeting =
-            meeting_of_two(stretch_of(found, 0, i), stretch_of(found, 1, i), found->two[i] != 0,
-                           search->from[i], false, starts_there);
-        meeting.valid = meeting.valid & !left & (lanes->passes[i] == 0);
-        search_consider(search, i, index, meeting, false, chosen[i] != 0);
+        search_consider(search, i, index, meeting_in(meetings, i), false, (chosen[i] != 0) & !left);
+    }
+}
+
+static bool quadric_may_open(const struct quadric *quadric) {
+    return unit_is_negative(quadric->square.x) || unit_is_negative(quadric->square.y) ||
+           unit_is_negative(quadric->square.z);
+}
+
+static void find_all_stretches(const struct search_lanes *search, uint8_t index,
+                               const struct quadric_lanes *lanes, const struct local_lanes *local,
+                               bool may_open, struct quadric_stretches *found) {
+    const struct primitive *primitive = &search->scene->primitives[index];
+    const struct quadric *quadric = &search->scene->quadrics[primitive->index];
+    const uint32_t bit = (uint32_t)1 << index;
+    find_stretches(search, quadric, primitive->frame, lanes, local, found);
+    if (may_open) {
+        set_second(place_of(quadric->surface, QUADRIC_FACE), found);
+    }
+    if (quadric->cuts) {
+        cut_by_box(search, bit, quadric, local, 0, found);
+    }
+    if (quadric->cuts && may_open) {
+        cut_by_box(search, bit, quadric, local, 1, found);
     }
 }
 
 void search_quadric(struct search_lanes *search, uint8_t index, const struct quadric_lanes *lanes,
                     const struct local_lanes *local, const struct chosen_lanes *chosen) {
     const struct scene *scene = search->scene;
-    const struct primitive *primitive = &scene->primitives[index];
-    const struct quadric *quadric = &scene->quadrics[primitive->index];
-    const uint32_t bit = (uint32_t)1 << index;
+    const struct quadric *quadric = &scene->quadrics[scene->primitives[index].index];
+    const uint32_t place = place_of(quadric->surface, QUADRIC_FACE), bit = (uint32_t)1 << index;
+    const bool may_open = quadric_may_open(quadric);
     struct quadric_stretches found;
-    find_stretches(search, *quadric, primitive->frame, lanes, local, &found);
-    if (quadric->cuts) {
-        bool may_open = unit_is_negative(quadric->square.x) | unit_is_negative(quadric->square.y) |
-                        unit_is_negative(quadric->square.z);
-        cut_by_box(search, bit, quadric, local, 0, &found);
-        if (may_open) {
-            cut_by_box(search, bit, quadric, local, 1, &found);
-        }
-    }
+    struct meeting_lanes meetings;
+    find_all_stretches(search, index, lanes, local, may_open, &found);
     if (chosen->leaving > 0) {
-        leave_quadric(search, index, place_of(quadric->surface, QUADRIC_FACE), lanes, &found,
-                      chosen->leave);
+        if (may_open) {
+            find_leaving(search, place, lanes, &found, true, &meetings);
+        } else {
+            find_leaving(search, place, lanes, &found, false, &meetings);
+        }
+        leave_quadric(search, index, &meetings, chosen->leave);
     }
     if (chosen->entering > 0) {
-        enter_quadric(search, index, quadric, lanes, &found, chosen->enter);
+        if (may_open) {
+            find_entering(search, bit, lanes, &found, true, &meetings);
+        } else {
+            find_entering(search, bit, lanes, &found, false, &meetings);
+        }
+        enter_quadric(search, index, quadric, &meetings, chosen->enter);
     }
 }
