@@ -126,10 +126,8 @@ void borders_find(const struct scene *scene, const struct hit_lanes *restrict hi
     for (int i = 0; i < LANES; i++) {
         left[i] = hit->is[i];
     }
-    for (int first = 0; first < LANES; first++) {
-        if (left[first] == 0) {
-            continue;
-        }
+    for (uint64_t set = lanes_set(left); set != 0; set = lanes_set(left)) {
+        uint32_t first = lanes_first(set);
         uint32_t before = hit->before[first], after = hit->after[first];
         struct meeting_place place = meeting_place(scene, before, after);
         for (int i = 0; i < LANES; i++) {

@@ -42,6 +42,21 @@ struct ray_lanes {
 /* Set for a ray behind a crossing where the material did not change: it has been counted. */
 #define TARGET_CONTINUED UINT32_C(0x80000000)
 
+/* The lanes that are 1 of those that are 0 or 1, a bit each. */
+static inline uint64_t lanes_set(const uint32_t lanes[restrict LANES]) {
+    uint32_t low = 0, high = 0;
+    for (int i = 0; i < LANES / 2; i++) {
+        low |= lanes[i] << i;
+        high |= lanes[i + LANES / 2] << i;
+    }
+    return (uint64_t)high << 32 | low;
+}
+
+/* The number of the first lane in a set that is not empty. */
+static inline uint32_t lanes_first(uint64_t set) {
+    return (uint32_t)__builtin_ctzll(set);
+}
+
 static inline uint32_t path_of(uint32_t surface, uint32_t object, uint32_t events) {
     return surface | object << 16 | events << 24;
 }

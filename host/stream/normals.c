@@ -40,6 +40,19 @@ static void set_flat(const struct search_lanes *restrict search,
     }
 }
 
+/* Of flat faces across the world's axes, in all lanes. */
+static void set_straight(const struct search_lanes *restrict search,
+                         struct direction_lanes *restrict normal) {
+    const real_unit none = REAL_UNIT(0.0), high = REAL_UNIT(1.0), low = REAL_UNIT(-1.0);
+    for (int i = 0; i < LANES; i++) {
+        uint32_t face = search->place[i] & 0xFF;
+        real_unit along = (face < 3) ^ crossed_leaving(search->crossed[i]) ? low : high;
+        normal->x[i] = (face == 0) | (face == 3) ? along : none;
+        normal->y[i] = (face == 1) | (face == 4) ? along : none;
+        normal->z[i] = (face == 2) | (face == 5) ? along : none;
+    }
+}
+
 static void set_ball(const struct search_lanes *restrict search,
                      const uint32_t here[restrict LANES], const struct ball ball,
                      const struct point_lanes *restrict where,
@@ -128,16 +141,13 @@ static uint32_t straight_boxes(const struct scene *scene) {
 void normals_find(const struct search_lanes *restrict search, struct hit_lanes *restrict hit) {
     const uint32_t straight = straight_boxes(search->scene);
     uint32_t left[LANES], here[LANES];
-    set_flat(search, hit->is, frame_of(search->scene, FRAME_WORLD), &hit->normal);
+    set_straight(search, &hit->normal);
     for (int i = 0; i < LANES; i++) {
         uint32_t bit = (uint32_t)1 << crossed_primitive(search->crossed[i]);
         left[i] = (straight & bit) != 0 ? 0 : hit->is[i];
     }
-    for (int first = 0; first < LANES; first++) {
-        if (left[first] == 0) {
-            continue;
-        }
-        uint32_t index = crossed_primitive(search->crossed[first]);
+    for (uint64_t set = lanes_set(left); set != 0; set = lanes_set(left)) {
+        uint32_t index = crossed_primitive(search->crossed[lanes_first(set)]);
         for (int i = 0; i < LANES; i++) {
             bool same = crossed_primitive(search->crossed[i]) == index;
             here[i] = same ? left[i] : 0;

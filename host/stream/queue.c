@@ -11,16 +11,11 @@ void queue_clear(struct queue *queue) {
     }
 }
 
-/* The number of the lowest bit that is set in a word that is not 0. */
-static uint32_t lowest_bit(uint64_t word) {
-    return (uint32_t)__builtin_ctzll(word);
-}
-
 static void push_into(struct queue_bin *restrict bin, const struct ray_lanes *restrict rays,
                       uint64_t lanes) {
     uint32_t at = bin->count;
     for (; lanes != 0; lanes &= lanes - 1, at++) {
-        uint32_t lane = lowest_bit(lanes);
+        uint32_t lane = lanes_first(lanes);
         bin->origin_x[at] = rays->origin.x[lane];
         bin->origin_y[at] = rays->origin.y[lane];
         bin->origin_z[at] = rays->origin.z[lane];
@@ -39,7 +34,7 @@ static void push_into(struct queue_bin *restrict bin, const struct ray_lanes *re
 }
 
 void queue_push(struct queue *queue, const struct ray_lanes *rays, const uint32_t wanted[LANES]) {
-    uint32_t bit[LANES], bins = 0;
+    uint32_t bit[LANES], chosen[LANES], bins = 0;
     for (int i = 0; i < LANES; i++) {
         bit[i] = wanted[i] << path_object(rays->path[i]) % QUEUE_BINS;
         bins |= bit[i];
@@ -53,12 +48,10 @@ void queue_push(struct queue *queue, const struct ray_lanes *rays, const uint32_
             queue->overflowed = true;
             continue;
         }
-        uint32_t low = 0, high = 0;
-        for (int i = 0; i < LANES / 2; i++) {
-            low |= (bit[i] >> number & 1) << i;
-            high |= (bit[i + LANES / 2] >> number & 1) << i;
+        for (int i = 0; i < LANES; i++) {
+            chosen[i] = bit[i] >> number & 1;
         }
-        push_into(bin, rays, (uint64_t)high << 32 | low);
+        push_into(bin, rays, lanes_set(chosen));
     }
 }
 

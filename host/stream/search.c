@@ -35,20 +35,47 @@ void search_begin(struct search_lanes *search) {
     }
 }
 
+/* What all active lanes are inside of, and what any is. */
+struct insides {
+    uint32_t all, any;
+};
+
+static struct insides find_insides(const struct search_lanes *restrict search) {
+    uint32_t all = ~(uint32_t)0, any = 0;
+    for (int i = 0; i < LANES; i++) {
+        all &= search->active[i] != 0 ? search->inside[i] : ~(uint32_t)0;
+        any |= search->active[i] != 0 ? search->inside[i] : 0;
+    }
+    const struct insides insides = {all, any};
+    return insides;
+}
+
+/* The primitive that one must be inside of for this one to be met, as a set. */
+static uint32_t enclosure_of(const struct search_lanes *search, uint8_t index) {
+    const struct scene *scene = search->scene;
+    uint8_t enclosure = scene->primitives[index].enclosure;
+    uint32_t set = enclosure == ENCLOSURE_NONE ? 0 : (uint32_t)1 << enclosure;
+    return search->shadows ? set & scene->shadow_primitives.word[0] : set;
+}
+
+/* False where a primitive can be no lane's next, for a reason that they share. */
+static bool may_be_met(const struct search_lanes *search, uint8_t index, struct insides insides) {
+    const struct scene *scene = search->scene;
+    bool is_left_out = search->shadows && !set_has(&scene->shadow_primitives, index);
+    uint32_t enclosure = enclosure_of(search, index);
+    return !is_left_out && (insides.all & scene->hidden_by[index].word[0]) == 0 &&
+           (insides.any & enclosure) == enclosure;
+}
+
 /* may_be_next() of firmware/ray.c for all lanes: those that may leave a primitive, and those that
  * may enter it. */
 static void choose_lanes(const struct search_lanes *restrict search, uint8_t index,
                          struct chosen_lanes *restrict chosen) {
     const struct scene *scene = search->scene;
-    const struct primitive *primitive = &scene->primitives[index];
     uint32_t bit = (uint32_t)1 << index;
     uint32_t hidden_by = scene->hidden_by[index].word[0];
-    uint32_t enclosure =
-        primitive->enclosure == ENCLOSURE_NONE ? 0 : (uint32_t)1 << primitive->enclosure;
-    if (search->shadows) {
-        enclosure &= scene->shadow_primitives.word[0];
-    }
-    uint32_t barred = primitive->left_for_good ? bit : 0;
+    uint32_t enclosure = enclosure_of(search, index);
+    uint32_t barred = scene->primitives[index].left_for_good ? bit : 0;
     uint32_t leaving = 0, entering = 0;
     for (int i = 0; i < LANES; i++) {
         uint32_t inside = search->inside[i];
@@ -123,6 +150,7 @@ static void search_primitive(struct search_lanes *search, uint8_t index,
 }
 
 void search_next(struct search_lanes *search, uint32_t *solid_tests) {
+    const struct insides insides = find_insides(search);
     for (int i = 0; i < LANES; i++) {
         search->t[i] = LENGTH_FAR;
         search->place[i] = PLACE_NONE;
@@ -130,7 +158,7 @@ void search_next(struct search_lanes *search, uint32_t *solid_tests) {
     }
     for (uint8_t index = 0; index < search->scene->primitive_count; index++) {
         struct chosen_lanes chosen;
-        if (search->shadows && !set_has(&search->scene->shadow_primitives, index)) {
+        if (!may_be_met(search, index, insides)) {
             continue;
         }
         choose_lanes(search, index, &chosen);

@@ -2,6 +2,8 @@
 /* A band of rows by streams of rays: eye rays go in, what arrives at the eye is summed by pixel. */
 #include "stream_engine.h"
 
+#include <string.h>
+
 #include "children.h"
 #include "instruction_set.h"
 #include "media.h"
@@ -15,11 +17,12 @@
 
 enum { BAND_PIXELS = STREAM_ROWS_MOST * FEATURE_WIDTH };
 
-/* What a pixel has so far. */
-struct pixel_sum {
-    int64_t steps[3]; /* of 2^-16 level */
-    uint32_t rays;
-};
+/* A pixel's sums lie together, so that a ray's part is one sum of vectors: by primary, in steps of
+ * 2^-16 level, and the number of its rays. */
+enum { PRIMARIES = 3, SUM_OF_RAYS = PRIMARIES, SUMS = PRIMARIES + 1 };
+
+/* How many steps may pass until the pixels' numbers of rays are looked at again. */
+enum { STEPS_UNWATCHED = 512 };
 
 struct stream {
     struct ray_lanes rays;
@@ -27,10 +30,9 @@ struct stream {
     struct search_lanes search, shadow_search;
     const struct scene *scene;
     struct render_counts counts;
-    bool absorbs;   /* a material of the scene does */
-    bool exhausted; /* a pixel's budget of rays has ended */
+    bool absorbs; /* a material of the scene does */
     struct queue queue;
-    struct pixel_sum pixels[BAND_PIXELS];
+    int64_t sums[BAND_PIXELS][SUMS];
 };
 
 /* The rays of up to LANES pixels from `first` on, through the eye: see camera_ray(). */
@@ -68,32 +70,34 @@ static void start_eye_rays(struct stream *stream, uint16_t first_row, uint32_t f
     queue_push(&stream->queue, rays, wanted);
 }
 
-/* Adds what each lane sends to its pixel, times its weight. */
+/* Adds what each lane sends to its pixel, times its weight, and whether its ray is counted. */
 static void add_intensities(struct stream *stream, const struct colour_lanes *restrict colour,
-                            const struct energy_lanes *restrict weight) {
-    int32_t red[LANES], green[LANES], blue[LANES];
+                            const struct energy_lanes *restrict weight,
+                            const uint32_t counted[restrict LANES]) {
+    int32_t part[LANES][SUMS];
     for (int i = 0; i < LANES; i++) {
-        red[i] = colour_steps(colour_scaled(colour->red[i], weight->red[i]));
-        green[i] = colour_steps(colour_scaled(colour->green[i], weight->green[i]));
-        blue[i] = colour_steps(colour_scaled(colour->blue[i], weight->blue[i]));
+        part[i][0] = colour_steps(colour_scaled(colour->red[i], weight->red[i]));
+        part[i][1] = colour_steps(colour_scaled(colour->green[i], weight->green[i]));
+        part[i][2] = colour_steps(colour_scaled(colour->blue[i], weight->blue[i]));
+        part[i][SUM_OF_RAYS] = (int32_t)counted[i];
     }
     for (int i = 0; i < LANES; i++) {
-        struct pixel_sum *pixel = &stream->pixels[stream->rays.target[i] & ~TARGET_CONTINUED];
-        pixel->steps[0] += red[i];
-        pixel->steps[1] += green[i];
-        pixel->steps[2] += blue[i];
+        int64_t *restrict sum = stream->sums[stream->rays.target[i] & ~TARGET_CONTINUED];
+        for (int k = 0; k < SUMS; k++) {
+            sum[k] += part[i][k];
+        }
     }
 }
 
-static void count_rays(struct stream *stream, uint32_t count) {
-    for (uint32_t i = 0; i < count; i++) {
-        uint32_t target = stream->rays.target[i];
-        struct pixel_sum *pixel = &stream->pixels[target & ~TARGET_CONTINUED];
-        uint32_t is_new = target & TARGET_CONTINUED ? 0 : 1;
-        pixel->rays += is_new;
-        stream->counts.rays += is_new;
-        stream->exhausted |= pixel->rays > stream->scene->ray_budget;
+/* Sets the lanes whose rays are new ones. */
+static void count_rays(struct stream *stream, uint32_t count, uint32_t counted[restrict LANES]) {
+    uint32_t rays = 0;
+    for (uint32_t i = 0; i < LANES; i++) {
+        bool is_new = (i < count) & ((stream->rays.target[i] & TARGET_CONTINUED) == 0);
+        counted[i] = is_new ? 1 : 0;
+        rays += counted[i];
     }
+    stream->counts.rays += rays;
 }
 
 static void find_crossings(struct stream *stream, uint32_t count) {
@@ -175,18 +179,19 @@ static void add_estimate(struct stream *stream, const struct energy_lanes *cut) 
     const int32_t *steps = stream->scene->estimate->level[0].mean;
     const struct colours mean = {colour_of_steps(steps[0]), colour_of_steps(steps[1]),
                                  colour_of_steps(steps[2])};
+    const uint32_t uncounted[LANES] = {0};
     struct colour_lanes worth;
     for (int i = 0; i < LANES; i++) {
         worth.red[i] = mean.red;
         worth.green[i] = mean.green;
         worth.blue[i] = mean.blue;
     }
-    add_intensities(stream, &worth, cut);
+    add_intensities(stream, &worth, cut, uncounted);
 }
 
 /* What arrives from the scene's background, or from the boundary. */
 static void add_arrivals(struct stream *stream, const struct colour_lanes *local,
-                         const uint32_t gone[LANES]) {
+                         const uint32_t gone[LANES], const uint32_t counted[LANES]) {
     const struct colours background = stream->scene->background;
     const real_energy none = REAL_ENERGY(0.0);
     struct colour_lanes colour;
@@ -200,7 +205,7 @@ static void add_arrivals(struct stream *stream, const struct colour_lanes *local
         weight.green[i] = counts ? stream->rays.weight.green[i] : none;
         weight.blue[i] = counts ? stream->rays.weight.blue[i] : none;
     }
-    add_intensities(stream, &colour, &weight);
+    add_intensities(stream, &colour, &weight, counted);
 }
 
 static bool any_lane(const uint32_t lanes[LANES]) {
@@ -213,11 +218,11 @@ static bool any_lane(const uint32_t lanes[LANES]) {
 
 /* Follows the rays of the first `count` lanes to their next crossing. */
 static void step(struct stream *stream, uint32_t count) {
-    uint32_t continuing[LANES], gone[LANES];
+    uint32_t counted[LANES], continuing[LANES], gone[LANES];
     struct border_lanes border;
     struct colour_lanes local;
     struct energy_lanes cut[2];
-    count_rays(stream, count);
+    count_rays(stream, count, counted);
     find_crossings(stream, count);
     sort_lanes(stream, continuing, gone);
     if (any_lane(continuing)) {
@@ -230,7 +235,7 @@ static void step(struct stream *stream, uint32_t count) {
     borders_find(stream->scene, &stream->hit, &border);
     shading_local(stream->scene, &stream->rays.direction, &stream->hit, &border, &local,
                   &stream->shadow_search, &stream->counts);
-    add_arrivals(stream, &local, gone);
+    add_arrivals(stream, &local, gone, counted);
     children_grow(stream->scene, &stream->rays, &stream->hit, &border, &stream->queue, cut);
     if (stream->scene->estimate) {
         add_estimate(stream, &cut[0]);
@@ -254,20 +259,27 @@ static void add_counts(struct render_counts *sum, const struct render_counts *co
     sum->leaked_rays += counts->leaked_rays;
 }
 
-static bool stream_rows(void *memory, const struct scene *scene, uint16_t first, uint16_t rows,
-                        uint8_t *rgb, struct render_counts *counts) {
-    struct stream *stream = memory;
+static void start_band(struct stream *stream, const struct scene *scene, uint32_t pixels) {
     const struct render_counts nothing = {0};
-    const struct pixel_sum black = {{0, 0, 0}, 0};
-    uint32_t pixels = (uint32_t)rows * scene->width, next = 0;
     stream->scene = scene;
     stream->counts = nothing;
     stream->absorbs = scene_absorbs(scene);
-    stream->exhausted = false;
     queue_clear(&stream->queue);
+    memset(stream->sums, 0, pixels * sizeof stream->sums[0]);
+}
+
+/* Whether a pixel had more rays than it may have. */
+static bool is_exhausted(const struct stream *stream, uint32_t pixels) {
+    int64_t most = 0;
     for (uint32_t i = 0; i < pixels; i++) {
-        stream->pixels[i] = black;
+        most = stream->sums[i][SUM_OF_RAYS] > most ? stream->sums[i][SUM_OF_RAYS] : most;
     }
+    return most > stream->scene->ray_budget;
+}
+
+/* Follows all rays of the band. False: the queue overflowed or a pixel's budget ended. */
+static bool follow_rays(struct stream *stream, uint16_t first, uint32_t pixels) {
+    uint32_t next = 0, unwatched = 0;
     for (;;) {
         while (next < pixels && queue_fullest(&stream->queue) < LANES) {
             uint32_t count = pixels - next < LANES ? pixels - next : LANES;
@@ -276,16 +288,27 @@ static bool stream_rows(void *memory, const struct scene *scene, uint16_t first,
         }
         uint32_t count = queue_pop(&stream->queue, &stream->rays);
         if (count == 0) {
-            break;
+            return !is_exhausted(stream, pixels);
         }
         step(stream, count);
-        if (stream->queue.overflowed || stream->exhausted) {
+        unwatched = (unwatched + 1) % STEPS_UNWATCHED;
+        if (stream->queue.overflowed || (unwatched == 0 && is_exhausted(stream, pixels))) {
             return false;
         }
     }
+}
+
+static bool stream_rows(void *memory, const struct scene *scene, uint16_t first, uint16_t rows,
+                        uint8_t *rgb, struct render_counts *counts) {
+    struct stream *stream = memory;
+    uint32_t pixels = (uint32_t)rows * scene->width;
+    start_band(stream, scene, pixels);
+    if (!follow_rays(stream, first, pixels)) {
+        return false;
+    }
     for (uint32_t i = 0; i < pixels; i++) {
-        for (int primary = 0; primary < 3; primary++) {
-            int64_t steps = stream->pixels[i].steps[primary];
+        for (int primary = 0; primary < PRIMARIES; primary++) {
+            int64_t steps = stream->sums[i][primary];
             *rgb++ = colour_level(colour_of_steps(steps < INT32_MAX ? (int32_t)steps : INT32_MAX));
         }
     }
