@@ -28,13 +28,26 @@ static void object_holds(const struct scene *scene, const struct object *object,
     }
 }
 
+/* What any lane is inside of: an object holds no place that is in none of its primitives. */
+static uint32_t union_of(const uint32_t sets[restrict LANES]) {
+    uint32_t all = 0;
+    for (int i = 0; i < LANES; i++) {
+        all |= sets[i];
+    }
+    return all;
+}
+
 void media_objects(const struct scene *scene, const uint32_t inside[restrict LANES],
                    uint32_t object[restrict LANES]) {
+    const uint32_t any = union_of(inside);
     uint32_t holds[LANES];
     for (int i = 0; i < LANES; i++) {
         object[i] = OBJECT_AIR;
     }
     for (uint32_t number = OBJECT_AIR + 1; number < scene->object_count; number++) {
+        if ((any & scene->objects[number].uses.word[0]) == 0) {
+            continue;
+        }
         object_holds(scene, &scene->objects[number], inside, holds);
         for (int i = 0; i < LANES; i++) {
             object[i] = holds[i] != 0 ? number : object[i];
@@ -44,6 +57,7 @@ void media_objects(const struct scene *scene, const uint32_t inside[restrict LAN
 
 void media_shadows(const struct scene *scene, const uint32_t inside[restrict LANES],
                    uint32_t shadow[restrict LANES]) {
+    const uint32_t any = union_of(inside);
     uint32_t holds[LANES];
     for (int i = 0; i < LANES; i++) {
         shadow[i] = scene->materials[MATERIAL_AIR].casts_shadow ? 1 : 0;
@@ -51,7 +65,7 @@ void media_shadows(const struct scene *scene, const uint32_t inside[restrict LAN
     for (uint32_t number = OBJECT_AIR + 1; number < scene->object_count; number++) {
         const struct object *object = &scene->objects[number];
         uint32_t casts = scene->materials[object->material].casts_shadow ? 1 : 0;
-        if (!object->in_shadow_test) {
+        if (!object->in_shadow_test || (any & object->uses.word[0]) == 0) {
             continue;
         }
         object_holds(scene, object, inside, holds);

@@ -23,15 +23,13 @@ static void need_slopes(struct local_lanes *restrict local, enum sloping *slopin
     *sloping = levels != 0 ? SLOPES_SOME : SLOPES_ALL;
 }
 
-void search_begin(struct search_lanes *search) {
-    const struct scene *scene = search->scene;
+void search_begin(struct search_lanes *restrict search, const uint32_t touches[restrict TOUCHES]) {
     search->world_sloping = SLOPES_UNKNOWN;
     for (int i = 0; i < SEARCH_VIEWS; i++) {
         search->frames[i] = FRAME_WORLD;
     }
     for (int i = 0; i < LANES; i++) {
-        uint32_t surface = search->surface[i];
-        search->touch[i] = surface == SURFACE_NONE ? 0 : scene->surfaces[surface].word[0];
+        search->touch[i] = touches_of(touches, search->surface[i]);
     }
 }
 

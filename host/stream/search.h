@@ -4,6 +4,7 @@
 #define SUPERFRAME_SEARCH_H
 
 #include "lanes.h"
+#include "touches.h"
 
 /* What is known of slopes: nothing yet; that no component is zero; that some are. */
 enum sloping { SLOPES_UNKNOWN, SLOPES_ALL, SLOPES_SOME };
@@ -50,8 +51,9 @@ static inline uint32_t crossed_primitive(uint32_t crossed) {
     return crossed % CROSSED_LEAVING;
 }
 
-/* Fills in what follows from the world's origins and directions and from `surface`. */
-void search_begin(struct search_lanes *search);
+/* Fills in what follows from the world's origins and directions and from `surface`; touches is the
+ * scene's table. */
+void search_begin(struct search_lanes *search, const uint32_t touches[TOUCHES]);
 
 /* Finds each active lane's nearest crossing at or after `from`. Adds to the number of tests. */
 void search_next(struct search_lanes *search, uint32_t *solid_tests);

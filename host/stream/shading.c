@@ -55,7 +55,7 @@ static bool step_shadows(struct search_lanes *restrict search, struct way_lanes 
 
 static void cast_shadows(const struct scene *scene, const struct hit_lanes *restrict hit,
                          struct way_lanes *restrict way, struct search_lanes *restrict search,
-                         struct render_counts *counts) {
+                         const uint32_t touches[TOUCHES], struct render_counts *counts) {
     const uint32_t among = scene->shadow_primitives.word[0];
     uint32_t shadowed[LANES];
     search->scene = scene;
@@ -69,7 +69,7 @@ static void cast_shadows(const struct scene *scene, const struct hit_lanes *rest
         search->active[i] = way->lit[i];
         counts->shadow_rays += way->lit[i];
     }
-    search_begin(search);
+    search_begin(search, touches);
     for (;;) {
         media_shadows(scene, search->inside, shadowed);
         if (!step_shadows(search, way, shadowed)) {
@@ -170,7 +170,7 @@ static void fade(const struct scene *scene, const struct hit_lanes *hit,
 void shading_local(const struct scene *scene, const struct direction_lanes *direction,
                    const struct hit_lanes *hit, const struct border_lanes *border,
                    struct colour_lanes *local, struct search_lanes *scratch,
-                   struct render_counts *counts) {
+                   const uint32_t touches[TOUCHES], struct render_counts *counts) {
     struct way_lanes way;
     struct colour_lanes direct;
     real_energy glint[LANES];
@@ -185,7 +185,7 @@ void shading_local(const struct scene *scene, const struct direction_lanes *dire
         const struct light *light = &scene->lights[i];
         find_ways(light, hit, &way);
         if (light->casts_shadows) {
-            cast_shadows(scene, hit, &way, scratch, counts);
+            cast_shadows(scene, hit, &way, scratch, touches, counts);
         }
         find_glints(scene, direction, hit, &way, border, glint);
         add_light(light, &way, border, glint, &direct);

@@ -6,10 +6,11 @@
 #include "borders.h"
 #include "image.h"
 
-/* The intensity that each boundary sends along its ray. scratch is a search to use for shadows. */
+/* The intensity that each boundary sends along its ray. scratch is a search to use for shadows,
+ * touches the scene's table. */
 void shading_local(const struct scene *scene, const struct direction_lanes *direction,
                    const struct hit_lanes *hit, const struct border_lanes *border,
                    struct colour_lanes *local, struct search_lanes *scratch,
-                   struct render_counts *counts);
+                   const uint32_t touches[TOUCHES], struct render_counts *counts);
 
 #endif

@@ -31,6 +31,7 @@ struct stream {
     const struct scene *scene;
     struct render_counts counts;
     bool absorbs; /* a material of the scene does */
+    uint32_t touches[TOUCHES];
     struct queue queue;
     int64_t sums[BAND_PIXELS][SUMS];
 };
@@ -113,7 +114,7 @@ static void find_crossings(struct stream *stream, uint32_t count) {
         search->from[i] = rays->from[i];
         search->active[i] = i < count ? 1 : 0;
     }
-    search_begin(search);
+    search_begin(search, stream->touches);
     search_next(search, &stream->counts.solid_tests);
 }
 
@@ -234,7 +235,7 @@ static void step(struct stream *stream, uint32_t count) {
     }
     borders_find(stream->scene, &stream->hit, &border);
     shading_local(stream->scene, &stream->rays.direction, &stream->hit, &border, &local,
-                  &stream->shadow_search, &stream->counts);
+                  &stream->shadow_search, stream->touches, &stream->counts);
     add_arrivals(stream, &local, gone, counted);
     children_grow(stream->scene, &stream->rays, &stream->hit, &border, &stream->queue, cut);
     if (stream->scene->estimate) {
@@ -264,6 +265,7 @@ static void start_band(struct stream *stream, const struct scene *scene, uint32_
     stream->scene = scene;
     stream->counts = nothing;
     stream->absorbs = scene_absorbs(scene);
+    touches_set(scene, stream->touches);
     queue_clear(&stream->queue);
     memset(stream->sums, 0, pixels * sizeof stream->sums[0]);
 }
@@ -329,8 +331,8 @@ static bool stream_fits(const struct scene *scene) {
             return false;
         }
     }
-    return scene->primitive_count <= STREAM_PRIMITIVES_MOST && scene->width <= FEATURE_WIDTH &&
-           !scene->simple && !scene->filters && scene->error == 0;
+    return scene->primitive_count <= STREAM_PRIMITIVES_MOST && touches_fit(scene) &&
+           scene->width <= FEATURE_WIDTH && !scene->simple && !scene->filters && scene->error == 0;
 }
 
 extern const struct stream_engine STREAM_SYMBOL(REAL_NAME, INSTRUCTION_SET);
