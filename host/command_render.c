@@ -144,8 +144,7 @@ static int render_rows(struct render_run *run) {
     job.exposed_context = run->exposures;
     progress_begin(&progress, job.last_row - job.first_row, options->quiet);
     interrupt_catch();
-    port_chain_time(run->chain);
-    (void)bus_bind(&run->chain->hash.bus);
+    (void)bus_bind(port_chain_bus(run->chain, run->stats.file != NULL));
     bool is_rendered = render(&job, &run->totals, &error);
     progress_end(&progress);
     return is_rendered ? STATUS_DONE : bad_input("%s", error.text);

@@ -48,8 +48,12 @@ void port_chain_record(struct port_chain *chain, FILE *file, enum trace_format f
     chain->is_recording = true;
 }
 
-void port_chain_time(struct port_chain *chain) {
+struct bus *port_chain_bus(struct port_chain *chain, bool is_observed) {
+    if (!is_observed) {
+        return chain->hash.inner;
+    }
     first_write_await(&chain->first, &chain->hash.inner);
+    return &chain->hash.bus;
 }
 
 enum bus_status port_chain_finish(struct port_chain *chain) {
@@ -88,7 +92,7 @@ void port_chain_free(struct port_chain *chain) {
         return;
     }
     struct bus *bound = bus_bind(NULL);
-    if (bound != &chain->hash.bus) {
+    if (bound != &chain->hash.bus && bound != chain->hash.inner) {
         (void)bus_bind(bound);
     }
     trace_hash_free(&chain->hash);

@@ -20,13 +20,13 @@
 
 /* About a megabyte: make it with port_chain_new(). */
 struct port_chain {
-    struct trace_hash hash; /* outermost: hash.bus is the one to bind */
+    struct trace_hash hash; /* outermost */
     bool is_recording;
     struct trace_recorder recorder;
     bool is_counting;
     struct cost_bus cost;
     struct fault_bus faults;
-    struct first_write first; /* has_happened: port_chain_time() was asked for it */
+    struct first_write first; /* has_happened: of an observed chain */
     bool has_board;
     struct board_bus board_bus;
     struct bus null_bus; /* in the board's place where there is none */
@@ -56,8 +56,10 @@ void port_chain_count(struct port_chain *chain);
 /* A recorder. The file stays the caller's. */
 void port_chain_record(struct port_chain *chain, FILE *file, enum trace_format format);
 
-/* Notes when the first write comes, in chain->first. After all of the above. */
-void port_chain_time(struct port_chain *chain);
+/* The bus to bind, after all of the above. Observed: accesses are hashed and their writes counted
+ * in chain->hash, and chain->first notes when the first one comes; else nothing is known of them
+ * that was not put into the chain, and they come sooner to their end. */
+struct bus *port_chain_bus(struct port_chain *chain, bool is_observed);
 
 /* Ends the recording, if there is one; the status of the whole chain. No access may follow. */
 enum bus_status port_chain_finish(struct port_chain *chain);
@@ -65,7 +67,7 @@ enum bus_status port_chain_finish(struct port_chain *chain);
 /* Draws into chain->rgb. */
 void port_chain_picture(struct port_chain *chain);
 
-/* Port accesses so far. */
+/* Port accesses so far, where they are observed. */
 uint64_t port_chain_writes(const struct port_chain *chain);
 uint64_t port_chain_reads(const struct port_chain *chain);
 

@@ -65,32 +65,59 @@ void search_box(struct search_lanes *search, uint8_t index, const struct local_l
     }
 }
 
+/* ball_segment() of firmware/solids.h in two steps: the roots only where a lane comes to them. */
+struct ball_lanes {
+    real_length middle[LANES]; /* where the ray is nearest to the centre */
+    real_area square[LANES];   /* of half the way inside; negative: it passes by */
+};
+
+/* False: of the chosen lanes all pass by. */
+static bool ball_meets(const struct search_lanes *restrict search, const struct ball ball,
+                       const struct chosen_lanes *restrict chosen,
+                       struct ball_lanes *restrict lanes) {
+    uint32_t meeting = 0;
+    for (int i = 0; i < LANES; i++) {
+        const struct point origin = {search->world.origin.x[i], search->world.origin.y[i],
+                                     search->world.origin.z[i]};
+        const struct direction direction = {search->world.direction.x[i],
+                                            search->world.direction.y[i],
+                                            search->world.direction.z[i]};
+        struct point p = point_subtract(origin, ball.centre);
+        real_length middle = length_negate(point_dot(p, direction));
+        struct point foot = point_along(p, middle, direction);
+        real_area square = area_subtract(ball.square_radius, point_norm(foot));
+        lanes->middle[i] = middle;
+        lanes->square[i] = square;
+        meeting |= chosen->leave[i] | (area_is_negative(square) ? 0 : chosen->enter[i]);
+    }
+    return meeting != 0;
+}
+
 static inline struct meeting ball_meeting(const struct search_lanes *search, int i, uint32_t bit,
-                                          const struct ball *ball, bool inside) {
-    uint32_t place = place_of(ball->surface, 0);
-    const struct point origin = {search->world.origin.x[i], search->world.origin.y[i],
-                                 search->world.origin.z[i]};
-    const struct direction direction = {search->world.direction.x[i], search->world.direction.y[i],
-                                        search->world.direction.z[i]};
-    struct segment segment = ball_segment(ball, origin, direction);
-    const struct stretch s = {segment.in, segment.out, place, place, segment.hit};
+                                          const struct ball_lanes *lanes, uint32_t place,
+                                          bool inside) {
+    real_length middle = lanes->middle[i], half = length_root(lanes->square[i]);
+    const struct stretch s = {length_subtract(middle, half), length_add(middle, half), place, place,
+                              !area_is_negative(lanes->square[i])};
     return meeting_of(s, search->from[i], inside, (search->touch[i] & bit) != 0);
 }
 
-static void leave_ball(struct search_lanes *restrict search, uint8_t index, const struct ball ball,
+static void leave_ball(struct search_lanes *restrict search, uint8_t index, uint32_t place,
+                       const struct ball_lanes *restrict lanes,
                        const uint32_t chosen[restrict LANES]) {
     uint32_t bit = (uint32_t)1 << index;
     for (int i = 0; i < LANES; i++) {
-        struct meeting found = ball_meeting(search, i, bit, &ball, true);
+        struct meeting found = ball_meeting(search, i, bit, lanes, place, true);
         search_consider(search, i, index, found, true, chosen[i] != 0);
     }
 }
 
-static void enter_ball(struct search_lanes *restrict search, uint8_t index, const struct ball ball,
+static void enter_ball(struct search_lanes *restrict search, uint8_t index, uint32_t place,
+                       const struct ball_lanes *restrict lanes,
                        const uint32_t chosen[restrict LANES]) {
     uint32_t bit = (uint32_t)1 << index;
     for (int i = 0; i < LANES; i++) {
-        struct meeting found = ball_meeting(search, i, bit, &ball, false);
+        struct meeting found = ball_meeting(search, i, bit, lanes, place, false);
         search_consider(search, i, index, found, false, chosen[i] != 0);
     }
 }
@@ -98,11 +125,16 @@ static void enter_ball(struct search_lanes *restrict search, uint8_t index, cons
 void search_ball(struct search_lanes *search, uint8_t index, const struct chosen_lanes *chosen) {
     const struct scene *scene = search->scene;
     const struct ball ball = scene->balls[scene->primitives[index].index];
+    const uint32_t place = place_of(ball.surface, 0);
+    struct ball_lanes lanes;
+    if (!ball_meets(search, ball, chosen, &lanes)) {
+        return;
+    }
     if (chosen->leaving > 0) {
-        leave_ball(search, index, ball, chosen->leave);
+        leave_ball(search, index, place, &lanes, chosen->leave);
     }
     if (chosen->entering > 0) {
-        enter_ball(search, index, ball, chosen->enter);
+        enter_ball(search, index, place, &lanes, chosen->enter);
     }
 }
 
