@@ -68,40 +68,80 @@ static void find_passages(const struct direction_lanes *direction, const struct 
     find_refracted(direction, hit, border, refracted, &passage->refracted);
 }
 
-/* The weights of one kind of children: which of them are followed, and what is cut of the others
- * (0 where nothing is). */
+/* Whether a child of that weight, the largest of its three, is followed; each argument is a lane's.
+ */
+static inline uint32_t is_followed(const struct scene *scene, uint32_t hit, uint32_t path,
+                                   real_energy largest) {
+    bool goes_on = (path_events(path) < scene->depth) & !energy_less(largest, scene->threshold);
+    return (hit != 0) & !energy_is_zero(largest) & goes_on ? 1 : 0;
+}
+
+/* The weights of one kind of children, and which of them are followed. */
 static void weigh(const struct scene *scene, const struct ray_lanes *restrict rays,
                   const struct hit_lanes *restrict hit, const real_energy share[restrict LANES],
-                  struct ray_lanes *restrict child, uint32_t follow[restrict LANES],
-                  struct energy_lanes *restrict cut) {
-    const uint32_t depth = scene->depth;
-    const real_energy threshold = scene->threshold, none = REAL_ENERGY(0.0);
+                  struct ray_lanes *restrict child, uint32_t follow[restrict LANES]) {
     for (int i = 0; i < LANES; i++) {
         const struct energies before = {rays->weight.red[i], rays->weight.green[i],
                                         rays->weight.blue[i]};
         struct energies weight = energies_scaled(before, share[i]);
-        real_energy largest = energies_largest(weight);
-        bool goes_on = !((path_events(rays->path[i]) >= depth) | energy_less(largest, threshold));
-        bool is = (hit->is[i] != 0) & !energy_is_zero(largest);
         child->weight.red[i] = weight.red;
         child->weight.green[i] = weight.green;
         child->weight.blue[i] = weight.blue;
-        cut->red[i] = (is & !goes_on) ? weight.red : none;
-        cut->green[i] = (is & !goes_on) ? weight.green : none;
-        cut->blue[i] = (is & !goes_on) ? weight.blue : none;
-        follow[i] = (is & goes_on) ? 1 : 0;
+        follow[i] = is_followed(scene, hit->is[i], rays->path[i], energies_largest(weight));
+    }
+}
+
+static void weigh_grey(const struct scene *scene, const struct ray_lanes *restrict rays,
+                       const struct hit_lanes *restrict hit,
+                       const real_energy share[restrict LANES], struct ray_lanes *restrict child,
+                       uint32_t follow[restrict LANES]) {
+    for (int i = 0; i < LANES; i++) {
+        real_energy weight = energy_product(rays->weight.red[i], share[i]);
+        child->weight.red[i] = weight;
+        follow[i] = is_followed(scene, hit->is[i], rays->path[i], weight);
+    }
+}
+
+/* What of the weights belongs to no ray that is followed. */
+static void set_cut(const struct hit_lanes *restrict hit,
+                    const struct energy_lanes *restrict weight,
+                    const uint32_t follow[restrict LANES], struct energy_lanes *restrict cut) {
+    const real_energy none = REAL_ENERGY(0.0);
+    for (int i = 0; i < LANES; i++) {
+        bool is_cut = (hit->is[i] != 0) & (follow[i] == 0);
+        cut->red[i] = is_cut ? weight->red[i] : none;
+        cut->green[i] = is_cut ? weight->green[i] : none;
+        cut->blue[i] = is_cut ? weight->blue[i] : none;
     }
 }
 
 /* Where the children of one kind go on. */
 static void set_out(const struct ray_lanes *restrict rays, const struct hit_lanes *restrict hit,
-                    const uint32_t object[restrict LANES], struct ray_lanes *restrict child) {
+                    const uint32_t object[restrict LANES], const uint32_t inside[restrict LANES],
+                    struct ray_lanes *restrict child) {
     child->origin = hit->where;
     for (int i = 0; i < LANES; i++) {
         child->from[i] = LENGTH_EPSILON;
         child->path[i] = path_of(hit->surface[i], object[i], path_events(rays->path[i]) + 1);
         child->target[i] = rays->target[i] & ~TARGET_CONTINUED;
+        child->inside[i] = inside[i];
     }
+}
+
+/* One kind of children, whose directions and objects are set. */
+static void send(const struct scene *scene, const struct ray_lanes *rays,
+                 const struct hit_lanes *hit, const real_energy share[LANES],
+                 struct ray_lanes *child, struct queue *queue, struct energy_lanes *cut) {
+    uint32_t follow[LANES];
+    if (queue->is_grey) {
+        weigh_grey(scene, rays, hit, share, child, follow);
+    } else {
+        weigh(scene, rays, hit, share, child, follow);
+    }
+    if (scene->estimate) {
+        set_cut(hit, &child->weight, follow, cut);
+    }
+    queue_push(queue, child, follow);
 }
 
 void children_grow(const struct scene *scene, const struct ray_lanes *rays,
@@ -109,22 +149,13 @@ void children_grow(const struct scene *scene, const struct ray_lanes *rays,
                    struct queue *queue, struct energy_lanes cut[2]) {
     struct passage_lanes passage;
     struct ray_lanes child;
-    uint32_t follow[LANES];
     find_passages(&rays->direction, hit, border, &passage);
 
-    set_out(rays, hit, hit->before, &child);
+    set_out(rays, hit, hit->before, hit->inside_before, &child);
     child.direction = hit->mirrored;
-    weigh(scene, rays, hit, passage.reflectance, &child, follow, &cut[0]);
-    for (int i = 0; i < LANES; i++) {
-        child.inside[i] = hit->inside_before[i];
-    }
-    queue_push(queue, &child, follow);
+    send(scene, rays, hit, passage.reflectance, &child, queue, &cut[0]);
 
-    set_out(rays, hit, hit->after, &child);
+    set_out(rays, hit, hit->after, hit->inside_after, &child);
     child.direction = passage.refracted;
-    weigh(scene, rays, hit, passage.transmittance, &child, follow, &cut[1]);
-    for (int i = 0; i < LANES; i++) {
-        child.inside[i] = hit->inside_after[i];
-    }
-    queue_push(queue, &child, follow);
+    send(scene, rays, hit, passage.transmittance, &child, queue, &cut[1]);
 }

@@ -20,6 +20,8 @@ struct direction_lanes {
     real_unit x[LANES], y[LANES], z[LANES];
 };
 
+/* Where all of a scene's weights are grey, red stands for all three, and the others hold nothing.
+ */
 struct energy_lanes {
     real_energy red[LANES], green[LANES], blue[LANES];
 };

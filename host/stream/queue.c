@@ -4,7 +4,8 @@
 
 #include <string.h>
 
-void queue_clear(struct queue *queue) {
+void queue_clear(struct queue *queue, bool is_grey) {
+    queue->is_grey = is_grey;
     queue->overflowed = false;
     for (int bin = 0; bin < QUEUE_BINS; bin++) {
         queue->bins[bin].count = 0;
@@ -12,7 +13,7 @@ void queue_clear(struct queue *queue) {
 }
 
 static void push_into(struct queue_bin *restrict bin, const struct ray_lanes *restrict rays,
-                      uint64_t lanes) {
+                      uint64_t lanes, bool is_grey) {
     uint32_t at = bin->count;
     for (; lanes != 0; lanes &= lanes - 1, at++) {
         uint32_t lane = lanes_first(lanes);
@@ -23,8 +24,10 @@ static void push_into(struct queue_bin *restrict bin, const struct ray_lanes *re
         bin->direction_y[at] = rays->direction.y[lane];
         bin->direction_z[at] = rays->direction.z[lane];
         bin->red[at] = rays->weight.red[lane];
-        bin->green[at] = rays->weight.green[lane];
-        bin->blue[at] = rays->weight.blue[lane];
+        if (!is_grey) {
+            bin->green[at] = rays->weight.green[lane];
+            bin->blue[at] = rays->weight.blue[lane];
+        }
         bin->from[at] = rays->from[lane];
         bin->inside[at] = rays->inside[lane];
         bin->path[at] = rays->path[lane];
@@ -51,7 +54,7 @@ void queue_push(struct queue *queue, const struct ray_lanes *rays, const uint32_
         for (int i = 0; i < LANES; i++) {
             chosen[i] = bit[i] >> number & 1;
         }
-        push_into(bin, rays, lanes_set(chosen));
+        push_into(bin, rays, lanes_set(chosen), queue->is_grey);
     }
 }
 
@@ -93,8 +96,10 @@ uint32_t queue_pop(struct queue *queue, struct ray_lanes *rays) {
     take_numbers(rays->direction.y, bin->direction_y + bin->count, count);
     take_numbers(rays->direction.z, bin->direction_z + bin->count, count);
     take_numbers(rays->weight.red, bin->red + bin->count, count);
-    take_numbers(rays->weight.green, bin->green + bin->count, count);
-    take_numbers(rays->weight.blue, bin->blue + bin->count, count);
+    if (!queue->is_grey) {
+        take_numbers(rays->weight.green, bin->green + bin->count, count);
+        take_numbers(rays->weight.blue, bin->blue + bin->count, count);
+    }
     take_numbers(rays->from, bin->from + bin->count, count);
     take_words(rays->inside, bin->inside + bin->count, count);
     take_words(rays->path, bin->path + bin->count, count);

@@ -21,11 +21,12 @@ struct queue_bin {
 };
 
 struct queue {
+    bool is_grey;    /* all weights are: red alone is kept */
     bool overflowed; /* a ray found no room, and is lost */
     struct queue_bin bins[QUEUE_BINS];
 };
 
-void queue_clear(struct queue *queue);
+void queue_clear(struct queue *queue, bool is_grey);
 
 /* Puts in the rays of the lanes that are wanted (not 0). */
 void queue_push(struct queue *queue, const struct ray_lanes *rays, const uint32_t wanted[LANES]);

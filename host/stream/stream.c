@@ -75,11 +75,14 @@ static void start_eye_rays(struct stream *stream, uint16_t first_row, uint32_t f
 static void add_intensities(struct stream *stream, const struct colour_lanes *restrict colour,
                             const struct energy_lanes *restrict weight,
                             const uint32_t counted[restrict LANES]) {
+    const bool is_grey = stream->queue.is_grey;
+    const real_energy *green = is_grey ? weight->red : weight->green;
+    const real_energy *blue = is_grey ? weight->red : weight->blue;
     int32_t part[LANES][SUMS];
     for (int i = 0; i < LANES; i++) {
         part[i][0] = colour_steps(colour_scaled(colour->red[i], weight->red[i]));
-        part[i][1] = colour_steps(colour_scaled(colour->green[i], weight->green[i]));
-        part[i][2] = colour_steps(colour_scaled(colour->blue[i], weight->blue[i]));
+        part[i][1] = colour_steps(colour_scaled(colour->green[i], green[i]));
+        part[i][2] = colour_steps(colour_scaled(colour->blue[i], blue[i]));
         part[i][SUM_OF_RAYS] = (int32_t)counted[i];
     }
     for (int i = 0; i < LANES; i++) {
@@ -159,19 +162,21 @@ static void sort_lanes(struct stream *stream, uint32_t continuing[LANES], uint32
 }
 
 /* Lambert-Bouguer on the way to the boundary: attenuated() of firmware/growth.c. */
-static void attenuate(struct stream *stream) {
-    struct energy_lanes *weight = &stream->rays.weight;
+static void attenuate(const struct stream *stream, int primary, real_energy weight[LANES]) {
     for (int i = 0; i < LANES; i++) {
         const struct material *medium = &stream->scene->materials[stream->hit.material_before[i]];
         if (stream->hit.is[i] && medium->absorbs) {
-            real_length way = stream->hit.t[i];
-            weight->red[i] =
-                energy_product(weight->red[i], energy_transmitted(medium->absorption[0], way));
-            weight->green[i] =
-                energy_product(weight->green[i], energy_transmitted(medium->absorption[1], way));
-            weight->blue[i] =
-                energy_product(weight->blue[i], energy_transmitted(medium->absorption[2], way));
+            weight[i] = energy_product(
+                weight[i], energy_transmitted(medium->absorption[primary], stream->hit.t[i]));
         }
+    }
+}
+
+static void absorb(struct stream *stream) {
+    attenuate(stream, 0, stream->rays.weight.red);
+    if (!stream->queue.is_grey) {
+        attenuate(stream, 1, stream->rays.weight.green);
+        attenuate(stream, 2, stream->rays.weight.blue);
     }
 }
 
@@ -190,11 +195,19 @@ static void add_estimate(struct stream *stream, const struct energy_lanes *cut) 
     add_intensities(stream, &worth, cut, uncounted);
 }
 
+static void mask_weight(const real_energy weight[restrict LANES],
+                        const uint32_t counting[restrict LANES],
+                        real_energy masked[restrict LANES]) {
+    for (int i = 0; i < LANES; i++) {
+        masked[i] = counting[i] != 0 ? weight[i] : REAL_ENERGY(0.0);
+    }
+}
+
 /* What arrives from the scene's background, or from the boundary. */
 static void add_arrivals(struct stream *stream, const struct colour_lanes *local,
                          const uint32_t gone[LANES], const uint32_t counted[LANES]) {
     const struct colours background = stream->scene->background;
-    const real_energy none = REAL_ENERGY(0.0);
+    uint32_t counting[LANES];
     struct colour_lanes colour;
     struct energy_lanes weight;
     for (int i = 0; i < LANES; i++) {
@@ -202,9 +215,12 @@ static void add_arrivals(struct stream *stream, const struct colour_lanes *local
         colour.red[i] = is_gone ? background.red : local->red[i];
         colour.green[i] = is_gone ? background.green : local->green[i];
         colour.blue[i] = is_gone ? background.blue : local->blue[i];
-        weight.red[i] = counts ? stream->rays.weight.red[i] : none;
-        weight.green[i] = counts ? stream->rays.weight.green[i] : none;
-        weight.blue[i] = counts ? stream->rays.weight.blue[i] : none;
+        counting[i] = counts ? 1 : 0;
+    }
+    mask_weight(stream->rays.weight.red, counting, weight.red);
+    if (!stream->queue.is_grey) {
+        mask_weight(stream->rays.weight.green, counting, weight.green);
+        mask_weight(stream->rays.weight.blue, counting, weight.blue);
     }
     add_intensities(stream, &colour, &weight, counted);
 }
@@ -231,7 +247,7 @@ static void step(struct stream *stream, uint32_t count) {
     }
     hits_describe(&stream->search, &stream->hit);
     if (stream->absorbs) {
-        attenuate(stream);
+        absorb(stream);
     }
     borders_find(stream->scene, &stream->hit, &border);
     shading_local(stream->scene, &stream->rays.direction, &stream->hit, &border, &local,
@@ -252,6 +268,18 @@ static bool scene_absorbs(const struct scene *scene) {
     return absorbs;
 }
 
+/* Whether every medium treats the primaries alike. */
+static bool scene_is_grey(const struct scene *scene) {
+    bool is_grey = true;
+    for (uint8_t i = 0; i < scene->object_count; i++) {
+        const struct material *material = &scene->materials[scene->objects[i].material];
+        const real_extinction *absorption = material->absorption;
+        is_grey &= !material->absorbs ||
+                   (absorption[0] == absorption[1] && absorption[1] == absorption[2]);
+    }
+    return is_grey;
+}
+
 static void add_counts(struct render_counts *sum, const struct render_counts *counts) {
     sum->rays += counts->rays;
     sum->shadow_rays += counts->shadow_rays;
@@ -266,7 +294,7 @@ static void start_band(struct stream *stream, const struct scene *scene, uint32_
     stream->counts = nothing;
     stream->absorbs = scene_absorbs(scene);
     touches_set(scene, stream->touches);
-    queue_clear(&stream->queue);
+    queue_clear(&stream->queue, scene_is_grey(scene));
     memset(stream->sums, 0, pixels * sizeof stream->sums[0]);
 }
 
