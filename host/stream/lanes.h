@@ -54,6 +54,15 @@ static inline uint64_t lanes_set(const uint32_t lanes[restrict LANES]) {
     return (uint64_t)high << 32 | low;
 }
 
+/* Whether any lane is not 0. */
+static inline bool lanes_any(const uint32_t lanes[restrict LANES]) {
+    uint32_t any = 0;
+    for (int i = 0; i < LANES; i++) {
+        any |= lanes[i];
+    }
+    return any != 0;
+}
+
 /* The number of the first lane in a set that is not empty. */
 static inline uint32_t lanes_first(uint64_t set) {
     return (uint32_t)__builtin_ctzll(set);

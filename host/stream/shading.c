@@ -187,6 +187,9 @@ void shading_local(const struct scene *scene, const struct direction_lanes *dire
         if (light->casts_shadows) {
             cast_shadows(scene, hit, &way, scratch, touches, counts);
         }
+        if (!lanes_any(way.lit)) {
+            continue;
+        }
         find_glints(scene, direction, hit, &way, border, glint);
         add_light(light, &way, border, glint, &direct);
     }

@@ -195,6 +195,12 @@ static void add_estimate(struct stream *stream, const struct energy_lanes *cut) 
     add_intensities(stream, &worth, cut, uncounted);
 }
 
+static void set_black(struct colour_lanes *restrict colour) {
+    for (int i = 0; i < LANES; i++) {
+        colour->red[i] = colour->green[i] = colour->blue[i] = REAL_COLOUR(0.0);
+    }
+}
+
 static void mask_weight(const real_energy weight[restrict LANES],
                         const uint32_t counting[restrict LANES],
                         real_energy masked[restrict LANES]) {
@@ -225,39 +231,40 @@ static void add_arrivals(struct stream *stream, const struct colour_lanes *local
     add_intensities(stream, &colour, &weight, counted);
 }
 
-static bool any_lane(const uint32_t lanes[LANES]) {
-    uint32_t any = 0;
-    for (int i = 0; i < LANES; i++) {
-        any |= lanes[i];
-    }
-    return any != 0;
-}
-
-/* Follows the rays of the first `count` lanes to their next crossing. */
-static void step(struct stream *stream, uint32_t count) {
-    uint32_t counted[LANES], continuing[LANES], gone[LANES];
+/* What boundaries do to the rays that have come to one, and what they send: into *local. */
+static void meet_boundaries(struct stream *stream, struct colour_lanes *local) {
     struct border_lanes border;
-    struct colour_lanes local;
     struct energy_lanes cut[2];
-    count_rays(stream, count, counted);
-    find_crossings(stream, count);
-    sort_lanes(stream, continuing, gone);
-    if (any_lane(continuing)) {
-        go_on(stream, continuing);
-    }
     hits_describe(&stream->search, &stream->hit);
     if (stream->absorbs) {
         absorb(stream);
     }
     borders_find(stream->scene, &stream->hit, &border);
-    shading_local(stream->scene, &stream->rays.direction, &stream->hit, &border, &local,
+    shading_local(stream->scene, &stream->rays.direction, &stream->hit, &border, local,
                   &stream->shadow_search, stream->touches, &stream->counts);
-    add_arrivals(stream, &local, gone, counted);
     children_grow(stream->scene, &stream->rays, &stream->hit, &border, &stream->queue, cut);
     if (stream->scene->estimate) {
         add_estimate(stream, &cut[0]);
         add_estimate(stream, &cut[1]);
     }
+}
+
+/* Follows the rays of the first `count` lanes to their next crossing. */
+static void step(struct stream *stream, uint32_t count) {
+    uint32_t counted[LANES], continuing[LANES], gone[LANES];
+    struct colour_lanes local;
+    count_rays(stream, count, counted);
+    find_crossings(stream, count);
+    sort_lanes(stream, continuing, gone);
+    if (lanes_any(continuing)) {
+        go_on(stream, continuing);
+    }
+    if (lanes_any(stream->hit.is)) {
+        meet_boundaries(stream, &local);
+    } else {
+        set_black(&local);
+    }
+    add_arrivals(stream, &local, gone, counted);
 }
 
 static bool scene_absorbs(const struct scene *scene) {
