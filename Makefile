@@ -81,10 +81,12 @@ STREAM_SOURCES := $(wildcard host/stream/*.c) firmware/solids.c
 # No operand is to be skipped: in lanes, & is what && is elsewhere.
 STREAM_FLAGS   := -O3 -fno-trapping-math -fno-math-errno -ffinite-math-only -fno-signed-zeros -Wno-bitwise-instead-of-logical
 # Two of gcc's passes make branches in loops that are to be vectors: they thread jumps through
-# choices that hang together, and look for partial redundancies.
+# choices that hang together, and, in some files, look for partial redundancies.
 ifeq ($(findstring clang,$(shell $(CC) --version)),)
 STREAM_FLAGS   += -fno-thread-jumps
-STREAM_FLAGS_search_solids := -fno-tree-pre
+STREAM_FLAGS_search_solids   := -fno-tree-pre
+STREAM_FLAGS_search_quadrics := -fno-tree-pre
+STREAM_FLAGS_borders         := -fno-tree-pre
 endif
 FLAGS_plain    :=
 FLAGS_avx2     := -march=x86-64-v3
@@ -117,7 +119,7 @@ $(BUILD)/superframe: $(BUILD)/release/superframe
 # Compiler and flags of the last build: when they change, everything is compiled again.
 $(BUILD)/flags: FORCE | setup
 	@mkdir -p $(@D)
-	@echo '$(subst ','\'',$(CC) $(WARNINGS) $(FLOATING) $(foreach configuration,$(CONFIGURATIONS),$(CFLAGS_$(configuration))) $(STREAM_FLAGS) $(STREAM_FLAGS_search_solids) $(FLAGS_avx2) $(FLAGS_avx512))' > $@.new
+	@echo '$(subst ','\'',$(CC) $(WARNINGS) $(FLOATING) $(foreach configuration,$(CONFIGURATIONS),$(CFLAGS_$(configuration))) $(STREAM_FLAGS) $(STREAM_FLAGS_borders) $(FLAGS_avx2) $(FLAGS_avx512))' > $@.new
 	@cmp -s $@.new $@ && rm $@.new || mv $@.new $@
 
 # The list of sources: when a file goes away, what was linked from it is linked again.

@@ -9,6 +9,7 @@ bool quadric_meets(const struct search_lanes *restrict search, uint8_t index,
                    struct quadric_lanes *restrict lanes) {
     const struct scene *scene = search->scene;
     const struct quadric quadric = scene->quadrics[scene->primitives[index].index];
+    const uint32_t ends = quadric.ends ? 1 : 0;
     uint32_t meeting = 0;
     for (int i = 0; i < LANES; i++) {
         const struct point origin = {search->world.origin.x[i], search->world.origin.y[i],
@@ -24,7 +25,9 @@ bool quadric_meets(const struct search_lanes *restrict search, uint8_t index,
         lanes->foot.y[i] = foot.y;
         lanes->foot.z[i] = foot.z;
         lanes->nearest[i] = nearest;
-        lanes->passes[i] = (quadric.ends & beyond) ? 1 : 0;
+        lanes->passes[i] = beyond ? ends : 0;
+    }
+    for (int i = 0; i < LANES; i++) {
         meeting |= chosen->leave[i] | (chosen->enter[i] & ~lanes->passes[i]);
     }
     return meeting != 0;
@@ -231,20 +234,13 @@ static inline struct stretch stretch_of(const struct quadric_stretches *found, i
     return s;
 }
 
-/* Of both stretches, or of the first where no quadric's form can make two: a constant. */
-static inline struct meeting meeting_with(struct stretch first, struct stretch second, bool two,
-                                          bool may_open, real_length from, bool inside,
-                                          bool starts_there) {
-    return may_open ? meeting_of_two(first, second, two, from, inside, starts_there)
-                    : meeting_of(first, from, inside, starts_there);
-}
-
 static inline void set_meeting(struct meeting_lanes *meetings, int i, struct meeting meeting) {
     meetings->t[i] = meeting.t;
     meetings->place[i] = meeting.place;
     meetings->valid[i] = meeting.valid ? 1 : 0;
 }
 
+/* may_open is a constant at each call: false where no lane can have two stretches. */
 static inline void find_leaving(const struct search_lanes *restrict search, uint32_t place,
                                 const struct quadric_lanes *restrict lanes,
                                 const struct quadric_stretches *restrict found, bool may_open,
@@ -255,21 +251,34 @@ static inline void find_leaving(const struct search_lanes *restrict search, uint
         first.out = passes ? lanes->nearest[i] : first.out;
         first.out_place = passes ? place : first.out_place;
         set_meeting(meetings, i,
-                    meeting_with(first, second, two, may_open, search->from[i], true, false));
+                    may_open ? meeting_leaving_two(first, second, two, search->from[i])
+                             : meeting_leaving(first, search->from[i]));
     }
 }
 
-static inline void find_entering(const struct search_lanes *restrict search, uint32_t bit,
-                                 const struct quadric_lanes *restrict lanes,
-                                 const struct quadric_stretches *restrict found, bool may_open,
-                                 struct meeting_lanes *restrict meetings) {
+/* Of one of the two stretches. */
+static void find_entering(const struct search_lanes *restrict search, uint32_t bit,
+                          const struct quadric_lanes *restrict lanes,
+                          const struct quadric_stretches *restrict found, int which,
+                          struct meeting_lanes *restrict meetings) {
     for (int i = 0; i < LANES; i++) {
         bool starts_there = (search->touch[i] & bit) != 0, passes = lanes->passes[i] != 0;
         struct meeting meeting =
-            meeting_with(stretch_of(found, 0, i), stretch_of(found, 1, i), found->two[i] != 0,
-                         may_open, search->from[i], false, starts_there);
+            meeting_entering(stretch_of(found, which, i), search->from[i], starts_there);
         meeting.valid = meeting.valid & !passes;
         set_meeting(meetings, i, meeting);
+    }
+}
+
+/* Where two stretches are and the first is not ahead, the second is entered. */
+static void prefer_first(const struct quadric_stretches *restrict found,
+                         const struct meeting_lanes *restrict second,
+                         struct meeting_lanes *restrict first) {
+    for (int i = 0; i < LANES; i++) {
+        bool is_second = (first->valid[i] == 0) & (found->two[i] != 0);
+        first->t[i] = is_second ? second->t[i] : first->t[i];
+        first->place[i] = is_second ? second->place[i] : first->place[i];
+        first->valid[i] = is_second ? second->valid[i] : first->valid[i];
     }
 }
 
@@ -339,10 +348,11 @@ void search_quadric(struct search_lanes *search, uint8_t index, const struct qua
         leave_quadric(search, index, &meetings, chosen->leave);
     }
     if (chosen->entering > 0) {
+        find_entering(search, bit, lanes, &found, 0, &meetings);
         if (may_open) {
-            find_entering(search, bit, lanes, &found, true, &meetings);
-        } else {
-            find_entering(search, bit, lanes, &found, false, &meetings);
+            struct meeting_lanes second;
+            find_entering(search, bit, lanes, &found, 1, &second);
+            prefer_first(&found, &second, &meetings);
         }
         enter_quadric(search, index, quadric, &meetings, chosen->enter);
     }

@@ -68,18 +68,14 @@ static inline struct meeting meeting_of(struct stretch s, real_length from, bool
     return inside ? meeting_leaving(s, from) : meeting_entering(s, from, starts_there);
 }
 
-/* Of one stretch or two, in order: the ray leaves the one that it is in, or enters the first that
- * is ahead. */
-static inline struct meeting meeting_of_two(struct stretch a, struct stretch b, bool two,
-                                            real_length from, bool inside, bool starts_there) {
+/* Of one stretch or two, in order: the ray leaves the one that it is in. */
+static inline struct meeting meeting_leaving_two(struct stretch a, struct stretch b, bool two,
+                                                 real_length from) {
     bool second = two & !length_less(from, a.out) &
                   !length_less(length_subtract(from, a.out), length_subtract(b.in, from));
-    struct meeting first = meeting_of(a, from, inside, starts_there);
-    struct meeting last = meeting_of(b, from, inside, starts_there);
-    bool is_first = inside ? !second : first.valid | !two;
-    const struct meeting meeting = {is_first ? first.t : last.t,
-                                    is_first ? first.place : last.place,
-                                    first.valid | (two & last.valid)};
+    struct meeting first = meeting_leaving(a, from), last = meeting_leaving(b, from);
+    const struct meeting meeting = {second ? last.t : first.t, second ? last.place : first.place,
+                                    true};
     return meeting;
 }
 
