@@ -201,34 +201,19 @@ static void set_black(struct colour_lanes *restrict colour) {
     }
 }
 
-static void mask_weight(const real_energy weight[restrict LANES],
-                        const uint32_t counting[restrict LANES],
-                        real_energy masked[restrict LANES]) {
-    for (int i = 0; i < LANES; i++) {
-        masked[i] = counting[i] != 0 ? weight[i] : REAL_ENERGY(0.0);
-    }
-}
-
 /* What arrives from the scene's background, or from the boundary. */
 static void add_arrivals(struct stream *stream, const struct colour_lanes *local,
                          const uint32_t gone[LANES], const uint32_t counted[LANES]) {
     const struct colours background = stream->scene->background;
-    uint32_t counting[LANES];
+    const real_colour black = REAL_COLOUR(0.0);
     struct colour_lanes colour;
-    struct energy_lanes weight;
     for (int i = 0; i < LANES; i++) {
-        bool is_gone = gone[i] != 0, counts = is_gone | (stream->hit.is[i] != 0);
-        colour.red[i] = is_gone ? background.red : local->red[i];
-        colour.green[i] = is_gone ? background.green : local->green[i];
-        colour.blue[i] = is_gone ? background.blue : local->blue[i];
-        counting[i] = counts ? 1 : 0;
+        bool is_gone = gone[i] != 0, is_hit = stream->hit.is[i] != 0;
+        colour.red[i] = is_gone ? background.red : is_hit ? local->red[i] : black;
+        colour.green[i] = is_gone ? background.green : is_hit ? local->green[i] : black;
+        colour.blue[i] = is_gone ? background.blue : is_hit ? local->blue[i] : black;
     }
-    mask_weight(stream->rays.weight.red, counting, weight.red);
-    if (!stream->queue.is_grey) {
-        mask_weight(stream->rays.weight.green, counting, weight.green);
-        mask_weight(stream->rays.weight.blue, counting, weight.blue);
-    }
-    add_intensities(stream, &colour, &weight, counted);
+    add_intensities(stream, &colour, &stream->rays.weight, counted);
 }
 
 /* What boundaries do to the rays that have come to one, and what they send: into *local. */
