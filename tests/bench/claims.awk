@@ -24,7 +24,8 @@ table == "renders.tsv" {
 
 table == "frame.tsv" {
     if ($3 + 0 > ports) ports = $3 + 0
-    if ($5 + 0 > png) png = $5 + 0
+    if ($5 + 0 > observed) observed = $5 + 0
+    if ($7 + 0 > png) png = $7 + 0
 }
 
 table == "jobs.tsv" { speedup[++runs] = $5 / $6 }
@@ -66,7 +67,8 @@ END {
         show("peak memory", "below 8 MB", sprintf("%.1f MB", peak * 1024 / 1e6), peak * 1024 < 8e6)
     }
     if (ports) {
-        show("ports, hash and board in a frame of 640 x 400", "at most 8 ms", sprintf("%.1f ms", ports), ports <= 8)
+        show("ports and board in a frame of 640 x 400", "at most 8 ms", sprintf("%.1f ms", ports), ports <= 8)
+        show("the same with the hash of --stats", "at most 8 ms", sprintf("%.1f ms", observed), observed <= 8)
         show("its PNG", "at most 4 ms", sprintf("%.1f ms", png), png <= 4)
     }
     if (runs) {

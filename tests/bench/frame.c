@@ -11,15 +11,16 @@
 #include "port_chain.h"
 
 /* usage: frame SCENE FOLDER
- * Standard output gets a line: writes of a frame, then CPU milliseconds of the ports with hash
- * and board, and of the PNG with its file, both the median of FRAMES and the largest. The rows come
- * ready-made from the scene at depth level 5, so that no ray is traced meanwhile; each frame has a
- * chain of its own, whose memory is touched for the first time, as in a run of the program. */
+ * Standard output gets a line: writes of a frame, then CPU milliseconds of ports and board, of the
+ * same with the hash that --stats asks for, and of the PNG with its file, each the median of FRAMES
+ * and the largest. The rows come ready-made from the scene at depth level 5, so that no ray is
+ * traced meanwhile; each frame has a chain of its own, whose memory is touched for the first time,
+ * as in a run of the program. */
 
 enum { FRAMES = 15, DEPTH = 5, WIDTH = 640, HEIGHT = 400, LINE = WIDTH * 3 };
 
 struct measured {
-    double ports[FRAMES], png[FRAMES]; /* milliseconds */
+    double ports[FRAMES], observed[FRAMES], png[FRAMES]; /* milliseconds */
     uint64_t writes;
 };
 
@@ -51,26 +52,42 @@ static struct scene *load(const char *name) {
     return scene;
 }
 
-static bool draw_frame(const struct scene *scene, uint8_t *rgb, const char *path,
-                       struct measured *measured, int i) {
+/* Draws a frame into a chain of its own, NULL if there is no memory, and says how long it took. */
+static struct port_chain *draw_frame(const struct scene *scene, uint8_t *rgb, bool is_observed,
+                                     double *took) {
     const struct board_desc desc = board_default_desc(BOARD_1987);
     const struct drawing drawing = {
         .base = desc.base, .last = HEIGHT, .source = copy_row, .context = rgb};
+    double began = milliseconds();
+    struct port_chain *chain = port_chain_new(&desc, true);
+    if (chain != NULL) {
+        (void)bus_bind(port_chain_bus(chain, is_observed));
+        arithmetic_f64.image->draw(scene, &drawing);
+        *took = milliseconds() - began;
+    }
+    return chain;
+}
+
+static bool write_png_file(struct port_chain *chain, const char *path, double *took) {
     struct output output;
     memset(&output, 0, sizeof output);
     double began = milliseconds();
-    struct port_chain *chain = port_chain_new(&desc, true);
+    bool is_written = output_open(&output, path) &&
+                      board_picture_write(&output, &chain->board, NULL, PICTURE_KIND_SCREEN);
+    *took = milliseconds() - began;
+    return is_written;
+}
+
+static bool measure_frame(const struct scene *scene, uint8_t *rgb, const char *path,
+                          struct measured *measured, int i) {
+    struct port_chain *chain = draw_frame(scene, rgb, true, &measured->observed[i]);
     if (chain == NULL) {
         return false;
     }
-    (void)bus_bind(&chain->hash.bus);
-    arithmetic_f64.image->draw(scene, &drawing);
-    double drawn = milliseconds();
-    bool is_written = output_open(&output, path) &&
-                      board_picture_write(&output, &chain->board, NULL, PICTURE_KIND_SCREEN);
-    measured->png[i] = milliseconds() - drawn;
-    measured->ports[i] = drawn - began;
     measured->writes = port_chain_writes(chain);
+    port_chain_free(chain);
+    chain = draw_frame(scene, rgb, false, &measured->ports[i]);
+    bool is_written = chain != NULL && write_png_file(chain, path, &measured->png[i]);
     port_chain_free(chain);
     return is_written;
 }
@@ -78,6 +95,11 @@ static bool draw_frame(const struct scene *scene, uint8_t *rgb, const char *path
 static int by_size(const void *a, const void *b) {
     double x = *(const double *)a, y = *(const double *)b;
     return (x > y) - (x < y);
+}
+
+static void print_times(double times[FRAMES]) {
+    qsort(times, FRAMES, sizeof times[0], by_size);
+    (void)printf(" %.3f %.3f", times[FRAMES / 2], times[FRAMES - 1]);
 }
 
 int main(int argc, char **argv) {
@@ -92,14 +114,14 @@ int main(int argc, char **argv) {
     }
     for (int i = 0; is_good && i < FRAMES; i++) {
         (void)snprintf(path, sizeof path, "%s/frame.png", argv[2]);
-        is_good = draw_frame(scene, rgb, path, &measured, i);
+        is_good = measure_frame(scene, rgb, path, &measured, i);
     }
     if (is_good) {
-        qsort(measured.ports, FRAMES, sizeof measured.ports[0], by_size);
-        qsort(measured.png, FRAMES, sizeof measured.png[0], by_size);
-        (void)printf("%lu %.3f %.3f %.3f %.3f\n", (unsigned long)measured.writes,
-                     measured.ports[FRAMES / 2], measured.ports[FRAMES - 1],
-                     measured.png[FRAMES / 2], measured.png[FRAMES - 1]);
+        (void)printf("%lu", (unsigned long)measured.writes);
+        print_times(measured.ports);
+        print_times(measured.observed);
+        print_times(measured.png);
+        (void)printf("\n");
     } else if (argc != 3) {
         (void)fprintf(stderr, "usage: frame SCENE FOLDER\n");
     }

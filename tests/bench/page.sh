@@ -99,7 +99,7 @@ END
         "The setting with the fewest rays whose picture of 320 x 200 is within $DECIBELS dB of the converged one: for thresholds 1/32 to 1/8192 the least N up to 60, for ours with cut branches as black and as an estimate. The converged picture is ours for both, in f64 with N = 255 and threshold 1/65536: the two programs agree far better than $DECIBELS dB (above)."
     section equal.ratios 'At equal error: user CPU' "POV-Ray's over ours with those settings; N is ours."
     section frame.tsv 'Ports, board and PNG' \
-        'CPU milliseconds of a frame of 640 x 400 whose rows are ready-made: 1,024,432 port writes through hash and board, then the PNG with its file. Median and largest of 15.'
+        'CPU milliseconds of a frame of 640 x 400 whose rows are ready-made: 1,024,432 port writes to the board; the same through the hash of --stats (observed); the PNG with its file. Median and largest of 15.'
     section jobs.tsv 'Two workers' 'Seconds by the clock, in turn.'
     section renders.tsv 'Whole renders' \
         'A render as it is called by the shell; user CPU and peak memory of the process. A ray is one of the tree (`rays` of --stats); shadow rays come on top. ns_a_ray is user CPU over rays; first_write_seconds is CPU time, the loading of the program included.'

@@ -32,12 +32,13 @@ stage_renders() {
     done
 }
 
-# Ports with hash and board, and the PNG, in a frame of 640 x 400.
+# Ports and board, the same with the hash, and the PNG, in a frame of 640 x 400.
 stage_frame() {
-    begin_table "$out/frame.tsv" scene port_writes ports_ms ports_largest_ms png_ms png_largest_ms
+    begin_table "$out/frame.tsv" scene port_writes ports_ms ports_largest_ms \
+        observed_ms observed_largest_ms png_ms png_largest_ms
     for scene in $BENCH_SCENES; do
         frame=$("$tools/frame" "$scene" "$out") || exit 1
-        # shellcheck disable=SC2086 # five numbers
+        # shellcheck disable=SC2086 # seven numbers
         row "$out/frame.tsv" "$scene" $frame
     done
 }

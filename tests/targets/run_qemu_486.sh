@@ -33,7 +33,13 @@ watch_machine() {
         before=$now
         [ $idle -lt 3 ] || break
     done
-    kill $machine
+    kill $machine 2> /dev/null || return 0
+    # One that does not hear it is ended all the same: nobody waits for it without end.
+    for second in 1 2 3 4 5; do
+        sleep 1
+        [ "$(ticks)" != gone ] || return 0
+    done
+    kill -9 $machine 2> /dev/null || :
 }
 watch_machine &
 
