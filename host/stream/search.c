@@ -3,15 +3,17 @@
 #include "search_solids.h"
 #include "solids.h"
 
-/* Boxes alone ask for slopes: they are made when one does. */
-static void need_slopes(struct local_lanes *restrict local, enum sloping *sloping) {
+static const struct sloping sloping_unknown = {0, 0};
+
+/* Slopes are made when a solid asks for them, on the axes that it is cut across. */
+static void need_slopes(struct local_lanes *restrict local, struct sloping *sloping, uint8_t axes) {
     const real_unit *components[3] = {local->direction.x, local->direction.y, local->direction.z};
-    uint32_t levels = 0;
-    if (*sloping != SLOPES_UNKNOWN) {
-        return;
-    }
     for (int axis = 0; axis < 3; axis++) {
         const real_unit *u = components[axis];
+        uint32_t levels = 0;
+        if ((axes & ~sloping->known & 1 << axis) == 0) {
+            continue;
+        }
         for (int i = 0; i < LANES; i++) {
             bool level = unit_is_zero(u[i]);
             local->slope[axis][i] = slope_of(level ? REAL_UNIT(1.0) : u[i]);
@@ -19,12 +21,13 @@ static void need_slopes(struct local_lanes *restrict local, enum sloping *slopin
             local->falling[axis][i] = unit_is_negative(u[i]) ? 1 : 0;
             levels |= local->level[axis][i];
         }
+        sloping->known = (uint8_t)(sloping->known | 1 << axis);
+        sloping->level = (uint8_t)(sloping->level | levels << axis);
     }
-    *sloping = levels != 0 ? SLOPES_SOME : SLOPES_ALL;
 }
 
 void search_begin(struct search_lanes *restrict search, const uint32_t touches[restrict TOUCHES]) {
-    search->world_sloping = SLOPES_UNKNOWN;
+    search->world_sloping = sloping_unknown;
     for (int i = 0; i < SEARCH_VIEWS; i++) {
         search->frames[i] = FRAME_WORLD;
     }
@@ -115,11 +118,11 @@ static struct local_lanes *view_from(struct search_lanes *restrict search, uint8
         local->direction.y[i] = direction_dot(direction, frame.axis[1]);
         local->direction.z[i] = direction_dot(direction, frame.axis[2]);
     }
-    search->sloping[number % SEARCH_VIEWS] = SLOPES_UNKNOWN;
+    search->sloping[number % SEARCH_VIEWS] = sloping_unknown;
     return local;
 }
 
-static enum sloping *sloping_of(struct search_lanes *search, uint8_t frame) {
+static struct sloping *sloping_of(struct search_lanes *search, uint8_t frame) {
     return frame == FRAME_WORLD ? &search->world_sloping : &search->sloping[frame % SEARCH_VIEWS];
 }
 
@@ -134,16 +137,15 @@ static void search_primitive(struct search_lanes *search, uint8_t index,
         struct quadric_lanes quadric;
         if (quadric_meets(search, index, chosen, &quadric)) {
             struct local_lanes *local = view_from(search, primitive->frame);
-            if (search->scene->quadrics[primitive->index].cuts) {
-                need_slopes(local, sloping_of(search, primitive->frame));
-            }
+            need_slopes(local, sloping_of(search, primitive->frame),
+                        search->scene->quadrics[primitive->index].cuts);
             search_quadric(search, index, &quadric, local, chosen);
         }
     } else {
         struct local_lanes *local = view_from(search, primitive->frame);
-        enum sloping *sloping = sloping_of(search, primitive->frame);
-        need_slopes(local, sloping);
-        search_box(search, index, local, *sloping == SLOPES_SOME, chosen);
+        struct sloping *sloping = sloping_of(search, primitive->frame);
+        need_slopes(local, sloping, 7);
+        search_box(search, index, local, sloping->level != 0, chosen);
     }
 }
 

@@ -6,8 +6,11 @@
 #include "lanes.h"
 #include "touches.h"
 
-/* What is known of slopes: nothing yet; that no component is zero; that some are. */
-enum sloping { SLOPES_UNKNOWN, SLOPES_ALL, SLOPES_SOME };
+/* Of which axes the slopes are there, and on which a component is zero in some lane: bits 0, 1, 2.
+ */
+struct sloping {
+    uint8_t known, level;
+};
 
 /* Rays in the coordinates of a frame; see struct local_ray. */
 struct local_lanes {
@@ -37,10 +40,10 @@ struct search_lanes {
 
     /* After the arrays, so that these begin where vectors like to. */
     const struct scene *scene;
-    bool shadows;                       /* only what can keep light off is looked at */
-    uint8_t frames[SEARCH_VIEWS];       /* of the views; FRAME_WORLD: none yet */
-    enum sloping sloping[SEARCH_VIEWS]; /* of the views */
-    enum sloping world_sloping;
+    bool shadows;                         /* only what can keep light off is looked at */
+    uint8_t frames[SEARCH_VIEWS];         /* of the views; FRAME_WORLD: none yet */
+    struct sloping sloping[SEARCH_VIEWS]; /* of the views */
+    struct sloping world_sloping;
 };
 
 static inline bool crossed_leaving(uint32_t crossed) {
