@@ -149,15 +149,20 @@ static inline bool plane_is_upper(const struct plane *plane) {
                                                        : normal->z);
 }
 
-/* The direction of the form's gradient at a point of a quadric, counted from its centre in its
- * frame; (0, 0, 0) at the tip of a cone. */
+/* Half of the form's gradient at a point of a quadric, counted from its centre in its frame. */
+static inline struct point quadric_steepness(const struct quadric *quadric, struct point q) {
+    struct point steepness = {length_scaled(q.x, quadric->square.x),
+                              length_scaled(q.y, quadric->square.y),
+                              length_add(length_scaled(q.z, quadric->square.z), quadric->linear)};
+    return steepness;
+}
+
+/* Its direction; (0, 0, 0) at the tip of a cone. */
 static inline struct direction quadric_gradient(const struct quadric *quadric, struct point q) {
+    struct point steepness = quadric_steepness(quadric, q);
     struct direction u;
-    real_length steepness;
-    unit_normalise_lengths(length_scaled(q.x, quadric->square.x),
-                           length_scaled(q.y, quadric->square.y),
-                           length_add(length_scaled(q.z, quadric->square.z), quadric->linear), &u.x,
-                           &u.y, &u.z, &steepness);
+    real_length length;
+    unit_normalise_lengths(steepness.x, steepness.y, steepness.z, &u.x, &u.y, &u.z, &length);
     return u;
 }
 

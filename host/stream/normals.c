@@ -53,37 +53,106 @@ static void set_straight(const struct search_lanes *restrict search,
     }
 }
 
-static void set_ball(const struct search_lanes *restrict search,
-                     const uint32_t here[restrict LANES], const struct ball ball,
+/* Curved faces: all of a step's are brought to length 1 together. */
+struct curved_lanes {
+    struct point_lanes steepness; /* along the outward normal, in the solid's frame */
+    uint32_t frame[LANES];
+    uint32_t is[LANES]; /* 1: such a face */
+};
+
+static void set_ball(const uint32_t here[restrict LANES], const struct ball ball,
                      const struct point_lanes *restrict where,
-                     struct direction_lanes *restrict normal) {
+                     struct curved_lanes *restrict curved) {
     for (int i = 0; i < LANES; i++) {
         const struct point there = {where->x[i], where->y[i], where->z[i]};
         struct point p = point_subtract(there, ball.centre);
-        struct direction outward;
-        real_length radius;
-        unit_normalise_lengths(p.x, p.y, p.z, &outward.x, &outward.y, &outward.z, &radius);
-        set_normal(normal, i, here[i] != 0, outward, crossed_leaving(search->crossed[i]));
+        bool is = here[i] != 0;
+        curved->steepness.x[i] = is ? p.x : curved->steepness.x[i];
+        curved->steepness.y[i] = is ? p.y : curved->steepness.y[i];
+        curved->steepness.z[i] = is ? p.z : curved->steepness.z[i];
+        curved->is[i] = is ? 1 : curved->is[i];
     }
 }
 
-static void set_curved(const struct search_lanes *restrict search,
-                       const uint32_t here[restrict LANES], const struct quadric quadric,
-                       const struct frame frame, bool turned,
-                       const struct point_lanes *restrict where,
-                       struct direction_lanes *restrict normal) {
+static void set_quadric(const struct search_lanes *restrict search,
+                        const uint32_t here[restrict LANES], const struct quadric quadric,
+                        const struct frame frame, uint32_t frame_number,
+                        const struct point_lanes *restrict where,
+                        struct curved_lanes *restrict curved) {
+    const bool turned = frame_number != FRAME_WORLD;
     for (int i = 0; i < LANES; i++) {
         const struct point there = {where->x[i], where->y[i], where->z[i]};
         struct point q = point_subtract(there, quadric.centre);
         struct point t = turn_point(&frame, q);
         const struct point p = {turned ? t.x : q.x, turned ? t.y : q.y, turned ? t.z : q.z};
-        struct direction u = quadric_gradient(&quadric, p);
-        struct direction b = turn_back(&frame, u);
-        const struct direction outward = {turned ? b.x : u.x, turned ? b.y : u.y,
-                                          turned ? b.z : u.z};
+        struct point steepness = quadric_steepness(&quadric, p);
         bool is = (here[i] != 0) & ((search->place[i] & 0xFF) == QUADRIC_FACE);
-        set_normal(normal, i, is, outward, crossed_leaving(search->crossed[i]));
+        curved->steepness.x[i] = is ? steepness.x : curved->steepness.x[i];
+        curved->steepness.y[i] = is ? steepness.y : curved->steepness.y[i];
+        curved->steepness.z[i] = is ? steepness.z : curved->steepness.z[i];
+        curved->frame[i] = is ? frame_number : curved->frame[i];
+        curved->is[i] = is ? 1 : curved->is[i];
     }
+}
+
+static void start_curved(struct curved_lanes *restrict curved) {
+    const real_length none = REAL_LENGTH(0.0);
+    for (int i = 0; i < LANES; i++) {
+        curved->steepness.x[i] = curved->steepness.y[i] = curved->steepness.z[i] = none;
+        curved->frame[i] = FRAME_WORLD;
+        curved->is[i] = 0;
+    }
+}
+
+static void normalise(const struct curved_lanes *restrict curved,
+                      struct direction_lanes *restrict outward) {
+    for (int i = 0; i < LANES; i++) {
+        real_length length;
+        unit_normalise_lengths(curved->steepness.x[i], curved->steepness.y[i],
+                               curved->steepness.z[i], &outward->x[i], &outward->y[i],
+                               &outward->z[i], &length);
+    }
+}
+
+/* Turns the lanes of one frame back into the world. */
+static void turn_lanes(const struct curved_lanes *restrict curved, const struct frame frame,
+                       uint32_t number, struct direction_lanes *restrict outward) {
+    for (int i = 0; i < LANES; i++) {
+        const struct direction u = {outward->x[i], outward->y[i], outward->z[i]};
+        struct direction back = turn_back(&frame, u);
+        bool is = (curved->is[i] != 0) & (curved->frame[i] == number);
+        outward->x[i] = is ? back.x : u.x;
+        outward->y[i] = is ? back.y : u.y;
+        outward->z[i] = is ? back.z : u.z;
+    }
+}
+
+static void set_outward(const struct search_lanes *restrict search,
+                        const struct curved_lanes *restrict curved,
+                        const struct direction_lanes *restrict outward,
+                        struct direction_lanes *restrict normal) {
+    for (int i = 0; i < LANES; i++) {
+        const struct direction u = {outward->x[i], outward->y[i], outward->z[i]};
+        set_normal(normal, i, curved->is[i] != 0, u, crossed_leaving(search->crossed[i]));
+    }
+}
+
+static void set_curved(const struct search_lanes *search, const struct curved_lanes *curved,
+                       struct direction_lanes *normal) {
+    struct direction_lanes outward;
+    uint32_t left[LANES];
+    normalise(curved, &outward);
+    for (int i = 0; i < LANES; i++) {
+        left[i] = curved->frame[i] != FRAME_WORLD ? 1 : 0;
+    }
+    for (uint64_t set = lanes_set(left); set != 0; set = lanes_set(left)) {
+        uint32_t number = curved->frame[lanes_first(set)];
+        turn_lanes(curved, search->scene->frames[number], number, &outward);
+        for (int i = 0; i < LANES; i++) {
+            left[i] = curved->frame[i] == number ? 0 : left[i];
+        }
+    }
+    set_outward(search, curved, &outward, normal);
 }
 
 static void set_polyhedron(const struct search_lanes *restrict search,
@@ -108,11 +177,12 @@ static struct frame frame_of(const struct scene *scene, uint8_t number) {
 
 /* The lanes that have come to one primitive. */
 static void set_normals(const struct search_lanes *search, uint32_t index,
-                        const uint32_t here[LANES], struct hit_lanes *hit) {
+                        const uint32_t here[LANES], struct curved_lanes *curved,
+                        struct hit_lanes *hit) {
     const struct scene *scene = search->scene;
     const struct primitive *primitive = &scene->primitives[index];
     if (primitive->kind == PRIMITIVE_BALL) {
-        set_ball(search, here, scene->balls[primitive->index], &hit->where, &hit->normal);
+        set_ball(here, scene->balls[primitive->index], &hit->where, curved);
         return;
     }
     if (primitive->kind == PRIMITIVE_POLYHEDRON) {
@@ -122,8 +192,8 @@ static void set_normals(const struct search_lanes *search, uint32_t index,
     struct frame frame = frame_of(scene, primitive->frame);
     set_flat(search, here, frame, &hit->normal);
     if (primitive->kind == PRIMITIVE_QUADRIC) {
-        set_curved(search, here, scene->quadrics[primitive->index], frame,
-                   primitive->frame != FRAME_WORLD, &hit->where, &hit->normal);
+        set_quadric(search, here, scene->quadrics[primitive->index], frame, primitive->frame,
+                    &hit->where, curved);
     }
 }
 
@@ -140,12 +210,14 @@ static uint32_t straight_boxes(const struct scene *scene) {
 
 void normals_find(const struct search_lanes *restrict search, struct hit_lanes *restrict hit) {
     const uint32_t straight = straight_boxes(search->scene);
+    struct curved_lanes curved;
     uint32_t left[LANES], here[LANES];
     set_straight(search, &hit->normal);
     for (int i = 0; i < LANES; i++) {
         uint32_t bit = (uint32_t)1 << crossed_primitive(search->crossed[i]);
         left[i] = (straight & bit) != 0 ? 0 : hit->is[i];
     }
+    start_curved(&curved);
     for (uint64_t set = lanes_set(left); set != 0; set = lanes_set(left)) {
         uint32_t index = crossed_primitive(search->crossed[lanes_first(set)]);
         for (int i = 0; i < LANES; i++) {
@@ -153,6 +225,9 @@ void normals_find(const struct search_lanes *restrict search, struct hit_lanes *
             here[i] = same ? left[i] : 0;
             left[i] = same ? 0 : left[i];
         }
-        set_normals(search, index, here, hit);
+        set_normals(search, index, here, &curved, hit);
+    }
+    if (lanes_any(curved.is)) {
+        set_curved(search, &curved, &hit->normal);
     }
 }
