@@ -9,7 +9,8 @@
 struct node {
     const struct branch *branch;
     const struct hit *hit;
-    const struct material *material; /* whose surface it is */
+    const struct material *before, *after;
+    const struct material *material; /* whose surface it is: one of the two */
     struct direction mirrored;
     real_unit cosine; /* of the angle of incidence */
 };
@@ -125,35 +126,57 @@ static void cut(struct tree *tree, const struct branch *branch, enum branch_end 
     }
 }
 
+/* Whether somebody wants more of a branch that is cut than its weight. */
+static bool cut_is_noticed(const struct tree *tree) {
+    return (FEATURE_OBSERVER && tree->observer) || (FEATURE_KEPT > 0 && tree->kept) ||
+           (FEATURE_ESTIMATE && tree->lesson);
+}
+
+/* Makes the branch that grows from a node by one of its ways. What only lessons or an observer look
+ * at is left out of an image that has none. */
+static void make_branch(const struct tree *tree, const struct node *node, enum branch_kind kind,
+                        uint8_t channel, struct branch *branch) {
+    const struct hit *hit = node->hit;
+    bool through = kind == BRANCH_REFRACTED;
+    branch->ray.origin = hit->where;
+    branch->ray.inside = through ? hit->inside_after : hit->inside_before;
+    branch->ray.surface = hit->surface;
+    branch->ray.object = through ? hit->after : hit->before;
+    branch->events = (uint8_t)(node->branch->events + 1);
+    branch->channel = channel;
+    if (FEATURE_ESTIMATE) {
+        branch->beyond = node->branch->beyond;
+    }
+    if (FEATURE_OBSERVER) {
+        branch->kind = (uint8_t)kind;
+        branch->parent = tree->node;
+    }
+}
+
 /* Puts a branch aside, if it is to be followed at all. */
 static void grow(struct tree *tree, const struct node *node, enum branch_kind kind, uint8_t channel,
-                 struct direction direction, struct energies coefficient) {
-    const struct hit *hit = node->hit;
-    struct energies weight = energies_product(node->branch->weight, coefficient);
+                 const struct direction *direction, const struct energies *coefficient) {
+    struct energies weight = energies_product(node->branch->weight, *coefficient);
     real_energy largest = energies_largest(weight);
     if (energy_is_zero(largest)) {
         report_end(tree, kind, channel, weight, END_NOTHING);
         return;
     }
-    bool through = kind == BRANCH_REFRACTED;
-    struct branch *branch = &tree->branches[tree->waiting];
-    branch->ray.origin = hit->where;
-    branch->ray.direction = direction;
-    branch->ray.inside = through ? hit->inside_after : hit->inside_before;
-    branch->ray.surface = hit->surface;
-    branch->ray.object = through ? hit->after : hit->before;
-    branch->weight = weight;
-    branch->events = (uint8_t)(node->branch->events + 1);
-    branch->channel = channel;
-    branch->kind = (uint8_t)kind;
-    branch->beyond = node->branch->beyond;
-    branch->parent = tree->node;
     bool deep = node->branch->events >= tree->scene->depth;
+    bool ends = deep || energy_less(largest, tree->threshold);
+    if (ends && !cut_is_noticed(tree)) {
+        cut_worth(tree, weight);
+        return;
+    }
+    struct branch *branch = &tree->branches[tree->waiting];
+    make_branch(tree, node, kind, channel, branch);
+    branch->ray.direction = *direction;
+    branch->weight = weight;
     if (FEATURE_ESTIMATE && tree->lesson) {
         if (!learn_of(tree, branch, deep)) {
             return;
         }
-    } else if (deep || energy_less(largest, tree->threshold)) {
+    } else if (ends) {
         cut(tree, branch, deep ? END_DEPTH : END_THRESHOLD);
         return;
     }
@@ -173,15 +196,16 @@ static const struct material *material_of(const struct scene *scene, uint8_t obj
     return &scene->materials[scene->objects[object].material];
 }
 
-/* The material whose surface a boundary is: the opaque one, else that of the object which fills
- * the place where both are. */
-static const struct material *surface_material(const struct scene *scene, const struct hit *hit) {
+/* The materials of a boundary. Its surface is that of the opaque one, else of the object which
+ * fills the place where both are. */
+static void set_materials(const struct scene *scene, const struct hit *hit, struct node *node) {
     const struct material *before = material_of(scene, hit->before);
     const struct material *after = material_of(scene, hit->after);
-    if (before->transparent != after->transparent) {
-        return before->transparent ? after : before;
-    }
-    return hit->before > hit->after ? before : after;
+    bool is_mixed = before->transparent != after->transparent;
+    bool is_before = is_mixed ? after->transparent : hit->before > hit->after;
+    node->before = before;
+    node->after = after;
+    node->material = is_before ? before : after;
 }
 
 static struct energies energies_equal(real_energy share) {
@@ -223,48 +247,46 @@ static struct energies reflected(const struct node *node, struct energies coeffi
 }
 
 /* Table 1 (c): one mirror direction, three refracted ones. */
-static void grow_dispersed(struct tree *tree, const struct node *node,
-                           const struct material *before, const struct material *after) {
+static void grow_dispersed(struct tree *tree, const struct node *node) {
     struct passage passage[3];
     for (uint8_t i = 0; i < 3; i++) {
-        passage[i] = optics_passage(before, after, i, node->branch->ray.direction, node->cosine,
-                                    node->hit->normal);
+        optics_passage(node->before, node->after, i, &node->branch->ray.direction, node->cosine,
+                       &node->hit->normal, &passage[i]);
     }
-    const struct energies reflectance = {passage[0].reflectance, passage[1].reflectance,
-                                         passage[2].reflectance};
-    grow(tree, node, BRANCH_REFLECTED, CHANNEL_ALL, node->mirrored, reflected(node, reflectance));
+    struct energies coefficient = {passage[0].reflectance, passage[1].reflectance,
+                                   passage[2].reflectance};
+    coefficient = reflected(node, coefficient);
+    grow(tree, node, BRANCH_REFLECTED, CHANNEL_ALL, &node->mirrored, &coefficient);
     for (uint8_t i = 0; i < 3; i++) {
-        struct energies coefficient = energies_only(passage[i].transmittance, i);
-        grow(tree, node, BRANCH_REFRACTED, i, passage[i].refracted,
-             transmitted(tree->scene, node, coefficient));
+        coefficient = transmitted(tree->scene, node, energies_only(passage[i].transmittance, i));
+        grow(tree, node, BRANCH_REFRACTED, i, &passage[i].refracted, &coefficient);
     }
 }
 
 static void grow_transparent(struct tree *tree, const struct node *node) {
     const struct scene *scene = tree->scene;
     const struct branch *branch = node->branch;
-    const struct material *before = material_of(scene, node->hit->before);
-    const struct material *after = material_of(scene, node->hit->after);
+    struct energies coefficient;
     if (FEATURE_SIMPLE && scene->simple) {
-        struct energies coefficient = energies_equal(node->material->transmittance);
-        grow(tree, node, BRANCH_REFRACTED, CHANNEL_ALL, branch->ray.direction,
-             transmitted(scene, node, coefficient));
+        coefficient = transmitted(scene, node, energies_equal(node->material->transmittance));
+        grow(tree, node, BRANCH_REFRACTED, CHANNEL_ALL, &branch->ray.direction, &coefficient);
         return;
     }
     uint8_t channel = branch->channel;
     if (FEATURE_DISPERSION && channel == CHANNEL_ALL) {
-        if (before->disperses || after->disperses) {
-            grow_dispersed(tree, node, before, after);
+        if (node->before->disperses || node->after->disperses) {
+            grow_dispersed(tree, node);
             return;
         }
         channel = 0;
     }
-    struct passage passage = optics_passage(before, after, FEATURE_DISPERSION ? channel : 0,
-                                            branch->ray.direction, node->cosine, node->hit->normal);
-    grow(tree, node, BRANCH_REFLECTED, branch->channel, node->mirrored,
-         reflected(node, energies_equal(passage.reflectance)));
-    grow(tree, node, BRANCH_REFRACTED, branch->channel, passage.refracted,
-         transmitted(scene, node, energies_equal(passage.transmittance)));
+    struct passage passage;
+    optics_passage(node->before, node->after, FEATURE_DISPERSION ? channel : 0,
+                   &branch->ray.direction, node->cosine, &node->hit->normal, &passage);
+    coefficient = reflected(node, energies_equal(passage.reflectance));
+    grow(tree, node, BRANCH_REFLECTED, branch->channel, &node->mirrored, &coefficient);
+    coefficient = transmitted(scene, node, energies_equal(passage.transmittance));
+    grow(tree, node, BRANCH_REFRACTED, branch->channel, &passage.refracted, &coefficient);
 }
 
 /* What arrives from the end of a branch. */
@@ -286,14 +308,16 @@ static void visit(struct tree *tree, const struct branch *branch, const struct h
     struct node node;
     node.branch = branch;
     node.hit = hit;
-    node.material = surface_material(scene, hit);
+    set_materials(scene, hit, &node);
     node.cosine = incidence_cosine(branch->ray.direction, hit->normal);
     node.mirrored = mirror_direction(branch->ray.direction, node.cosine, hit->normal);
     tree->counts->nodes++;
-    tree->node++;
+    if (FEATURE_OBSERVER) {
+        tree->node++;
+    }
     struct colours local = {REAL_COLOUR(0.0), REAL_COLOUR(0.0), REAL_COLOUR(0.0)};
     if (!FEATURE_FILTER || !scene->filters || !node.material->transparent) {
-        local = shade(scene, node.material, &branch->ray, hit, node.mirrored, tree->counts);
+        local = shade(scene, node.material, &branch->ray, hit, &node.mirrored, tree->counts);
         add_intensity(tree, branch, local);
     }
     if (FEATURE_OBSERVER && tree->observer) {
@@ -302,8 +326,9 @@ static void visit(struct tree *tree, const struct branch *branch, const struct h
     if (FEATURE_TRANSPARENCY && node.material->transparent) {
         grow_transparent(tree, &node);
     } else {
-        grow(tree, &node, BRANCH_REFLECTED, branch->channel, node.mirrored,
-             energies_equal(specular_at(scene, node.material, node.cosine)));
+        const struct energies coefficient =
+            energies_equal(specular_at(scene, node.material, node.cosine));
+        grow(tree, &node, BRANCH_REFLECTED, branch->channel, &node.mirrored, &coefficient);
     }
 }
 
@@ -380,7 +405,15 @@ void growth_finish(struct tree *tree) {
             cut_waiting(tree);
             return;
         }
-        struct branch branch = tree->branches[--tree->waiting];
+        const struct branch *last = &tree->branches[--tree->waiting];
+        /* By its members: a whole one is more than gcc copies without memcpy on a Cortex-M0. */
+        struct branch branch = {last->ray,
+                                last->weight,
+                                last->events,
+                                last->channel,
+                                FEATURE_OBSERVER ? last->kind : 0,
+                                FEATURE_ESTIMATE ? last->beyond : 0,
+                                FEATURE_OBSERVER ? last->parent : 0};
         follow(tree, &branch);
     }
 }

@@ -2,28 +2,30 @@
 /* Snell's law, in cosines throughout, and w(theta). */
 #include "optics.h"
 
-struct passage optics_passage(const struct material *before, const struct material *after,
-                              uint8_t channel, struct direction d, real_unit cosine,
-                              struct direction normal) {
-    struct passage passage = {d, REAL_ENERGY(0.0), REAL_ENERGY(1.0)};
+void optics_passage(const struct material *before, const struct material *after, uint8_t channel,
+                    const struct direction *d, real_unit cosine, const struct direction *normal,
+                    struct passage *passage) {
     if (before->optical == after->optical) {
-        return passage;
+        passage->refracted = *d;
+        passage->reflectance = REAL_ENERGY(0.0);
+        passage->transmittance = REAL_ENERGY(1.0);
+        return;
     }
     real_index eta = index_product(before->ior[channel], after->inverse_ior[channel]);
     real_unit refracted;
     if (!unit_refracted_cosine(cosine, eta, &refracted)) {
-        passage.reflectance = REAL_ENERGY(1.0);
-        passage.transmittance = REAL_ENERGY(0.0);
-        return passage;
+        passage->refracted = *d;
+        passage->reflectance = REAL_ENERGY(1.0);
+        passage->transmittance = REAL_ENERGY(0.0);
+        return;
     }
     real_index bend = index_bend(eta, cosine, refracted);
-    passage.refracted.x = unit_bent(d.x, eta, bend, normal.x);
-    passage.refracted.y = unit_bent(d.y, eta, bend, normal.y);
-    passage.refracted.z = unit_bent(d.z, eta, bend, normal.z);
+    passage->refracted.x = unit_bent(d->x, eta, bend, normal->x);
+    passage->refracted.y = unit_bent(d->y, eta, bend, normal->y);
+    passage->refracted.z = unit_bent(d->z, eta, bend, normal->z);
     real_index n = index_product(after->ior[channel], before->inverse_ior[channel]);
-    passage.reflectance = fresnel_reflectance(cosine, refracted, n);
-    passage.transmittance = energy_complement(passage.reflectance);
-    return passage;
+    passage->reflectance = fresnel_reflectance(cosine, refracted, n);
+    passage->transmittance = energy_complement(passage->reflectance);
 }
 
 real_energy specular_at(const struct scene *scene, const struct material *material,

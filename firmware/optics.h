@@ -37,9 +37,9 @@ static inline real_energy fresnel_reflectance(real_unit incident, real_unit refr
 /* A ray at a boundary between two transparent materials, for the index of one channel (0, 1, 2:
  * red, green, blue). The normal is turned towards the ray; cosine is that of the angle of
  * incidence. */
-struct passage optics_passage(const struct material *before, const struct material *after,
-                              uint8_t channel, struct direction d, real_unit cosine,
-                              struct direction normal);
+void optics_passage(const struct material *before, const struct material *after, uint8_t channel,
+                    const struct direction *d, real_unit cosine, const struct direction *normal,
+                    struct passage *passage);
 
 /* w at an angle given by its cosine: the constant, or from the material's table. */
 real_energy specular_at(const struct scene *scene, const struct material *material,

@@ -14,12 +14,17 @@ struct primitive_set {
     uint32_t word[FEATURE_PRIMITIVE_WORDS];
 };
 
+/* The word that holds a primitive's bit: where there is but one, nothing is worked out. */
+static inline uint8_t set_word_of(uint8_t primitive) {
+    return FEATURE_PRIMITIVE_WORDS > 1 ? primitive >> 5 : 0;
+}
+
 static inline bool set_has(const struct primitive_set *set, uint8_t primitive) {
-    return (set->word[primitive >> 5] >> (primitive & 31) & 1) != 0;
+    return (set->word[set_word_of(primitive)] >> (primitive & 31) & 1) != 0;
 }
 
 static inline void set_include(struct primitive_set *set, uint8_t primitive) {
-    set->word[primitive >> 5] |= (uint32_t)1 << (primitive & 31);
+    set->word[set_word_of(primitive)] |= (uint32_t)1 << (primitive & 31);
 }
 
 static inline bool sets_overlap(const struct primitive_set *a, const struct primitive_set *b) {

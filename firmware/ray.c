@@ -5,6 +5,9 @@
 
 #include "solids.h"
 
+/* Whether there can be solids other than boxes. */
+enum { FEATURES_BEYOND_BOXES = FEATURE_BALL || FEATURE_POLYHEDRON || FEATURE_QUADRIC };
+
 /* The nearest place where a primitive is entered or left. */
 struct crossing {
     real_length t;
@@ -28,7 +31,7 @@ static void start_search(struct search *search, const struct scene *scene, const
     search->only = only;
     search->surface = length_is_zero(LENGTH_EPSILON) ? ray->surface : SURFACE_NONE;
     search->touch = search->surface == SURFACE_NONE ? 0 : &scene->surfaces[search->surface];
-    views_start(search->views, ray->origin, ray->direction);
+    views_start(search->views, &ray->origin, &ray->direction);
 }
 
 static void set_crossing(struct crossing *crossing, real_length t, uint8_t face) {
@@ -50,21 +53,25 @@ static void leaving_crossing(const struct segment segments[2], uint8_t count, re
                  segment->out_face);
 }
 
-/* Where a ray that is outside enters, if it does: ahead, or at `from` where more than noise is left
- * of a stretch that has begun, unless it starts on that surface. */
+/* Where a ray that is outside enters a stretch that ends ahead: where it begins, or at `from` where
+ * more than noise is left of what has begun, unless it starts on that surface. */
+static bool enter_ahead(real_length in, uint8_t face, real_length out, real_length from,
+                        bool starts_there, struct crossing *crossing) {
+    if (length_less(from, in)) {
+        set_crossing(crossing, in, face);
+        return true;
+    }
+    set_crossing(crossing, from, face);
+    return !starts_there && length_less(LENGTH_NOISE, length_subtract(out, from));
+}
+
 static bool entering_crossing(const struct segment segments[2], uint8_t count, real_length from,
                               bool starts_there, struct crossing *crossing) {
     for (uint8_t i = 0; i < count; i++) {
         const struct segment *segment = &segments[i];
-        if (!segment->hit || !length_less(from, segment->out)) {
-            continue;
-        }
-        if (length_less(from, segment->in)) {
-            set_crossing(crossing, segment->in, segment->in_face);
-            return true;
-        }
-        if (!starts_there && length_less(LENGTH_NOISE, length_subtract(segment->out, from))) {
-            set_crossing(crossing, from, segment->in_face);
+        if (segment->hit && length_less(from, segment->out) &&
+            enter_ahead(segment->in, segment->in_face, segment->out, from, starts_there,
+                        crossing)) {
             return true;
         }
     }
@@ -83,45 +90,69 @@ static bool crossings_coincide(const struct crossing *a, const struct crossing *
            length_less(b->t, length_add(a->t, LENGTH_NOISE));
 }
 
+/* The next crossing of a box: where it is left is asked first, for most that are outside of one
+ * have it behind. */
+static bool box_crossing(struct search *search, const struct primitive *primitive,
+                         struct start start, real_length from, struct crossing *crossing) {
+    const struct box *box = &search->scene->boxes[primitive->index];
+    const struct local_ray *ray = &search->views[VIEW_WORLD];
+    if (FEATURE_ROTATION && primitive->frame != FRAME_WORLD) {
+        ray = view_in(search->scene, primitive->frame, search->views);
+    }
+    struct box_end entry, end = box_exit(box, ray, start);
+    bool ahead = length_less(from, end.t);
+    if (start.inside) {
+        set_crossing(crossing, ahead ? end.t : from, end.face);
+    } else if (!ahead || !box_entry(box, ray, start.surface, &entry) ||
+               !length_less(entry.t, end.t) ||
+               !enter_ahead(entry.t, entry.face, end.t, from, start.surface != SURFACE_NONE,
+                            crossing)) {
+        return false;
+    }
+    crossing->surface = box->surface[crossing->face];
+    return true;
+}
+
+/* The same of any other solid. */
+static bool solid_crossing(struct search *search, const struct primitive *primitive,
+                           struct start start, real_length from, struct crossing *crossing) {
+    struct segment segments[2];
+    uint8_t count = primitive_segments(search->scene, primitive, search->views, start, segments);
+    if (start.inside) {
+        leaving_crossing(segments, count, from, crossing);
+    } else if (!entering_crossing(segments, count, from, start.surface != SURFACE_NONE, crossing)) {
+        return false;
+    }
+    crossing->surface = primitive_surface(search->scene, primitive, crossing->face);
+    return true;
+}
+
 /* The next crossing of one primitive at or after `from`. */
 static bool primitive_crossing(struct search *search, uint8_t index, bool inside, real_length from,
                                struct crossing *crossing, struct render_counts *counts) {
-    const struct scene *scene = search->scene;
-    const struct primitive *primitive = &scene->primitives[index];
+    const struct primitive *primitive = &search->scene->primitives[index];
     bool starts_there = search->touch && set_has(search->touch, index);
-    if (starts_there && !inside && primitive->left_for_good) {
+    if (FEATURES_BEYOND_BOXES && starts_there && !inside && primitive->left_for_good) {
         return false;
     }
-    struct segment segments[2];
-    uint8_t count = 1;
     counts->solid_tests++;
     const struct start start = {starts_there ? search->surface : SURFACE_NONE, inside};
-    if (primitive->kind == PRIMITIVE_BOX && primitive->frame == FRAME_WORLD) {
-        segments[0] =
-            box_segment(&scene->boxes[primitive->index], &search->views[VIEW_WORLD], start);
-    } else {
-        count = primitive_segments(scene, primitive, search->views, start, segments);
-    }
     crossing->leaving = inside;
-    if (inside) {
-        leaving_crossing(segments, count, from, crossing);
-    } else if (!entering_crossing(segments, count, from, starts_there, crossing)) {
-        return false;
-    }
-    crossing->surface = primitive_surface(scene, primitive, crossing->face);
-    return length_less(crossing->t, LENGTH_FAR);
+    bool found = !FEATURES_BEYOND_BOXES || primitive->kind == PRIMITIVE_BOX
+                     ? box_crossing(search, primitive, start, from, crossing)
+                     : solid_crossing(search, primitive, start, from, crossing);
+    return found && length_less(crossing->t, LENGTH_FAR);
 }
 
 /* Whether the next crossing can be one of this primitive. What lies strictly within another can
  * only be entered from inside of that; and a ray leaves what it is in before it crosses what lies
  * around that or elsewhere. The search for shadows keeps account of its own primitives only. */
-static bool may_be_next(const struct search *search, uint8_t index,
+static bool may_be_next(const struct scene *scene, const struct primitive_set *only, uint8_t index,
                         const struct primitive_set *inside) {
-    const struct primitive_set *only = search->only;
-    if ((only && !set_has(only, index)) || sets_overlap(&search->scene->hidden_by[index], inside)) {
+    if ((only && !set_has(only, index)) || sets_overlap(&scene->hidden_by[index], inside)) {
         return false;
     }
-    uint8_t enclosure = search->scene->primitives[index].enclosure;
+    uint8_t enclosure = scene->primitives[index].enclosure;
     return enclosure == ENCLOSURE_NONE || set_has(inside, enclosure) ||
            (only && !set_has(only, enclosure));
 }
@@ -130,14 +161,17 @@ static bool may_be_next(const struct search *search, uint8_t index,
 static bool next_crossing(struct search *search, const struct primitive_set *inside,
                           real_length from, struct crossing *best, struct primitive_set *toggled,
                           struct render_counts *counts) {
+    const struct scene *scene = search->scene;
+    const struct primitive_set *only = FEATURE_SHADOWS ? search->only : 0;
+    const struct primitive_set here = *inside;
     best->t = LENGTH_FAR;
     best->surface = SURFACE_NONE;
     best->leaving = false;
     set_clear(toggled);
-    for (uint8_t i = 0; i < search->scene->primitive_count; i++) {
+    for (uint8_t i = 0; i < scene->primitive_count; i++) {
         struct crossing found;
-        if (!may_be_next(search, i, inside) ||
-            !primitive_crossing(search, i, set_has(inside, i), from, &found, counts)) {
+        if (!may_be_next(scene, only, i, &here) ||
+            !primitive_crossing(search, i, set_has(&here, i), from, &found, counts)) {
             continue;
         }
         if (best->surface != SURFACE_NONE && crossings_coincide(&found, best)) {
@@ -153,26 +187,36 @@ static bool next_crossing(struct search *search, const struct primitive_set *ins
 }
 
 /* Runs an object's postfix program on the bits of the set; the stack of Booleans is one word. */
-static bool object_holds(const struct scene *scene, const struct object *object,
-                         const struct primitive_set *inside) {
-    const uint8_t *program = &scene->programs[object->program];
-    if (!FEATURE_CSG || object->length == 1) {
-        return set_has(inside, program[0]);
-    }
+static bool program_holds(const uint8_t *program, uint8_t length,
+                          const struct primitive_set *inside) {
     uint32_t stack = 0;
-    for (uint8_t i = 0; i < object->length; i++) {
+    for (uint8_t i = 0; i < length; i++) {
         uint8_t code = program[i];
         if (code < PROGRAM_UNION) {
             stack = stack << 1 | (uint32_t)set_has(inside, code);
             continue;
         }
-        uint32_t right = stack & 1, left = stack >> 1 & 1;
-        uint32_t value = code == PROGRAM_UNION          ? left | right
-                         : code == PROGRAM_INTERSECTION ? left & right
-                                                        : left & ~right & 1;
-        stack = (stack >> 2) << 1 | value;
+        uint32_t right = stack & 1;
+        stack >>= 1;
+        if (code == PROGRAM_UNION) {
+            stack |= right;
+        } else if (code == PROGRAM_DIFFERENCE) {
+            stack &= ~right;
+        } else {
+            stack &= right | ~(uint32_t)1;
+        }
     }
     return (stack & 1) != 0;
+}
+
+/* Whether a place is in an object: what is outside of all of its primitives is outside of it. */
+static bool object_holds(const struct scene *scene, const struct object *object,
+                         const struct primitive_set *inside) {
+    bool overlaps = sets_overlap(&object->uses, inside);
+    if (!FEATURE_CSG || !overlaps || object->length == 1) {
+        return overlaps;
+    }
+    return program_holds(&scene->programs[object->program], object->length, inside);
 }
 
 /* The object that fills a place: the last one that holds the primitives that overlap there. */
@@ -192,14 +236,15 @@ static uint8_t object_at(const struct scene *scene, const struct primitive_set *
 static uint8_t object_behind(const struct scene *scene, uint8_t before,
                              const struct primitive_set *toggled,
                              const struct primitive_set *inside) {
+    const struct primitive_set changed = *toggled, here = *inside;
     uint8_t i = (uint8_t)(scene->object_count - 1);
     for (; i > OBJECT_AIR; i--) {
         const struct object *object = &scene->objects[i];
-        if (i >= before && !sets_overlap(&object->uses, toggled)) {
+        if (i >= before && !sets_overlap(&object->uses, &changed)) {
             if (i == before) {
                 break;
             }
-        } else if (object_holds(scene, object, inside)) {
+        } else if (object_holds(scene, object, &here)) {
             break;
         }
     }
@@ -215,7 +260,7 @@ static void describe_hit(const struct scene *scene, const struct ray *ray,
     hit->face = crossing->face;
     hit->leaving = crossing->leaving;
     hit->where = point_along(ray->origin, crossing->t, ray->direction);
-    struct direction outward = primitive_normal(scene, primitive, crossing->face, hit->where);
+    struct direction outward = primitive_normal(scene, primitive, crossing->face, &hit->where);
     hit->normal = crossing->leaving ? direction_negate(outward) : outward;
 }
 

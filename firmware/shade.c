@@ -37,13 +37,13 @@ static struct direction halfway(struct direction light, struct direction view) {
 
 static real_energy highlight(const struct scene *scene, const struct material *material,
                              real_unit incidence, const struct ray *ray, const struct hit *hit,
-                             struct direction mirrored, struct direction light) {
+                             const struct direction *mirrored, struct direction light) {
     real_unit cosine;
     if (FEATURE_HIGHLIGHT_BLINN && scene->blinn) {
         struct direction view = direction_negate(ray->direction);
         cosine = direction_dot(hit->normal, halfway(light, view));
     } else {
-        cosine = direction_dot(mirrored, light);
+        cosine = direction_dot(*mirrored, light);
     }
     if (unit_is_negative(cosine)) {
         cosine = REAL_UNIT(0.0);
@@ -56,7 +56,7 @@ static real_energy highlight(const struct scene *scene, const struct material *m
 static struct colours lit_by(const struct scene *scene, const struct material *material,
                              struct colours colour, const struct light *light,
                              const struct ray *ray, const struct hit *hit,
-                             struct direction mirrored, struct render_counts *counts) {
+                             const struct direction *mirrored, struct render_counts *counts) {
     const struct colours none = {REAL_COLOUR(0.0), REAL_COLOUR(0.0), REAL_COLOUR(0.0)};
     struct direction towards = light->towards;
     real_length distance = LENGTH_FAR;
@@ -97,7 +97,7 @@ static struct colours faded(const struct scene *scene, struct colours colour, st
 }
 
 struct colours shade(const struct scene *scene, const struct material *material,
-                     const struct ray *ray, const struct hit *hit, struct direction mirrored,
+                     const struct ray *ray, const struct hit *hit, const struct direction *mirrored,
                      struct render_counts *counts) {
     struct colours colour = colour_at(scene, material, hit->where);
     struct colours ambient =

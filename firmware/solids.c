@@ -2,32 +2,37 @@
 /* Primitives: a ray in their coordinates, their surfaces, their normals. */
 #include "solids.h"
 
-static void set_slope(struct local_ray *ray, uint8_t axis, real_unit u) {
-    bool level = unit_is_zero(u);
-    ray->slope[axis] = slope_of(level ? REAL_UNIT(1.0) : u);
-    ray->level = (uint8_t)(ray->level | level << axis);
-    ray->falling = (uint8_t)(ray->falling | unit_is_negative(u) << axis);
+/* Bit 0, 1, 2 for x, y, z. */
+static uint8_t bits_of(bool x, bool y, bool z) {
+    return (uint8_t)(x | y << 1 | z << 2);
+}
+
+static real_slope slope_unless(bool level, real_unit u) {
+    return slope_of(level ? REAL_UNIT(1.0) : u);
 }
 
 static void set_slopes(struct local_ray *ray) {
-    ray->level = ray->falling = 0;
-    set_slope(ray, 0, ray->direction.x);
-    set_slope(ray, 1, ray->direction.y);
-    set_slope(ray, 2, ray->direction.z);
+    const struct direction d = ray->direction;
+    bool x = unit_is_zero(d.x), y = unit_is_zero(d.y), z = unit_is_zero(d.z);
+    ray->level = bits_of(x, y, z);
+    ray->falling = bits_of(unit_is_negative(d.x), unit_is_negative(d.y), unit_is_negative(d.z));
+    ray->slope[0] = slope_unless(x, d.x);
+    ray->slope[1] = slope_unless(y, d.y);
+    ray->slope[2] = slope_unless(z, d.z);
 }
 
-void views_start(struct local_ray views[VIEWS], struct point origin, struct direction direction) {
-    views[VIEW_WORLD].origin = origin;
-    views[VIEW_WORLD].direction = direction;
+void views_start(struct local_ray views[VIEWS], const struct point *origin,
+                 const struct direction *direction) {
+    views[VIEW_WORLD].origin = *origin;
+    views[VIEW_WORLD].direction = *direction;
     set_slopes(&views[VIEW_WORLD]);
     for (uint8_t i = VIEW_WORLD + 1; i < VIEWS; i++) {
         views[i].frame = FRAME_WORLD;
     }
 }
 
-/* The ray in a primitive's frame, turned once for all of its primitives. */
-static const struct local_ray *view_from(const struct scene *scene, uint8_t frame,
-                                         struct local_ray views[VIEWS]) {
+const struct local_ray *view_in(const struct scene *scene, uint8_t frame,
+                                struct local_ray views[VIEWS]) {
     const struct local_ray *world = &views[VIEW_WORLD];
     if (!FEATURE_ROTATION || frame == FRAME_WORLD) {
         return world;
@@ -43,6 +48,75 @@ static const struct local_ray *view_from(const struct scene *scene, uint8_t fram
         set_slopes(ray);
     }
     return ray;
+}
+
+static inline bool is_level(const struct local_ray *ray, uint8_t axis) {
+    return (ray->level >> axis & 1) != 0;
+}
+
+static inline bool is_falling(const struct local_ray *ray, uint8_t axis) {
+    return (ray->falling >> axis & 1) != 0;
+}
+
+/* The farther one of the two faces across an axis: origin of the ray, low and high face. */
+static inline void leave_axis(const struct local_ray *ray, uint8_t axis, real_length origin,
+                              real_length low, real_length high, const uint16_t *surface,
+                              struct start start, struct box_end *end) {
+    if (is_level(ray, axis)) {
+        return;
+    }
+    bool falling = is_falling(ray, axis);
+    uint8_t face = falling ? axis : (uint8_t)(axis + 3);
+    real_length t = REAL_LENGTH(0.0);
+    if (surface[face] != start.surface) {
+        t = length_over(length_subtract(falling ? low : high, origin), ray->slope[axis]);
+    } else if (start.inside) {
+        return;
+    }
+    if (length_less(t, end->t)) {
+        end->t = t;
+        end->face = face;
+    }
+}
+
+struct box_end box_exit(const struct box *box, const struct local_ray *ray, struct start start) {
+    const struct point *low = &box->minimum, *high = &box->maximum;
+    struct box_end end = {LENGTH_FAR, 0};
+    leave_axis(ray, 0, ray->origin.x, low->x, high->x, box->surface, start, &end);
+    leave_axis(ray, 1, ray->origin.y, low->y, high->y, box->surface, start, &end);
+    leave_axis(ray, 2, ray->origin.z, low->z, high->z, box->surface, start, &end);
+    return end;
+}
+
+/* The nearer one of the two faces across an axis; false if the ray runs along them and not between
+ * them. */
+static inline bool enter_axis(const struct local_ray *ray, uint8_t axis, real_length origin,
+                              real_length low, real_length high, const uint16_t *surface,
+                              uint16_t start_surface, struct box_end *entry) {
+    if (is_level(ray, axis)) {
+        return !length_less(origin, low) && length_less(origin, high);
+    }
+    bool falling = is_falling(ray, axis);
+    uint8_t face = falling ? (uint8_t)(axis + 3) : axis;
+    real_length t = REAL_LENGTH(0.0);
+    if (surface[face] != start_surface) {
+        t = length_over(length_subtract(falling ? high : low, origin), ray->slope[axis]);
+    }
+    if (length_less(entry->t, t)) {
+        entry->t = t;
+        entry->face = face;
+    }
+    return true;
+}
+
+bool box_entry(const struct box *box, const struct local_ray *ray, uint16_t surface,
+               struct box_end *entry) {
+    const struct point *low = &box->minimum, *high = &box->maximum;
+    entry->t = length_negate(LENGTH_FAR);
+    entry->face = 0;
+    return enter_axis(ray, 0, ray->origin.x, low->x, high->x, box->surface, surface, entry) &&
+           enter_axis(ray, 1, ray->origin.y, low->y, high->y, box->surface, surface, entry) &&
+           enter_axis(ray, 2, ray->origin.z, low->z, high->z, box->surface, surface, entry);
 }
 
 /* Whether a ray that runs along a plane is on the inner side of it: as with boxes, no ray slips
@@ -134,20 +208,34 @@ static uint8_t form_segments(const struct form *form, bool starts_there,
     return segments_of_roots(ordered ? near : far, ordered ? far : near, opens, segments);
 }
 
+/* What the faces across one axis leave of a stretch. A ray that is inside is asked only where it
+ * leaves. */
+static bool cut_axis(const struct local_ray *ray, uint8_t axis, real_length origin, real_length low,
+                     real_length high, const uint16_t *surface, struct start start,
+                     struct box_end *in, struct box_end *out) {
+    leave_axis(ray, axis, origin, low, high, surface, start, out);
+    return start.inside || enter_axis(ray, axis, origin, low, high, surface, start.surface, in);
+}
+
 /* What the faces of a quadric's box leave of a stretch. */
 static void cut_segment(const struct box *box, uint8_t cuts, const struct local_ray *ray,
                         struct start start, struct segment *segment) {
-    const struct point *low = &box->minimum, *high = &box->maximum;
-    if (cuts & 1) {
-        box_axis(ray, 0, ray->origin.x, low->x, high->x, box->surface, start, segment);
+    const real_length origin[3] = {ray->origin.x, ray->origin.y, ray->origin.z};
+    const real_length low[3] = {box->minimum.x, box->minimum.y, box->minimum.z};
+    const real_length high[3] = {box->maximum.x, box->maximum.y, box->maximum.z};
+    struct box_end in = {segment->in, segment->in_face}, out = {segment->out, segment->out_face};
+    bool hit = segment->hit;
+    for (uint8_t axis = 0; axis < 3; axis++) {
+        if (cuts >> axis & 1) {
+            hit &= cut_axis(ray, axis, origin[axis], low[axis], high[axis], box->surface, start,
+                            &in, &out);
+        }
     }
-    if (cuts & 2) {
-        box_axis(ray, 1, ray->origin.y, low->y, high->y, box->surface, start, segment);
-    }
-    if (cuts & 4) {
-        box_axis(ray, 2, ray->origin.z, low->z, high->z, box->surface, start, segment);
-    }
-    segment->hit = segment->hit && length_less(segment->in, segment->out);
+    segment->in = in.t;
+    segment->in_face = in.face;
+    segment->out = out.t;
+    segment->out_face = out.face;
+    segment->hit = hit && length_less(segment->in, segment->out);
 }
 
 /* The reach is looked at before the ray is turned: most rays pass by. */
@@ -168,7 +256,7 @@ static uint8_t quadric_segments(const struct scene *scene, const struct primitiv
         segments[0] = whole_segment(nearest, false);
         return 1;
     }
-    const struct local_ray *ray = view_from(scene, primitive->frame, views);
+    const struct local_ray *ray = view_in(scene, primitive->frame, views);
     if (FEATURE_ROTATION && ray != world) {
         foot = turn_point(&scene->frames[primitive->frame], foot);
     }
@@ -196,12 +284,7 @@ uint8_t primitive_segments(const struct scene *scene, const struct primitive *pr
         segments[0] = polyhedron_segment(scene, &scene->polyhedra[primitive->index], world, start);
         return 1;
     }
-    if (FEATURE_QUADRIC && primitive->kind == PRIMITIVE_QUADRIC) {
-        return quadric_segments(scene, primitive, views, start, segments);
-    }
-    segments[0] = box_segment(&scene->boxes[primitive->index],
-                              view_from(scene, primitive->frame, views), start);
-    return 1;
+    return FEATURE_QUADRIC ? quadric_segments(scene, primitive, views, start, segments) : 0;
 }
 
 /* The box that a flat face belongs to: a primitive's own, or that which cuts a quadric. */
@@ -250,16 +333,16 @@ static struct direction quadric_normal(const struct scene *scene, const struct p
 }
 
 struct direction primitive_normal(const struct scene *scene, const struct primitive *primitive,
-                                  uint8_t face, struct point where) {
+                                  uint8_t face, const struct point *where) {
     if (FEATURE_BALL && primitive->kind == PRIMITIVE_BALL) {
-        struct point p = point_subtract(where, scene->balls[primitive->index].centre);
+        struct point p = point_subtract(*where, scene->balls[primitive->index].centre);
         struct direction normal;
         real_length radius;
         unit_normalise_lengths(p.x, p.y, p.z, &normal.x, &normal.y, &normal.z, &radius);
         return normal;
     }
     if (FEATURE_QUADRIC && face == QUADRIC_FACE && primitive->kind == PRIMITIVE_QUADRIC) {
-        return quadric_normal(scene, primitive, where);
+        return quadric_normal(scene, primitive, *where);
     }
     if (FEATURE_POLYHEDRON && primitive->kind == PRIMITIVE_POLYHEDRON) {
         return scene->planes[scene->polyhedra[primitive->index].first + face].normal;

@@ -29,7 +29,8 @@ struct segment {
  * differ in their last bit are both kept. */
 enum { VIEW_WORLD, VIEWS = 1 + 2 * FEATURE_ROTATION };
 
-void views_start(struct local_ray views[VIEWS], struct point origin, struct direction direction);
+void views_start(struct local_ray views[VIEWS], const struct point *origin,
+                 const struct direction *direction);
 
 /* Where a ray starts: on a surface of the primitive, or SURFACE_NONE; and whether it is inside. A
  * face on that surface lies at exactly 0, and is not where a ray that is inside leaves. */
@@ -52,43 +53,11 @@ static inline void segment_leave(struct segment *segment, real_length t, uint8_t
     }
 }
 
-/* One axis of a box: origin and slope of the ray, low and high face of the box. A ray that is
- * inside is asked only where it leaves. */
-static inline void box_axis(const struct local_ray *ray, uint8_t axis, real_length origin,
-                            real_length low, real_length high, const uint16_t *surface,
-                            struct start start, struct segment *segment) {
-    if (ray->level >> axis & 1) {
-        segment->hit = segment->hit && !length_less(origin, low) && length_less(origin, high);
-        return;
-    }
-    bool falling = (ray->falling >> axis & 1) != 0;
-    uint8_t in_face = falling ? (uint8_t)(axis + 3) : axis;
-    uint8_t out_face = falling ? axis : (uint8_t)(axis + 3);
-    if (surface[out_face] != start.surface) {
-        real_length ahead = length_subtract(falling ? low : high, origin);
-        segment_leave(segment, length_over(ahead, ray->slope[axis]), out_face);
-    } else if (!start.inside) {
-        segment_leave(segment, REAL_LENGTH(0.0), out_face);
-    }
-    if (start.inside) {
-        return;
-    }
-    real_length in = REAL_LENGTH(0.0);
-    if (surface[in_face] != start.surface) {
-        in = length_over(length_subtract(falling ? high : low, origin), ray->slope[axis]);
-    }
-    segment_enter(segment, in, in_face);
-}
-
-static inline struct segment box_segment(const struct box *box, const struct local_ray *ray,
-                                         struct start start) {
-    struct segment segment = {length_negate(LENGTH_FAR), LENGTH_FAR, 0, 0, true};
-    box_axis(ray, 0, ray->origin.x, box->minimum.x, box->maximum.x, box->surface, start, &segment);
-    box_axis(ray, 1, ray->origin.y, box->minimum.y, box->maximum.y, box->surface, start, &segment);
-    box_axis(ray, 2, ray->origin.z, box->minimum.z, box->maximum.z, box->surface, start, &segment);
-    segment.hit = segment.hit && length_less(segment.in, segment.out);
-    return segment;
-}
+/* One end of a stretch in a box: where, and which face it is. */
+struct box_end {
+    real_length t;
+    uint8_t face;
+};
 
 /* The discriminant as r^2 - |foot|^2, foot being the point of the ray nearest to the centre: no
  * cancellation for a small ball far away. */
@@ -175,7 +144,21 @@ static inline struct direction turn_back(const struct frame *frame, struct direc
     return turned;
 }
 
-/* The stretches of a ray inside a primitive, one or two, in order: their number. */
+/* A ray in a primitive's frame, turned once for all of its primitives. */
+const struct local_ray *view_in(const struct scene *scene, uint8_t frame,
+                                struct local_ray views[VIEWS]);
+
+/* Where a ray, or what is before its start, leaves a box: at LENGTH_FAR where it has no end. A ray
+ * that starts on the face by which it would leave does so there if it is outside, and elsewhere if
+ * it is inside. */
+struct box_end box_exit(const struct box *box, const struct local_ray *ray, struct start start);
+
+/* Where it enters; false if it runs past, along two faces. A ray that leaves before it enters does
+ * not meet the box. */
+bool box_entry(const struct box *box, const struct local_ray *ray, uint16_t surface,
+               struct box_end *entry);
+
+/* The stretches of a ray inside any other primitive, one or two, in order: their number. */
 uint8_t primitive_segments(const struct scene *scene, const struct primitive *primitive,
                            struct local_ray views[VIEWS], struct start start,
                            struct segment segments[2]);
@@ -185,6 +168,6 @@ uint16_t primitive_surface(const struct scene *scene, const struct primitive *pr
 
 /* The outward normal at a point of a face. */
 struct direction primitive_normal(const struct scene *scene, const struct primitive *primitive,
-                                  uint8_t face, struct point where);
+                                  uint8_t face, const struct point *where);
 
 #endif

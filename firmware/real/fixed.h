@@ -408,20 +408,22 @@ static inline real_energy energy_mean_square(real_energy a, real_energy b) {
 /* With one bit more than the format has: 31 bits of fraction, 1 is 2^31. */
 static inline real_energy energy_power(real_energy base, uint16_t exponent) {
     uint32_t square = base > 0 ? 2 * (uint32_t)base : 0;
-    uint32_t result = UINT32_C(1) << 31;
-    const uint32_t half = UINT32_C(1) << 30;
-    if (square > result) {
-        square = result;
+    const uint32_t one = UINT32_C(1) << 31, half = one >> 1;
+    if (square > one) {
+        square = one;
     }
-    for (;;) {
+    if (exponent == 0) {
+        return FIXED_UNIT_ONE;
+    }
+    for (; (exponent & 1) == 0; exponent >>= 1) {
+        square = (uint32_t)((fixed_times_unsigned(square, square) + half) >> 31);
+    }
+    uint32_t result = square;
+    for (exponent >>= 1; exponent != 0; exponent >>= 1) {
+        square = (uint32_t)((fixed_times_unsigned(square, square) + half) >> 31);
         if (exponent & 1) {
             result = (uint32_t)((fixed_times_unsigned(result, square) + half) >> 31);
         }
-        exponent >>= 1;
-        if (exponent == 0) {
-            break;
-        }
-        square = (uint32_t)((fixed_times_unsigned(square, square) + half) >> 31);
     }
     return (real_energy)((result + 1) >> 1);
 }
@@ -447,8 +449,11 @@ static inline real_colour colour_lit(real_colour a, real_colour light) {
     product += product >> 8;
     product += product >> 16;
     product += product >> 32;
-    int64_t lit = (int64_t)((product + (UINT64_C(1) << 23)) >> 24);
-    return fixed_saturated(FIXED_colour_lit, (a < 0) == (light < 0) ? lit : -lit);
+    product = (product + (UINT64_C(1) << 23)) >> 24;
+    bool saturated = product > FIXED_MOST;
+    int32_t lit = saturated ? FIXED_MOST : (int32_t)product;
+    fixed_watch(FIXED_colour_lit, (int64_t)product, saturated);
+    return (a < 0) == (light < 0) ? lit : -lit;
 }
 
 static inline real_colour colour_faded(real_colour a, real_length distance, int exponent) {

@@ -51,24 +51,23 @@ static inline int32_t fixed_near(int64_t v, unsigned shift) {
     return fixed_shifted(fixed_with_half(v, shift), shift, &fits);
 }
 
-/* v / 2^shift to nearest, brought into a 32-bit format, 1 <= shift <= 32. */
-static inline int32_t fixed_result(enum fixed_operation operation, int64_t v, unsigned shift) {
+/* v >> shift, 1 <= shift <= 32, brought into a 32-bit format. */
+static inline int32_t fixed_shortened(enum fixed_operation operation, int64_t v, unsigned shift) {
     bool fits;
-    v = fixed_with_half(v, shift);
     int32_t low = fixed_shifted(v, shift, &fits);
     fixed_watch(operation, v >> shift, !fits || low == INT32_MIN);
     return fixed_ended(low, fits, (int32_t)(v >> 32));
 }
 
 /* a + b and a - b, brought into a 32-bit format. What does not fit has the sign of a. */
-static inline int32_t fixed_added(enum fixed_operation operation, int32_t a, int32_t b) {
+static inline int32_t fixed_ended_sum(enum fixed_operation operation, int32_t a, int32_t b) {
     bool fits;
     int32_t low = fixed_sum(a, b, &fits);
     fixed_watch(operation, (int64_t)a + b, !fits || low == INT32_MIN);
     return fixed_ended(low, fits, a);
 }
 
-static inline int32_t fixed_subtracted(enum fixed_operation operation, int32_t a, int32_t b) {
+static inline int32_t fixed_ended_difference(enum fixed_operation operation, int32_t a, int32_t b) {
     bool fits;
     int32_t low = fixed_difference(a, b, &fits);
     fixed_watch(operation, (int64_t)a - b, !fits || low == INT32_MIN);
@@ -81,28 +80,6 @@ static inline uint32_t fixed_magnitude(int32_t a) {
 
 static inline uint64_t fixed_magnitude64(int64_t a) {
     return a < 0 ? 0 - (uint64_t)a : (uint64_t)a;
-}
-
-/* The number of zero bits above the highest one; x > 0. */
-static inline unsigned fixed_leading_zeros(uint32_t x) {
-    unsigned zeros = 0;
-    if (x < UINT32_C(1) << 16) {
-        zeros += 16;
-        x <<= 16;
-    }
-    if (x < UINT32_C(1) << 24) {
-        zeros += 8;
-        x <<= 8;
-    }
-    if (x < UINT32_C(1) << 28) {
-        zeros += 4;
-        x <<= 4;
-    }
-    if (x < UINT32_C(1) << 30) {
-        zeros += 2;
-        x <<= 2;
-    }
-    return x < UINT32_C(1) << 31 ? zeros + 1 : zeros;
 }
 
 static inline unsigned fixed_leading_zeros64(uint64_t x) {

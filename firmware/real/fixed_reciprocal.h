@@ -20,13 +20,15 @@ static inline uint32_t fixed_reciprocal(uint32_t m) {
     uint32_t q = fixed_reciprocal_estimate(m); /* 2^16 - 1 <= q <= 2^17, to 2^-15 */
     int64_t e =
         (int64_t)((UINT64_C(1) << 48) - fixed_times_unsigned(q, m)); /* e 2^48: |e| < 2^34 */
-    int32_t e_top = (int32_t)(e >> 19);                              /* e 2^29: |e_top| < 2^15 */
-    int32_t series = (int32_t)(e >> 4) + ((e_top * e_top) >> 14);    /* (e + e^2) 2^44 */
+    int32_t e_near = (int32_t)(e >> 4);                              /* e 2^44: |e_near| < 2^30 */
+    int32_t e_top = e_near >> 15;                                    /* e 2^29: |e_top| < 2^15 */
+    int32_t series = e_near + ((e_top * e_top) >> 14);               /* (e + e^2) 2^44 */
     /* q 2^14 (1 + e + e^2): the rest of the series and what the shifts lose stay below 2^-9, so
      * that the floor is at most 1 + 2^-9 under the quotient and 2^-9 over it. */
     uint32_t r = (uint32_t)((int64_t)((uint64_t)q << 14) + (fixed_times((int32_t)q, series) >> 30));
-    int64_t rest = (int64_t)((UINT64_C(1) << 62) - fixed_times_unsigned(r, m)); /* |rest| < 2^33 */
-    return r + (2 * rest > (int64_t)m);
+    /* One more where 2^62 - r m > m / 2. */
+    uint64_t reach = fixed_times_unsigned(r, m) + (m >> 1);
+    return r + ((uint32_t)(reach >> 32) < UINT32_C(1) << 30);
 }
 
 /* The slope of m / 2^zeros, where 2^31 <= m < 2^32, 0 <= zeros <= 31. */
@@ -50,7 +52,7 @@ static inline struct fixed_slope fixed_slope_of(uint32_t m, unsigned zeros) {
 /* a 2^30 / u to nearest, for the slope of u, brought into a 32-bit format. */
 static inline int32_t fixed_over(enum fixed_operation operation, int32_t a,
                                  struct fixed_slope slope) {
-    return fixed_result(operation, fixed_times(a, slope.mantissa), slope.shift);
+    return fixed_result_by(operation, fixed_times(a, slope.mantissa), slope.shift);
 }
 
 #endif

@@ -10,9 +10,10 @@
  * An estimate of 1/sqrt(m), one step of Newton for the root, then one exact correction. */
 static inline uint32_t fixed_root_of_normal(uint64_t m, uint64_t *rest) {
     uint32_t high = (uint32_t)(m >> 32);
-    uint32_t y = fixed_root_estimate(high);                    /* 2^22 / sqrt(m) */
-    uint64_t estimate = (fixed_times_unsigned(high, y)) >> 22; /* 2^32 sqrt(m), relative 2^-18.5 */
-    uint32_t root = estimate > UINT32_MAX ? UINT32_MAX : (uint32_t)estimate;
+    uint32_t y = fixed_root_estimate(high);            /* 2^22 / sqrt(m) */
+    uint64_t estimate = fixed_times_unsigned(high, y); /* 2^54 sqrt(m), relative 2^-18.5 */
+    bool is_past = (uint32_t)(estimate >> 32) >> 22 != 0;
+    uint32_t root = is_past ? UINT32_MAX : (uint32_t)(estimate >> 22);
     /* Newton: root + (m - root^2) / (2 root). |m - root^2| < 2^46.5. With y
      * for 1 / sqrt(m) the step by itself ends below the root, by 3/2 of the relative error squared;
      * what is truncated before it adds less than 2^-15, and the floors and shifts take 1 + 2^-4 at

@@ -50,7 +50,8 @@ esac
 real=$arithmetic
 case $arithmetic-$target in
 fx-cortex-m0) real=fx_16 ;;
-fx-cortex-* | fx-rv32im | fx-gcc-m32 | fx-powerpc | fx-386-* | fx-qemu-486*) real=fx_32 ;;
+fx-cortex-m3) real=fx_m3 ;;
+fx-cortex-m4f | fx-rv32im | fx-gcc-m32 | fx-powerpc | fx-386-* | fx-qemu-486*) real=fx_32 ;;
 esac
 
 # What every compiler gets. Copies are loops: see common/memory.c.

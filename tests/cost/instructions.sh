@@ -26,7 +26,8 @@ instructions() {
 real() {
     case $1-$target in
     fx-m0) echo fx_16 ;;
-    fx-m3 | fx-m4f | fx-i386) echo fx_32 ;;
+    fx-m3) echo fx_m3 ;;
+    fx-m4f | fx-i386) echo fx_32 ;;
     *) echo "$1" ;;
     esac
 }

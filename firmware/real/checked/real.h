@@ -7,6 +7,7 @@
 
 #include "../estimate_division.h"
 #include "../fixed_operations.h"
+#include "../leading_zeros_counted.h"
 #include "../product_whole.h"
 #include "../registers_64.h"
 #include "../root_table.h"
@@ -38,6 +39,8 @@ static inline void fixed_watch(enum fixed_operation operation, int64_t exact, bo
         record->largest = magnitude;
     }
 }
+
+#include "../room_unasked.h"
 
 #include "../fixed.h"
 

@@ -7,8 +7,10 @@
 
 #include "../estimate_division.h"
 #include "../fixed_unwatched.h"
+#include "../leading_zeros_counted.h"
 #include "../product_whole.h"
 #include "../registers_64.h"
+#include "../room_unasked.h"
 #include "../root_table.h"
 
 #include "../fixed.h"

@@ -7,8 +7,10 @@
 
 #include "../estimate_table.h"
 #include "../fixed_unwatched.h"
+#include "../leading_zeros_counted.h"
 #include "../product_quarters.h"
 #include "../registers_32.h"
+#include "../room_unasked.h"
 #include "../root_table.h"
 
 #include "../fixed.h"
