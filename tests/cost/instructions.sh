@@ -16,23 +16,13 @@ kinds='ADD TEST PRODUCT DOT SLOPE OVER ROOT QUOTIENT NORMALISE REFRACT POWER TRA
 # instructions ARITHMETIC KIND ROUNDS: all that the program takes.
 instructions() {
     # shellcheck disable=SC2086 # the compiler has options
-    $compiler -std=c99 -O2 -ffreestanding -fno-stack-protector -ffp-contract=off -Ifirmware/real/"$(real "$1")" -Ifirmware \
+    $compiler -std=c99 -O2 -ffreestanding -fno-stack-protector -ffp-contract=off -Ifirmware/real/"$(real "$1" "$target")" -Ifirmware \
         -DKIND="WRAP_$2" -DROUNDS="$3" -nostdlib -static -Wl,-z,noexecstack -o "$folder/program" \
         tests/cost/one_operation.c tests/cost/root.c "$folder/$start.s" -lgcc
     count_instructions
 }
 
-# real ARITHMETIC: its folder, as firmware/targets/build.sh takes it for the target.
-real() {
-    case $1-$target in
-    fx-m0) echo fx_16 ;;
-    fx-m3) echo fx_m3 ;;
-    fx-m4f | fx-i386) echo fx_32 ;;
-    *) echo "$1" ;;
-    esac
-}
-
-# one ARITHMETIC KIND: of 40 of them.
+# forty ARITHMETIC KIND: what 40 of them take.
 forty() {
     echo $(($(instructions "$1" "$2" 60) - $(instructions "$1" "$2" 20)))
 }

@@ -11,8 +11,9 @@
 #include "scene_description.h"
 
 /* Renders rows of one to six solids of a kind, some opaque, with the arithmetic that counts, and
- * solves by least squares for what each event takes: the events of each rendering are known, and
- * differ in their proportions. Prints the rows of cost_operations, host/cost_tables.c. */
+ * solves by least squares for what each event takes, of all renderings together: their events are
+ * known, and differ in their proportions. Prints the rows of cost_operations, host/cost_tables.c.
+ */
 
 extern const struct arithmetic arithmetic_count;
 
@@ -20,14 +21,14 @@ typedef char kinds_are_those_of_the_host[(int)COST_KINDS == (int)WRAP_KINDS ? 1 
 
 uint64_t count_operations[WRAP_KINDS + 1];
 
-enum { UNKNOWNS = 4, COPIES_MOST = 6, DEPTHS = 3, ROWS = COPIES_MOST * DEPTHS, TEXT_SIZE = 16384 };
+enum { COPIES_MOST = 6, DEPTHS = 3, EACH = COPIES_MOST * DEPTHS, TEXT_SIZE = 16384 };
 
 static const struct {
     const char *name, *solid;
     double units; /* of cost_operations in one test */
 } kinds[] = {
     {"box", "box = { min = (-1, -1, -1); max = (1, 1, 1); };", 1},
-    {"turned box", "box = { min = (-1, -1, -1); max = (1, 1, 1); }; rotate = [20, 30, 40];", 1},
+    {"turned box", "box = { min = (-1, -1, -1); max = (1, 1, 1); };", 1},
     {"ball", "ball = { radius = 1.2; };", 1},
     {"plane",
      "polyhedron = { planes = ( { normal = [0, 0, -1]; offset = 1; }, { normal = [0, 0, 1]; "
@@ -38,15 +39,17 @@ static const struct {
     {"quadric", "ellipsoid = { radii = (1.3, 1, 1.1); };", 1},
 };
 
-enum { KINDS = sizeof kinds / sizeof kinds[0] };
+enum { KINDS = sizeof kinds / sizeof kinds[0], ROWS = KINDS * EACH };
 
 /* One rendering: its events and its operations. */
 struct sample {
-    double events[UNKNOWNS];
+    double events[COST_EVENTS];
     double operations[WRAP_KINDS];
 };
 
+/* Turned boxes are turned by angles of their own: what turns alike is turned once for each ray. */
 static void write_scene(char *text, int kind, int copies, int depth) {
+    const int turn = COST_BOX + kind == COST_TURNED_BOX ? 7 : 0;
     size_t used = (size_t)snprintf(
         text, TEXT_SIZE,
         "version = 1; size = [48, 30]; depth = %d; threshold = 0.001;\n"
@@ -58,14 +61,16 @@ static void write_scene(char *text, int kind, int copies, int depth) {
     for (int i = 0; i < copies; i++) {
         used += (size_t)snprintf(
             text + used, TEXT_SIZE - used,
-            "%s{ material = \"%s\"; solid = { union = ( { %s } ); translate = (%g, %g, %g); }; }\n",
-            i > 0 ? "," : "", i % 3 == 1 ? "stone" : "glass", kinds[kind].solid,
-            2.7 * (i % 3) - 2.5, 3.1 * (i / 3) - 1.3, 0.3 * i - 0.5);
+            "%s{ material = \"%s\"; solid = { union = ( { %s } ); rotate = [%d, %d, "
+            "%d]; translate = (%g, %g, %g); }; }\n",
+            i > 0 ? "," : "", i % 3 == 1 ? "stone" : "glass", kinds[kind].solid, turn * (3 + i),
+            turn * (4 + i), turn * (5 + i), 2.7 * (i % 3) - 2.5, 3.1 * (i / 3) - 1.3,
+            0.3 * i - 0.5);
     }
     (void)snprintf(text + used, TEXT_SIZE - used, ");\n");
 }
 
-static bool take_sample(const char *text, struct sample *sample) {
+static bool take_sample(const char *text, int kind, struct sample *sample) {
     struct scene_error error = {""};
     struct render_counts counts;
     uint8_t rgb[3 * 640];
@@ -81,9 +86,10 @@ static bool take_sample(const char *text, struct sample *sample) {
         for (uint16_t y = 0; y < compiled->height; y++) {
             arithmetic_count.image->row(scene, y, rgb, &counts);
         }
-        const double events[UNKNOWNS] = {counts.rays, counts.shadow_rays, counts.nodes,
-                                         counts.solid_tests};
-        memcpy(sample->events, events, sizeof events);
+        sample->events[COST_RAY] = counts.rays;
+        sample->events[COST_SHADOW_RAY] = counts.shadow_rays;
+        sample->events[COST_NODE] = counts.nodes;
+        sample->events[COST_BOX + kind] = counts.solid_tests * kinds[kind].units;
         for (int i = 0; i < WRAP_KINDS; i++) {
             sample->operations[i] = (double)count_operations[i];
         }
@@ -97,29 +103,29 @@ static bool take_sample(const char *text, struct sample *sample) {
 }
 
 /* Least squares by the normal equations; each rendering weighs alike. */
-static void solve(const struct sample *samples, int kind, double result[UNKNOWNS]) {
-    double m[UNKNOWNS][UNKNOWNS + 1];
+static void solve(const struct sample *samples, int kind, double result[COST_EVENTS]) {
+    double m[COST_EVENTS][COST_EVENTS + 1];
     memset(m, 0, sizeof m);
     for (int r = 0; r < ROWS; r++) {
-        double weight = 1 / samples[r].events[3];
-        for (int i = 0; i < UNKNOWNS; i++) {
+        double weight = 1 / samples[r].events[COST_RAY];
+        for (int i = 0; i < COST_EVENTS; i++) {
             double e = samples[r].events[i] * weight;
-            for (int j = 0; j < UNKNOWNS; j++) {
+            for (int j = 0; j < COST_EVENTS; j++) {
                 m[i][j] += e * samples[r].events[j] * weight;
             }
-            m[i][UNKNOWNS] += e * samples[r].operations[kind] * weight;
+            m[i][COST_EVENTS] += e * samples[r].operations[kind] * weight;
         }
     }
-    for (int i = 0; i < UNKNOWNS; i++) {
-        for (int j = 0; j < UNKNOWNS; j++) {
+    for (int i = 0; i < COST_EVENTS; i++) {
+        for (int j = 0; j < COST_EVENTS; j++) {
             double factor = j == i ? 0 : m[j][i] / m[i][i];
-            for (int k = i; k <= UNKNOWNS; k++) {
+            for (int k = i; k <= COST_EVENTS; k++) {
                 m[j][k] -= factor * m[i][k];
             }
         }
     }
-    for (int i = 0; i < UNKNOWNS; i++) {
-        result[i] = m[i][UNKNOWNS] / m[i][i];
+    for (int i = 0; i < COST_EVENTS; i++) {
+        result[i] = m[i][COST_EVENTS] / m[i][i];
     }
 }
 
@@ -138,31 +144,28 @@ int main(void) {
     static char text[TEXT_SIZE];
     double table[COST_EVENTS][WRAP_KINDS];
     double worst = 0;
-    memset(table, 0, sizeof table);
-    for (int kind = 0; kind < KINDS; kind++) {
-        for (int r = 0; r < ROWS; r++) {
-            write_scene(text, kind, 1 + r % COPIES_MOST, 1 + 3 * (r / COPIES_MOST));
-            if (!take_sample(text, &samples[r])) {
-                return 1;
-            }
+    memset(samples, 0, sizeof samples);
+    for (int r = 0; r < ROWS; r++) {
+        write_scene(text, r / EACH, 1 + r % COPIES_MOST, 1 + 3 * (r % EACH / COPIES_MOST));
+        if (!take_sample(text, r / EACH, &samples[r])) {
+            return 1;
         }
-        for (int operation = 0; operation < WRAP_KINDS; operation++) {
-            double result[UNKNOWNS];
-            solve(samples, operation, result);
-            for (int i = 0; i < UNKNOWNS - 1; i++) {
-                table[i][operation] += result[i] / KINDS;
+    }
+    for (int operation = 0; operation < WRAP_KINDS; operation++) {
+        double result[COST_EVENTS];
+        solve(samples, operation, result);
+        for (int i = 0; i < COST_EVENTS; i++) {
+            table[i][operation] = result[i];
+        }
+        for (int r = 0; r < ROWS; r++) {
+            double sum = 0, all = 0;
+            for (int i = 0; i < COST_EVENTS; i++) {
+                sum += result[i] * samples[r].events[i];
             }
-            table[COST_BOX + kind][operation] = result[UNKNOWNS - 1] / kinds[kind].units;
-            for (int r = 0; r < ROWS; r++) {
-                double sum = 0, all = 0;
-                for (int i = 0; i < UNKNOWNS; i++) {
-                    sum += result[i] * samples[r].events[i];
-                }
-                for (int i = 0; i < WRAP_KINDS; i++) {
-                    all += samples[r].operations[i];
-                }
-                worst = fmax(worst, fabs(sum - samples[r].operations[operation]) / all);
+            for (int i = 0; i < WRAP_KINDS; i++) {
+                all += samples[r].operations[i];
             }
+            worst = fmax(worst, fabs(sum - samples[r].operations[operation]) / all);
         }
     }
     for (int i = 0; i < COST_EVENTS; i++) {

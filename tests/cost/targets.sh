@@ -66,6 +66,16 @@ choose() {
     esac
 }
 
+# real ARITHMETIC TARGET: the arithmetic's folder, as firmware/targets/build.sh takes it for the target.
+real() {
+    case $1-$2 in
+    fx-m0) echo fx_16 ;;
+    fx-m3) echo fx_m3 ;;
+    fx-m4f | fx-i386) echo fx_32 ;;
+    *) echo "$1" ;;
+    esac
+}
+
 # count_instructions: of $folder/program, by the plugin of QEMU that COUNT names.
 count_instructions() {
     plugin=$(realpath "${COUNT:-${BUILD:-build}/targets/count.so}")
