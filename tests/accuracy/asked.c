@@ -34,13 +34,9 @@ struct subject {
 static const struct frame *uniform(struct subject *subject, int number) {
     struct frame *frame = &subject->uniform[number];
     if (!frame->pixels) {
-        const struct frame_settings settings = {subject->scene,
-                                                "fx",
-                                                subject->width,
-                                                subject->height,
-                                                exp2(-4 - number / 4.0),
-                                                0,
-                                                true};
+        const struct frame_settings settings = {
+            subject->scene,          "fx", subject->width, subject->height,
+            exp2(-4 - number / 4.0), 0,    true,           false};
         if (!frame_render(&settings, frame)) {
             exit(2);
         }
@@ -48,15 +44,24 @@ static const struct frame *uniform(struct subject *subject, int number) {
     return frame;
 }
 
+static bool is_enough(struct subject *subject, int number, double most, double share) {
+    struct frame_errors errors;
+    frame_compare(uniform(subject, number), &subject->converged, most, &errors);
+    return fmax(errors.share, errors.open) >= share;
+}
+
 /* The largest threshold with which that share is within that error, whichever way the light beyond
- * the depth level is counted; the last one if none does. */
+ * the depth level is counted; the last one if none does. By octaves from the largest one on, for
+ * small ones take long. */
 static int best_uniform(struct subject *subject, double most, double share) {
-    int low = -1, high = THRESHOLDS - 1;
+    int low = -1, high = 0;
+    while (high < THRESHOLDS - 1 && !is_enough(subject, high, most, share)) {
+        low = high;
+        high = high + 4 < THRESHOLDS ? high + 4 : THRESHOLDS - 1;
+    }
     while (high - low > 1) {
         int middle = (low + high) / 2;
-        struct frame_errors errors;
-        frame_compare(uniform(subject, middle), &subject->converged, most, &errors);
-        if (fmax(errors.share, errors.open) >= share) {
+        if (is_enough(subject, middle, most, share)) {
             high = middle;
         } else {
             low = middle;
@@ -67,7 +72,7 @@ static int best_uniform(struct subject *subject, double most, double share) {
 
 static bool judge(struct subject *subject, double error, double *rays) {
     const struct frame_settings settings = {
-        subject->scene, "fx", subject->width, subject->height, 0, error, true};
+        subject->scene, "fx", subject->width, subject->height, 0, error, true, false};
     struct frame frame;
     struct frame_errors errors;
     if (!frame_render(&settings, &frame)) {

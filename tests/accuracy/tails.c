@@ -33,7 +33,7 @@ struct point {
 static struct point measure_point(const char *scene, const char *arithmetic, double threshold,
                                   bool estimates, const struct frame *converged) {
     const struct frame_settings settings = {
-        scene, arithmetic, converged->width, converged->height, threshold, 0, estimates};
+        scene, arithmetic, converged->width, converged->height, threshold, 0, estimates, true};
     struct frame frame;
     struct point point = {0, 0, 0};
     if (!frame_render(&settings, &frame)) {
