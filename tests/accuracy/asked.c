@@ -50,12 +50,16 @@ static bool is_enough(struct subject *subject, int number, double most, double s
     return fmax(errors.share, errors.open) >= share;
 }
 
+/* A search for a threshold ends where that takes so many times the rays. */
+static const double search_most = 2;
+
 /* The largest threshold with which that share is within that error, whichever way the light beyond
- * the depth level is counted; the last one if none does. By octaves from the largest one on, for
- * small ones take long. */
-static int best_uniform(struct subject *subject, double most, double share) {
+ * the depth level is counted; if none does, one that takes too many rays. By octaves from the
+ * largest one on, for small ones take long. */
+static int best_uniform(struct subject *subject, double most, double share, double rays) {
     int low = -1, high = 0;
-    while (high < THRESHOLDS - 1 && !is_enough(subject, high, most, share)) {
+    while (high < THRESHOLDS - 1 && uniform(subject, high)->rays < search_most * rays &&
+           !is_enough(subject, high, most, share)) {
         low = high;
         high = high + 4 < THRESHOLDS ? high + 4 : THRESHOLDS - 1;
     }
@@ -79,8 +83,8 @@ static bool judge(struct subject *subject, double error, double *rays) {
         exit(2);
     }
     frame_compare(&frame, &subject->converged, error_most * error, &errors);
-    int same = best_uniform(subject, error_most * error, errors.share);
-    int enough = best_uniform(subject, error_most * error, share_least);
+    int same = best_uniform(subject, error_most * error, errors.share, frame.rays);
+    int enough = best_uniform(subject, error_most * error, share_least, frame.rays);
     double same_rays = uniform(subject, same)->rays, enough_rays = uniform(subject, enough)->rays;
     bool good =
         errors.share >= share_least && frame.rays <= rays_most * same_rays && frame.rays > *rays;
