@@ -222,7 +222,7 @@ static bool is_trapped(const struct sums *sums) {
 }
 
 /* The levels that were seen, and those below. There the mean is taken to be the same; the deviation
- * grows by a quarter from each to the next one, for what is cut is more and more alike. Where light
+ * grows by an eighth from each to the next one, for what is cut is more and more alike. Where light
  * is trapped, the deviation of the last levels is that of the easier pixels. */
 static void conclude(const struct sums *sums, uint32_t error, struct estimate *estimate) {
     uint8_t known = (uint8_t)(sums->levels - LEVELS_BELOW);
@@ -237,7 +237,7 @@ static void conclude(const struct sums *sums, uint32_t error, struct estimate *e
             deviation = deviation_of(&sums->level[i], level);
         } else {
             *level = estimate->level[known - 1];
-            deviation += deviation >> 2;
+            deviation += deviation >> 3;
         }
         conclude_spread(deviation, error, level);
     }

@@ -87,7 +87,7 @@ static uint8_t steps_to_leave(uint8_t from, int64_t squares, int64_t most) {
 /* What is kept on its last way down: from where to where it was expected to be followed, and the
  * squares of what still waits, what is left as it is, and of what was followed: foreseen, found. */
 struct last_way {
-    uint8_t from, to;
+    uint8_t from, to, attempt;
     int64_t waiting, left, foreseen, found;
 };
 
@@ -116,12 +116,29 @@ static uint8_t end_of(const struct last_way *way) {
     return limited((int16_t)(way->to + correction(way)), way->from, STEPS_ALL - 1);
 }
 
+/* The squares that are to be left of the pixel, at that level: a little less than may be. */
+static int64_t squares_wanted(const struct tree *tree, uint8_t steps, uint8_t attempt) {
+    int64_t most = squares_most(tree, steps);
+    return (most - (most >> 3)) >> attempt;
+}
+
+/* Where the last way is expected to end: levels farther down allow for less. */
+static uint8_t expected_end(const struct tree *tree, const struct last_way *way) {
+    int64_t lost = tree->kept->losses.squares, squares = way->waiting;
+    uint8_t steps = way->from;
+    while (squares + lost > squares_wanted(tree, steps, way->attempt) &&
+           steps < way->from + STEPS_MOST && steps + 1 < STEPS_ALL) {
+        squares = squares_below(squares, 1);
+        steps++;
+    }
+    return steps;
+}
+
 /* How far the next branch is to be followed: what those before it have left, against what was to be
  * left of them, makes it a little more or less. */
 static uint8_t next_steps(const struct tree *tree, const struct last_way *way) {
     uint8_t end = end_of(way);
-    int64_t most = squares_most(tree, end);
-    most -= (most >> 3) + way->left + tree->kept->losses.squares;
+    int64_t most = squares_wanted(tree, end, way->attempt) - way->left - tree->kept->losses.squares;
     int16_t steps = (int16_t)(steps_to_leave(way->from, way->waiting, most) + end - way->to);
     int16_t least = end > way->from ? (int16_t)(end - 1) : end;
     return limited(steps, least, end + 2 < STEPS_ALL ? (int16_t)(end + 2) : STEPS_ALL - 1);
@@ -142,11 +159,12 @@ static int64_t follow_to_the_end(struct tree *tree, uint16_t i) {
 }
 
 /* Follows what is kept to where the pixel is as accurate as was asked for, nearly: the squares are
- * some seven eighths of the most. Returns how far that is. */
-static uint8_t follow_all(struct tree *tree, uint8_t from) {
+ * some seven eighths of the most, and at each further attempt half of that. Returns how far it is.
+ */
+static uint8_t follow_all(struct tree *tree, uint8_t from, uint8_t attempt) {
     struct kept_branches *kept = tree->kept;
-    struct last_way way = {from, from, squares_of(kept) - kept->losses.squares, 0, 0, 0};
-    way.to = steps_to_leave(from, way.waiting, squares_most(tree, from) - kept->losses.squares);
+    struct last_way way = {from, from, attempt, squares_of(kept) - kept->losses.squares, 0, 0, 0};
+    way.to = expected_end(tree, &way);
     way.found = way.foreseen = squares_below(way.waiting, (uint8_t)(way.to - from)) >> 3;
     uint16_t i = 0;
     while (i < kept->count && !growth_is_exhausted(tree)) {
@@ -196,7 +214,8 @@ static bool is_accurate(const struct tree *tree, uint8_t steps, bool is_last) {
  * stray from the mean independently of each other, nearly: their squares add. */
 static uint8_t refine(struct tree *tree, const struct ray *eye_ray) {
     const struct scene *scene = tree->scene;
-    uint8_t steps = (uint8_t)(2 * scene->estimate->first);
+    const uint8_t first = (uint8_t)(2 * scene->estimate->first);
+    uint8_t steps = first, attempts = 0;
     bool is_last = false;
     begin(tree, eye_ray, threshold_at(scene, steps));
     while (!is_accurate(tree, steps, is_last)) {
@@ -208,14 +227,13 @@ static uint8_t refine(struct tree *tree, const struct ray *eye_ray) {
         }
         is_last = !again && is_too_much(tree, steps);
         if (is_last) {
-            steps = follow_all(tree, steps);
-            continue;
-        }
-        steps = (uint8_t)(steps + (again ? 2 : 1));
-        tree->threshold = threshold_at(scene, steps);
-        if (again) {
-            begin(tree, eye_ray, tree->threshold);
+            steps = follow_all(tree, steps, attempts++);
+        } else if (again) {
+            steps = attempts > 0 ? first : (uint8_t)(steps + 2);
+            begin(tree, eye_ray, threshold_at(scene, steps));
         } else {
+            steps++;
+            tree->threshold = threshold_at(scene, steps);
             follow_kept(tree);
         }
     }
