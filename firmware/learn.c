@@ -19,11 +19,14 @@ enum { FIRST_LEVELS = 7, MORE_LEVELS = 3, LEVELS_BELOW = 4 };
 /* A spread is so many quarters of a standard deviation. One of a branch is taken to be at least
  * what it is if all levels from black to white are as likely, 255 / 12^(1/2): few pixels tell
  * little. */
-enum { SPREAD_QUARTERS = 9, DEVIATION_LEAST = 74 };
+enum { SPREAD_QUARTERS = 10, DEVIATION_LEAST = 74 };
 
-/* A pixel that is looked at has this part of the budget of rays. Where this part of the pixels use
- * it up, light is trapped, and more levels would teach nothing. */
+/* A pixel that is looked at has this part of the budget of rays. Where this part of those in which
+ * something is cut use it up, light is trapped, and more levels would teach nothing. */
 enum { BUDGET_PART = 8, EXHAUSTED_PART = 8 };
+
+/* Pixels begin so many levels above the typical one: few branches are cut there, and kept. */
+enum { LEVELS_ABOVE = 8 };
 
 /* Sums over pixels, of one level. */
 struct level_sums {
@@ -214,10 +217,18 @@ static int64_t deviation_of(const struct level_sums *sums, const struct estimate
     return deviation > least ? deviation : least;
 }
 
+static bool is_trapped(const struct sums *sums) {
+    return sums->exhausted > sums->level[0].pixels / EXHAUSTED_PART;
+}
+
 /* The levels that were seen, and those below. There the mean is taken to be the same; the deviation
- * grows by an eighth from each to the next one, for what is cut is more and more alike. */
+ * grows by an eighth from each to the next one, for what is cut is more and more alike. Where light
+ * is trapped, the deviation of the last levels is that of the easier pixels. */
 static void conclude(const struct sums *sums, uint32_t error, struct estimate *estimate) {
     uint8_t known = (uint8_t)(sums->levels - LEVELS_BELOW);
+    if (is_trapped(sums) && known > MORE_LEVELS) {
+        known = (uint8_t)(known - MORE_LEVELS);
+    }
     int64_t deviation = 0;
     for (uint8_t i = 0; i < ESTIMATE_LEVELS; i++) {
         struct estimate_level *level = &estimate->level[i];
@@ -235,7 +246,8 @@ static void conclude(const struct sums *sums, uint32_t error, struct estimate *e
            !is_enough(&sums->level[estimate->typical], &estimate->level[estimate->typical])) {
         estimate->typical++;
     }
-    estimate->first = (uint8_t)(estimate->typical > 2 ? estimate->typical - 2 : 0);
+    estimate->first =
+        (uint8_t)(estimate->typical > LEVELS_ABOVE ? estimate->typical - LEVELS_ABOVE : 0);
 }
 
 /* Looks deeper until the harder pixels' level is known, with enough below it. */
@@ -250,8 +262,7 @@ static void learn_levels(const struct scene *scene, struct lesson *lesson,
     look(scene, lesson, &sums, 0, counts);
     for (;;) {
         conclude(&sums, scene->error, estimate);
-        if (estimate->typical + LEVELS_BELOW < lesson->levels - 1 ||
-            sums.exhausted > COLUMNS * ROWS / EXHAUSTED_PART ||
+        if (estimate->typical + LEVELS_BELOW < lesson->levels - 1 || is_trapped(&sums) ||
             lesson->levels + MORE_LEVELS > LESSON_LEVELS) {
             return;
         }

@@ -5,6 +5,10 @@
 #include "growth.h"
 #include "learn.h"
 
+/* What is kept is followed so many half octaves of the threshold farther at once, at most; and a
+ * correction to that is so many at most. */
+enum { STEPS_MOST = 16, CORRECTION_MOST = 6, STEPS_ALL = 2 * ESTIMATE_LEVELS };
+
 /* Follows the kept branches that a lower threshold lets through. */
 static void follow_kept(struct tree *tree) {
     struct kept_branches *kept = tree->kept;
@@ -48,56 +52,192 @@ static void begin(struct tree *tree, const struct ray *eye_ray, real_energy thre
     growth_finish(tree);
 }
 
-/* Whether the losses alone are too much, and there are rays enough to begin again: that takes
- * about twice as many as what was done so far. */
-static bool must_begin_again(const struct tree *tree, const struct estimate_level *level) {
-    uint32_t used = tree->counts->rays - tree->rays_before;
-    return tree->kept->losses.squares > level->squares_most && used < tree->ray_budget / 4;
+/* The threshold so many half octaves below the scene's own. */
+static real_energy threshold_at(const struct scene *scene, uint8_t steps) {
+    real_energy threshold = scene->threshold;
+    for (uint8_t i = 0; i < steps / 2; i++) {
+        threshold = energy_product(threshold, REAL_ENERGY(0.5));
+    }
+    return steps % 2 == 0 ? threshold : energy_product(threshold, REAL_ENERGY(0.75));
 }
 
-/* A threshold on its way down: at a level of the estimate, or half-way to the next one. */
-struct descent {
-    uint8_t level;
-    bool is_between;
-    real_energy threshold;
+/* The squares at which the pixel is as accurate as was asked for, with such a threshold. */
+static int64_t squares_most(const struct tree *tree, uint8_t steps) {
+    return tree->scene->estimate->level[steps / 2].squares_most;
+}
+
+/* What is left of squares so many half octaves farther down: five eighths each time. */
+static int64_t squares_below(int64_t squares, uint8_t steps) {
+    for (uint8_t i = 0; i < steps; i++) {
+        squares -= (squares >> 2) + (squares >> 3);
+    }
+    return squares;
+}
+
+/* How far down no more than `most` is left of squares that were cut at `from`. */
+static uint8_t steps_to_leave(uint8_t from, int64_t squares, int64_t most) {
+    uint8_t steps = from;
+    while (squares > most && steps < from + STEPS_MOST && steps + 1 < STEPS_ALL) {
+        squares = squares_below(squares, 1);
+        steps++;
+    }
+    return steps;
+}
+
+/* What is kept on its last way down: from where to where it was expected to be followed, and the
+ * squares of what still waits, what is left as it is, and of what was followed: foreseen, found. */
+struct last_way {
+    uint8_t from, to, attempt;
+    int64_t waiting, left, foreseen, found;
 };
 
-static void go_down(struct descent *descent, bool whole_level) {
-    if (descent->is_between) {
-        descent->threshold = energy_product(descent->threshold, REAL_ENERGY(2.0 / 3));
-    } else {
-        descent->threshold =
-            energy_product(descent->threshold, whole_level ? REAL_ENERGY(0.5) : REAL_ENERGY(0.75));
+/* By how many half octaves the last way has to be longer than was expected, or shorter. */
+static int8_t correction(const struct last_way *way) {
+    int64_t foreseen = way->foreseen;
+    int8_t steps = 0;
+    while (steps < CORRECTION_MOST && way->found > foreseen + (foreseen >> 2)) {
+        foreseen += (foreseen >> 1) + (foreseen >> 3);
+        steps++;
     }
-    descent->is_between = !descent->is_between && !whole_level;
-    descent->level = (uint8_t)(descent->level + !descent->is_between);
+    while (steps > -CORRECTION_MOST && way->found + (way->found >> 2) < foreseen) {
+        foreseen = squares_below(foreseen, 1);
+        steps--;
+    }
+    return steps;
+}
+
+static uint8_t limited(int16_t steps, int16_t least, int16_t most) {
+    int16_t result = steps < least ? least : steps > most ? most : steps;
+    return (uint8_t)result;
+}
+
+/* Where the last way ends, as far as is known by now. */
+static uint8_t end_of(const struct last_way *way) {
+    return limited((int16_t)(way->to + correction(way)), way->from, STEPS_ALL - 1);
+}
+
+/* The squares that are to be left of the pixel, at that level: a little less than may be. */
+static int64_t squares_wanted(const struct tree *tree, uint8_t steps, uint8_t attempt) {
+    int64_t most = squares_most(tree, steps);
+    return (most - (most >> 3)) >> attempt;
+}
+
+/* Where the last way is expected to end: levels farther down allow for less. */
+static uint8_t expected_end(const struct tree *tree, const struct last_way *way) {
+    int64_t lost = tree->kept->losses.squares, squares = way->waiting;
+    uint8_t steps = way->from;
+    while (squares + lost > squares_wanted(tree, steps, way->attempt) &&
+           steps < way->from + STEPS_MOST && steps + 1 < STEPS_ALL) {
+        squares = squares_below(squares, 1);
+        steps++;
+    }
+    return steps;
+}
+
+/* How far the next branch is to be followed: what those before it have left, against what was to be
+ * left of them, makes it a little more or less. */
+static uint8_t next_steps(const struct tree *tree, const struct last_way *way) {
+    uint8_t end = end_of(way);
+    int64_t most = squares_wanted(tree, end, way->attempt) - way->left - tree->kept->losses.squares;
+    int16_t steps = (int16_t)(steps_to_leave(way->from, way->waiting, most) + end - way->to);
+    int16_t least = end > way->from ? (int16_t)(end - 1) : end;
+    return limited(steps, least, end + 2 < STEPS_ALL ? (int16_t)(end + 2) : STEPS_ALL - 1);
+}
+
+/* Follows kept branch number i; nothing of it is kept. Returns the squares of what is cut then. */
+static int64_t follow_to_the_end(struct tree *tree, uint16_t i) {
+    struct kept_branches *kept = tree->kept;
+    int64_t before = kept->losses.squares;
+    uint16_t count = (uint16_t)(kept->count - 1);
+    tree->branches[0] = kept->branches[i];
+    tree->waiting = 1;
+    kept->branches[i] = kept->branches[count];
+    kept->count = KEPT_MOST; /* no place is free */
+    growth_finish(tree);
+    kept->count = count;
+    return kept->losses.squares - before;
+}
+
+/* Follows what is kept to where the pixel is as accurate as was asked for, nearly: the squares are
+ * some seven eighths of the most, and at each further attempt half of that. Returns how far it is.
+ */
+static uint8_t follow_all(struct tree *tree, uint8_t from, uint8_t attempt) {
+    struct kept_branches *kept = tree->kept;
+    struct last_way way = {from, from, attempt, squares_of(kept) - kept->losses.squares, 0, 0, 0};
+    way.to = expected_end(tree, &way);
+    way.found = way.foreseen = squares_below(way.waiting, (uint8_t)(way.to - from)) >> 3;
+    uint16_t i = 0;
+    while (i < kept->count && !growth_is_exhausted(tree)) {
+        uint8_t steps = next_steps(tree, &way);
+        int64_t square = growth_square(kept->branches[i].weight);
+        way.waiting -= square;
+        way.foreseen += squares_below(square, (uint8_t)(steps - from));
+        tree->threshold = threshold_at(tree->scene, steps);
+        if (energy_less(energies_largest(kept->branches[i].weight), tree->threshold)) {
+            way.left += square;
+            way.found += square;
+            i++;
+        } else {
+            way.found += follow_to_the_end(tree, i);
+        }
+    }
+    uint8_t end = end_of(&way);
+    return end > from ? end : (uint8_t)(from + 1);
+}
+
+/* Whether there will be more to keep than there is room for: a quarter more each half octave. */
+static bool is_too_much(const struct tree *tree, uint8_t steps) {
+    const struct kept_branches *kept = tree->kept;
+    uint8_t to = steps_to_leave(steps, squares_of(kept), squares_most(tree, steps));
+    uint32_t count = kept->count;
+    for (; to > steps && count <= KEPT_MOST; to--) {
+        count += count >> 2;
+    }
+    return kept->count > KEPT_MOST / 4 && count > KEPT_MOST;
+}
+
+/* Whether the losses alone are too much, and there are rays enough to begin again: that takes
+ * about twice as many as what was done so far. */
+static bool must_begin_again(const struct tree *tree, uint8_t steps) {
+    uint32_t used = tree->counts->rays - tree->rays_before;
+    return tree->kept->losses.squares > squares_most(tree, steps) && used < tree->ray_budget / 4;
+}
+
+/* Whether the pixel is as accurate as was asked for; after the last way half as many squares again
+ * will do, for to begin again takes more than they are worth. */
+static bool is_accurate(const struct tree *tree, uint8_t steps, bool is_last) {
+    int64_t most = squares_most(tree, steps);
+    return squares_of(tree->kept) <= most + (is_last ? most >> 1 : 0);
 }
 
 /* Lowers the threshold until the pixel is as accurate as was asked for; returns the level. Branches
  * stray from the mean independently of each other, nearly: their squares add. */
 static uint8_t refine(struct tree *tree, const struct ray *eye_ray) {
-    const struct estimate *estimate = tree->scene->estimate;
-    struct descent descent = {0, false, tree->scene->threshold};
-    while (descent.level < estimate->first) {
-        go_down(&descent, true);
-    }
-    begin(tree, eye_ray, descent.threshold);
-    while (squares_of(tree->kept) > estimate->level[descent.level].squares_most) {
-        bool again = must_begin_again(tree, &estimate->level[descent.level]);
+    const struct scene *scene = tree->scene;
+    const uint8_t first = (uint8_t)(2 * scene->estimate->first);
+    uint8_t steps = first, attempts = 0;
+    bool is_last = false;
+    begin(tree, eye_ray, threshold_at(scene, steps));
+    while (!is_accurate(tree, steps, is_last)) {
+        bool again = must_begin_again(tree, steps);
         bool is_stuck = tree->kept->count == 0 && !again;
-        if (growth_is_exhausted(tree) || is_stuck || descent.level + 1 >= ESTIMATE_LEVELS) {
+        if (growth_is_exhausted(tree) || is_stuck || steps + 2 >= STEPS_ALL) {
             tree->exhausted = true;
             break;
         }
-        go_down(&descent, again);
-        if (again) {
-            begin(tree, eye_ray, descent.threshold);
+        is_last = !again && is_too_much(tree, steps);
+        if (is_last) {
+            steps = follow_all(tree, steps, attempts++);
+        } else if (again) {
+            steps = attempts > 0 ? first : (uint8_t)(steps + 2);
+            begin(tree, eye_ray, threshold_at(scene, steps));
         } else {
-            tree->threshold = descent.threshold;
+            steps++;
+            tree->threshold = threshold_at(scene, steps);
             follow_kept(tree);
         }
     }
-    return descent.level;
+    return steps / 2;
 }
 
 /* Everything that is still kept is cut now. */

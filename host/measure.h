@@ -76,7 +76,8 @@ struct measure_settings {
 
 enum { MEASURE_SCENES_MOST = 32, MEASURE_SHOWN = 4 };
 
-/* Against which all is measured: double, with nothing cut that could be seen. */
+/* Against which all is measured: double, with nothing cut that could be seen. What is cut there
+ * counts as the mean: as black it would make fig4a darker by up to 2 levels. */
 #define MEASURE_CONVERGED_THRESHOLD (1.0 / 262144)
 enum { MEASURE_CONVERGED_DEPTH = 255 };
 

@@ -36,11 +36,13 @@ static void write_method(const struct report *report) {
     }
     const struct measure_point *first = &measure->points.points[0];
     page_heading(report, 2, "How it was measured");
-    page_paragraph(report,
-                   "Scenes: %s; %u x %u pixels. Every picture is held against the one that double "
-                   "makes with depth level %d and a threshold of 1/262144, where four times less "
-                   "changes no pixel by more than 1 LSB. Shares are the mean over the scenes.",
-                   names, first->width, first->height, MEASURE_CONVERGED_DEPTH);
+    page_paragraph(
+        report,
+        "Scenes: %s; %u x %u pixels. Every picture is held against the one that double "
+        "makes with depth level %d, a threshold of 1/262144 and the estimated tail, where "
+        "four times less changes no pixel by more than 1 LSB. Shares are the mean over the "
+        "scenes.",
+        names, first->width, first->height, MEASURE_CONVERGED_DEPTH);
     page_paragraph(report,
                    "That double is exact enough was checked against 113-bit numbers (f128), 48 x "
                    "30 pixels of each scene at N = 10: %.2f %% of the pixels or more are the same "

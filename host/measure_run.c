@@ -176,7 +176,7 @@ static int measure_group(struct measure *measure, const struct measure_scene *sc
     struct dots_picture reference = {NULL, 0, 0};
     strcpy(like.arithmetic, "f64");
     strcpy(like.colour, "full");
-    strcpy(like.tail, "black");
+    strcpy(like.tail, "estimate");
     like.depth = MEASURE_CONVERGED_DEPTH;
     like.threshold = MEASURE_CONVERGED_THRESHOLD;
     like.error = 0;

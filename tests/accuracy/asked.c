@@ -34,13 +34,9 @@ struct subject {
 static const struct frame *uniform(struct subject *subject, int number) {
     struct frame *frame = &subject->uniform[number];
     if (!frame->pixels) {
-        const struct frame_settings settings = {subject->scene,
-                                                "fx",
-                                                subject->width,
-                                                subject->height,
-                                                exp2(-4 - number / 4.0),
-                                                0,
-                                                true};
+        const struct frame_settings settings = {
+            subject->scene,          "fx", subject->width, subject->height,
+            exp2(-4 - number / 4.0), 0,    true,           false};
         if (!frame_render(&settings, frame)) {
             exit(2);
         }
@@ -48,15 +44,28 @@ static const struct frame *uniform(struct subject *subject, int number) {
     return frame;
 }
 
+static bool is_enough(struct subject *subject, int number, double most, double share) {
+    struct frame_errors errors;
+    frame_compare(uniform(subject, number), &subject->converged, most, &errors);
+    return fmax(errors.share, errors.open) >= share;
+}
+
+/* A search for a threshold ends where that takes so many times the rays. */
+static const double search_most = 2;
+
 /* The largest threshold with which that share is within that error, whichever way the light beyond
- * the depth level is counted; the last one if none does. */
-static int best_uniform(struct subject *subject, double most, double share) {
-    int low = -1, high = THRESHOLDS - 1;
+ * the depth level is counted; if none does, one that takes too many rays. By octaves from the
+ * largest one on, for small ones take long. */
+static int best_uniform(struct subject *subject, double most, double share, double rays) {
+    int low = -1, high = 0;
+    while (high < THRESHOLDS - 1 && uniform(subject, high)->rays < search_most * rays &&
+           !is_enough(subject, high, most, share)) {
+        low = high;
+        high = high + 4 < THRESHOLDS ? high + 4 : THRESHOLDS - 1;
+    }
     while (high - low > 1) {
         int middle = (low + high) / 2;
-        struct frame_errors errors;
-        frame_compare(uniform(subject, middle), &subject->converged, most, &errors);
-        if (fmax(errors.share, errors.open) >= share) {
+        if (is_enough(subject, middle, most, share)) {
             high = middle;
         } else {
             low = middle;
@@ -67,15 +76,15 @@ static int best_uniform(struct subject *subject, double most, double share) {
 
 static bool judge(struct subject *subject, double error, double *rays) {
     const struct frame_settings settings = {
-        subject->scene, "fx", subject->width, subject->height, 0, error, true};
+        subject->scene, "fx", subject->width, subject->height, 0, error, true, false};
     struct frame frame;
     struct frame_errors errors;
     if (!frame_render(&settings, &frame)) {
         exit(2);
     }
     frame_compare(&frame, &subject->converged, error_most * error, &errors);
-    int same = best_uniform(subject, error_most * error, errors.share);
-    int enough = best_uniform(subject, error_most * error, share_least);
+    int same = best_uniform(subject, error_most * error, errors.share, frame.rays);
+    int enough = best_uniform(subject, error_most * error, share_least, frame.rays);
     double same_rays = uniform(subject, same)->rays, enough_rays = uniform(subject, enough)->rays;
     bool good =
         errors.share >= share_least && frame.rays <= rays_most * same_rays && frame.rays > *rays;

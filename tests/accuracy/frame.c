@@ -4,19 +4,25 @@
 
 #include <math.h>
 #include <pthread.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "band.h"
+
 enum { THREADS = 2, PATH_SIZE = 512 };
 
-/* What the threads share: rows are handed out one by one. */
+/* What of the pixels is asked for. */
+enum detail { DETAIL_SHOWN, DETAIL_EXACT, DETAIL_CUT };
+
+/* What the threads share: bands of rows are handed out one by one. */
 struct frame_work {
     pthread_mutex_t lock;
     const struct arithmetic *arithmetic;
     const struct scene *scene;
     struct frame *frame;
-    bool observes;
+    enum detail detail;
     int next_row;
     double rays;
     unsigned long leaked, exhausted;
@@ -38,6 +44,12 @@ static void note_end(void *context, const struct observed_end *end) {
     }
 }
 
+static void add_counts(struct render_counts *sums, const struct render_counts *counts) {
+    sums->rays += counts->rays;
+    sums->leaked_rays += counts->leaked_rays;
+    sums->exhausted_pixels += counts->exhausted_pixels;
+}
+
 static void render_row(struct frame_work *work, int row, struct render_counts *sums) {
     struct frame *frame = work->frame;
     for (int x = 0; x < frame->width; x++) {
@@ -46,26 +58,48 @@ static void render_row(struct frame_work *work, int row, struct render_counts *s
         struct render_counts counts;
         memset(&counts, 0, sizeof counts);
         work->arithmetic->pixel(work->scene, (uint16_t)x, (uint16_t)row, pixel->level, &counts,
-                                work->observes ? &observer : NULL);
+                                work->detail == DETAIL_CUT ? &observer : NULL);
         pixel->doubt = counts.estimated_error / 65536.0;
-        sums->rays += counts.rays;
-        sums->leaked_rays += counts.leaked_rays;
-        sums->exhausted_pixels += counts.exhausted_pixels;
+        add_counts(sums, &counts);
     }
 }
 
-static void *render_rows(void *argument) {
-    struct frame_work *work = argument;
-    for (;;) {
-        pthread_mutex_lock(&work->lock);
-        int row = work->next_row++;
-        pthread_mutex_unlock(&work->lock);
-        if (row >= work->frame->height) {
-            return NULL;
+/* As the screen has them: by streams of rays where the host has them, which is faster. */
+static void render_shown(struct frame_work *work, struct band *band, int first, int rows,
+                         uint8_t *rgb, struct render_counts *counts) {
+    struct frame *frame = work->frame;
+    struct frame_pixel *pixels = &frame->pixels[first * frame->width];
+    band_render(band, (unsigned)first, (unsigned)rows, 3 * (size_t)frame->width, rgb, counts);
+    for (int i = 0; i < rows * frame->width; i++) {
+        for (int j = 0; j < 3; j++) {
+            pixels[i].level[j] = rgb[3 * i + j];
         }
+    }
+}
+
+/* The number of rows of the next band, 0 after the last one. */
+static int take_band(struct frame_work *work, int *first) {
+    pthread_mutex_lock(&work->lock);
+    int left = work->frame->height - work->next_row, rows = left < BAND_ROWS ? left : BAND_ROWS;
+    *first = work->next_row;
+    work->next_row += rows;
+    pthread_mutex_unlock(&work->lock);
+    return rows;
+}
+
+/* With memory for a band, or none where pixels are rendered one by one. */
+static void render_bands(struct frame_work *work, struct band *band, uint8_t *rgb) {
+    int first, rows;
+    while ((rows = take_band(work, &first)) > 0) {
         struct render_counts counts;
         memset(&counts, 0, sizeof counts);
-        render_row(work, row, &counts);
+        if (rgb) {
+            render_shown(work, band, first, rows, rgb, &counts);
+        } else {
+            for (int i = 0; i < rows; i++) {
+                render_row(work, first + i, &counts);
+            }
+        }
         pthread_mutex_lock(&work->lock);
         work->rays += counts.rays;
         work->leaked += counts.leaked_rays;
@@ -74,10 +108,26 @@ static void *render_rows(void *argument) {
     }
 }
 
+static void *render_frame(void *argument) {
+    struct frame_work *work = argument;
+    struct band band;
+    uint8_t *rgb = NULL;
+    if (work->detail == DETAIL_SHOWN) {
+        rgb = malloc((size_t)3 * BAND_ROWS * (size_t)work->frame->width);
+        band_start(&band, work->arithmetic, work->scene);
+    }
+    render_bands(work, &band, rgb);
+    if (work->detail == DETAIL_SHOWN) {
+        band_end(&band);
+        free(rgb);
+    }
+    return NULL;
+}
+
 static bool run_threads(struct frame_work *work) {
     pthread_t threads[THREADS];
     int started = 0;
-    while (started < THREADS && pthread_create(&threads[started], NULL, render_rows, work) == 0) {
+    while (started < THREADS && pthread_create(&threads[started], NULL, render_frame, work) == 0) {
         started++;
     }
     for (int i = 0; i < started; i++) {
@@ -130,7 +180,7 @@ static struct scene *load(const struct frame_settings *settings, struct frame *f
     return scene;
 }
 
-static bool render_scene(const struct frame_settings *settings, bool observes,
+static bool render_scene(const struct frame_settings *settings, enum detail detail,
                          struct frame *frame) {
     struct scene *scene = load(settings, frame);
     size_t pixels = (size_t)settings->width * (size_t)settings->height;
@@ -141,7 +191,7 @@ static bool render_scene(const struct frame_settings *settings, bool observes,
                                   arithmetic_find(settings->arithmetic),
                                   scene,
                                   frame,
-                                  observes,
+                                  detail,
                                   0,
                                   0,
                                   0,
@@ -155,7 +205,7 @@ static bool render_scene(const struct frame_settings *settings, bool observes,
 }
 
 bool frame_render(const struct frame_settings *settings, struct frame *frame) {
-    return render_scene(settings, false, frame);
+    return render_scene(settings, settings->shown ? DETAIL_SHOWN : DETAIL_EXACT, frame);
 }
 
 /* What cut branches are worth, learned at a threshold where that is quick. */
@@ -175,7 +225,7 @@ static bool learn_mean(const struct frame_settings *settings, double mean[3]) {
 
 static bool render_converged(const struct frame_settings *settings, struct frame *frame) {
     double mean[3];
-    if (!learn_mean(settings, mean) || !render_scene(settings, true, frame)) {
+    if (!learn_mean(settings, mean) || !render_scene(settings, DETAIL_CUT, frame)) {
         return false;
     }
     for (int i = 0; i < frame->width * frame->height; i++) {
@@ -190,7 +240,8 @@ static bool render_converged(const struct frame_settings *settings, struct frame
 
 bool frame_converged(const char *folder, const char *scene, int width, int height,
                      struct frame *frame) {
-    const struct frame_settings settings = {scene, "f64", width, height, 1.0 / (1 << 20), 0, false};
+    const struct frame_settings settings = {scene,           "f64", width, height,
+                                            1.0 / (1 << 20), 0,     false, false};
     char path[PATH_SIZE];
     size_t pixels = (size_t)width * (size_t)height;
     snprintf(path, sizeof path, "%s/%s_%dx%d.frame", folder, scene, width, height);

@@ -18,6 +18,7 @@ struct frame_settings {
     double threshold; /* without an error asked for */
     double error;     /* levels; 0: none is asked for */
     bool estimates;   /* what is cut counts as what it is worth on average, not as black */
+    bool shown;       /* levels rounded and clamped, as the screen has them, will do */
 };
 
 /* One pixel: its levels, and what the weights in it that were cut by the threshold and by the depth

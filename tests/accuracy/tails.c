@@ -23,8 +23,8 @@ enum { JUDGED_DIVISOR = 2048 };
 static const double share_least = 99.9;
 static const char *const judged[] = {"fig3", "fig5"};
 
-/* Where black is looked for, to be as right: down to 2^-18. */
-enum { BLACK_LAST = 18 };
+/* Where black is looked for, to be as right: by quarters of an octave, down to 2^-18. */
+enum { BLACK_FIRST = 4 * 11, BLACK_LAST = 4 * 18 };
 
 struct point {
     double share, rays, learning;
@@ -33,7 +33,7 @@ struct point {
 static struct point measure_point(const char *scene, const char *arithmetic, double threshold,
                                   bool estimates, const struct frame *converged) {
     const struct frame_settings settings = {
-        scene, arithmetic, converged->width, converged->height, threshold, 0, estimates};
+        scene, arithmetic, converged->width, converged->height, threshold, 0, estimates, true};
     struct frame frame;
     struct point point = {0, 0, 0};
     if (!frame_render(&settings, &frame)) {
@@ -64,9 +64,8 @@ static void print_arithmetic(const char *scene, const char *arithmetic,
 /* What black takes to be as right as the estimate, in the firmware's own arithmetic. */
 static bool judge(const char *scene, const struct point *mean, const struct frame *converged) {
     struct point black = {0, 0, 0};
-    int power = 11;
-    for (; power <= BLACK_LAST && black.share < mean->share; power++) {
-        black = measure_point(scene, "fx", exp2(-power), false, converged);
+    for (int i = BLACK_FIRST; i <= BLACK_LAST && black.share < mean->share; i++) {
+        black = measure_point(scene, "fx", exp2(-i / 4.0), false, converged);
     }
     bool good = mean->share >= share_least && 2 * mean->rays <= black.rays;
     fprintf(stderr, "%s: %.3f %% for %.1f rays with the estimate, %.3f %% for %.1f with black%s\n",
