@@ -340,7 +340,7 @@ static void write_machines(const struct report *report) {
                    "Where a machine has no floating-point unit and no entry for float, none was "
                    "measured.");
     page_paragraph(report,
-                   "Instructions that were predicted lay up to a third from those that were "
+                   "Instructions that were predicted lay less than a fifth from those that were "
                    "counted of real images (docs/measure.md of the source has the table; "
                    "make cost-check makes it): times of machines and arithmetics that are a "
                    "factor apart can be told from each other, not those that are near.");
