@@ -73,7 +73,7 @@ static void find_passages(const struct direction_lanes *direction, const struct 
 static inline uint32_t is_followed(const struct scene *scene, uint32_t hit, uint32_t path,
                                    real_energy largest) {
     bool goes_on = (path_events(path) < scene->depth) & !energy_less(largest, scene->threshold);
-    return (hit != 0) & !energy_is_zero(largest) & goes_on ? 1 : 0;
+    return ((hit != 0) & !energy_is_zero(largest) & goes_on) ? 1 : 0;
 }
 
 /* The weights of one kind of children, and which of them are followed. */

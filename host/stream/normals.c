@@ -46,10 +46,11 @@ static void set_straight(const struct search_lanes *restrict search,
     const real_unit none = REAL_UNIT(0.0), high = REAL_UNIT(1.0), low = REAL_UNIT(-1.0);
     for (int i = 0; i < LANES; i++) {
         uint32_t face = search->place[i] & 0xFF;
-        real_unit along = (face < 3) ^ crossed_leaving(search->crossed[i]) ? low : high;
-        normal->x[i] = (face == 0) | (face == 3) ? along : none;
-        normal->y[i] = (face == 1) | (face == 4) ? along : none;
-        normal->z[i] = (face == 2) | (face == 5) ? along : none;
+        bool inwards = (face < 3) ^ crossed_leaving(search->crossed[i]);
+        real_unit along = inwards ? low : high;
+        normal->x[i] = ((face == 0) | (face == 3)) ? along : none;
+        normal->y[i] = ((face == 1) | (face == 4)) ? along : none;
+        normal->z[i] = ((face == 2) | (face == 5)) ? along : none;
     }
 }
 
