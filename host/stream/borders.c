@@ -10,7 +10,7 @@ static void turn_points(struct point_lanes *restrict turned, const struct frame 
                         const struct point_lanes *restrict world) {
     const struct frame f = *frame;
     for (int i = 0; i < LANES; i++) {
-        const struct point there = {world->x[i], world->y[i], world->z[i]};
+        const struct point there = point_in(world, i);
         struct point q = point_subtract(there, f.origin);
         turned->x[i] = point_dot(q, f.axis[0]);
         turned->y[i] = point_dot(q, f.axis[1]);

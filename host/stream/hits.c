@@ -7,11 +7,8 @@
 
 static void set_places(const struct search_lanes *restrict search, struct hit_lanes *restrict hit) {
     for (int i = 0; i < LANES; i++) {
-        const struct point origin = {search->world.origin.x[i], search->world.origin.y[i],
-                                     search->world.origin.z[i]};
-        const struct direction direction = {search->world.direction.x[i],
-                                            search->world.direction.y[i],
-                                            search->world.direction.z[i]};
+        const struct point origin = point_in(&search->world.origin, i);
+        const struct direction direction = direction_in(&search->world.direction, i);
         struct point where = point_along(origin, search->t[i], direction);
         hit->t[i] = search->t[i];
         hit->where.x[i] = where.x;
@@ -25,9 +22,8 @@ static void set_places(const struct search_lanes *restrict search, struct hit_la
 static void set_mirrored(const struct search_lanes *restrict search,
                          struct hit_lanes *restrict hit) {
     for (int i = 0; i < LANES; i++) {
-        const struct direction d = {search->world.direction.x[i], search->world.direction.y[i],
-                                    search->world.direction.z[i]};
-        const struct direction normal = {hit->normal.x[i], hit->normal.y[i], hit->normal.z[i]};
+        const struct direction d = direction_in(&search->world.direction, i);
+        const struct direction normal = direction_in(&hit->normal, i);
         real_unit cosine = incidence_cosine(d, normal);
         struct direction mirrored = mirror_direction(d, cosine, normal);
         hit->cosine[i] = cosine;

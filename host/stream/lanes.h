@@ -30,6 +30,16 @@ struct colour_lanes {
     real_colour red[LANES], green[LANES], blue[LANES];
 };
 
+static inline struct point point_in(const struct point_lanes *lanes, int i) {
+    const struct point point = {lanes->x[i], lanes->y[i], lanes->z[i]};
+    return point;
+}
+
+static inline struct direction direction_in(const struct direction_lanes *lanes, int i) {
+    const struct direction direction = {lanes->x[i], lanes->y[i], lanes->z[i]};
+    return direction;
+}
+
 /* Rays on their way; what each member means, struct branch and struct ray say. */
 struct ray_lanes {
     struct point_lanes origin;

@@ -65,7 +65,7 @@ static void set_ball(const uint32_t here[restrict LANES], const struct ball ball
                      const struct point_lanes *restrict where,
                      struct curved_lanes *restrict curved) {
     for (int i = 0; i < LANES; i++) {
-        const struct point there = {where->x[i], where->y[i], where->z[i]};
+        const struct point there = point_in(where, i);
         struct point p = point_subtract(there, ball.centre);
         bool is = here[i] != 0;
         curved->steepness.x[i] = is ? p.x : curved->steepness.x[i];
@@ -82,7 +82,7 @@ static void set_quadric(const struct search_lanes *restrict search,
                         struct curved_lanes *restrict curved) {
     const bool turned = frame_number != FRAME_WORLD;
     for (int i = 0; i < LANES; i++) {
-        const struct point there = {where->x[i], where->y[i], where->z[i]};
+        const struct point there = point_in(where, i);
         struct point q = point_subtract(there, quadric.centre);
         struct point t = turn_point(&frame, q);
         const struct point p = {turned ? t.x : q.x, turned ? t.y : q.y, turned ? t.z : q.z};
@@ -119,7 +119,7 @@ static void normalise(const struct curved_lanes *restrict curved,
 static void turn_lanes(const struct curved_lanes *restrict curved, const struct frame frame,
                        uint32_t number, struct direction_lanes *restrict outward) {
     for (int i = 0; i < LANES; i++) {
-        const struct direction u = {outward->x[i], outward->y[i], outward->z[i]};
+        const struct direction u = direction_in(outward, i);
         struct direction back = turn_back(&frame, u);
         bool is = (curved->is[i] != 0) & (curved->frame[i] == number);
         outward->x[i] = is ? back.x : u.x;
@@ -133,7 +133,7 @@ static void set_outward(const struct search_lanes *restrict search,
                         const struct direction_lanes *restrict outward,
                         struct direction_lanes *restrict normal) {
     for (int i = 0; i < LANES; i++) {
-        const struct direction u = {outward->x[i], outward->y[i], outward->z[i]};
+        const struct direction u = direction_in(outward, i);
         set_normal(normal, i, curved->is[i] != 0, u, crossed_leaving(search->crossed[i]));
     }
 }

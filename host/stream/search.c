@@ -107,9 +107,8 @@ static struct local_lanes *view_from(struct search_lanes *restrict search, uint8
     const struct frame frame = search->scene->frames[number];
     search->frames[number % SEARCH_VIEWS] = number;
     for (int i = 0; i < LANES; i++) {
-        const struct point origin = {world->origin.x[i], world->origin.y[i], world->origin.z[i]};
-        const struct direction direction = {world->direction.x[i], world->direction.y[i],
-                                            world->direction.z[i]};
+        const struct point origin = point_in(&world->origin, i);
+        const struct direction direction = direction_in(&world->direction, i);
         struct point turned = turn_point(&frame, origin);
         local->origin.x[i] = turned.x;
         local->origin.y[i] = turned.y;

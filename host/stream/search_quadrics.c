@@ -12,11 +12,8 @@ bool quadric_meets(const struct search_lanes *restrict search, uint8_t index,
     const uint32_t ends = quadric.ends ? 1 : 0;
     uint32_t meeting = 0;
     for (int i = 0; i < LANES; i++) {
-        const struct point origin = {search->world.origin.x[i], search->world.origin.y[i],
-                                     search->world.origin.z[i]};
-        const struct direction direction = {search->world.direction.x[i],
-                                            search->world.direction.y[i],
-                                            search->world.direction.z[i]};
+        const struct point origin = point_in(&search->world.origin, i);
+        const struct direction direction = direction_in(&search->world.direction, i);
         struct point p = point_subtract(origin, quadric.centre);
         real_length nearest = length_negate(point_dot(p, direction));
         struct point foot = point_along(p, nearest, direction);
@@ -59,8 +56,7 @@ struct root_lanes {
 
 static inline void set_form(const struct quadric *quadric, struct point foot,
                             const struct local_lanes *local, int i, struct root_lanes *roots) {
-    const struct direction direction = {local->direction.x[i], local->direction.y[i],
-                                        local->direction.z[i]};
+    const struct direction direction = direction_in(&local->direction, i);
     struct form form = quadric_form(quadric, foot, direction);
     roots->a[i] = form.a;
     roots->b[i] = form.b;
@@ -73,14 +69,14 @@ static void find_forms(const struct scene *scene, const struct quadric quadric,
                        struct root_lanes *restrict roots) {
     if (frame_number == FRAME_WORLD) {
         for (int i = 0; i < LANES; i++) {
-            const struct point foot = {lanes->foot.x[i], lanes->foot.y[i], lanes->foot.z[i]};
+            const struct point foot = point_in(&lanes->foot, i);
             set_form(&quadric, foot, local, i, roots);
         }
         return;
     }
     const struct frame frame = scene->frames[frame_number];
     for (int i = 0; i < LANES; i++) {
-        const struct point foot = {lanes->foot.x[i], lanes->foot.y[i], lanes->foot.z[i]};
+        const struct point foot = point_in(&lanes->foot, i);
         set_form(&quadric, turn_point(&frame, foot), local, i, roots);
     }
 }

@@ -77,11 +77,8 @@ static bool ball_meets(const struct search_lanes *restrict search, const struct 
                        struct ball_lanes *restrict lanes) {
     uint32_t meeting = 0;
     for (int i = 0; i < LANES; i++) {
-        const struct point origin = {search->world.origin.x[i], search->world.origin.y[i],
-                                     search->world.origin.z[i]};
-        const struct direction direction = {search->world.direction.x[i],
-                                            search->world.direction.y[i],
-                                            search->world.direction.z[i]};
+        const struct point origin = point_in(&search->world.origin, i);
+        const struct direction direction = direction_in(&search->world.direction, i);
         struct point p = point_subtract(origin, ball.centre);
         real_length middle = length_negate(point_dot(p, direction));
         struct point foot = point_along(p, middle, direction);
@@ -176,11 +173,8 @@ static void cross_polyhedron(struct search_lanes *restrict search, uint8_t index
         bool upper = plane_is_upper(&plane);
         place = place_of(plane.surface, face);
         for (int i = 0; i < LANES; i++) {
-            const struct point origin = {search->world.origin.x[i], search->world.origin.y[i],
-                                         search->world.origin.z[i]};
-            const struct direction direction = {search->world.direction.x[i],
-                                                search->world.direction.y[i],
-                                                search->world.direction.z[i]};
+            const struct point origin = point_in(&search->world.origin, i);
+            const struct direction direction = direction_in(&search->world.direction, i);
             struct stretch s = {in[i], out[i], in_place[i], out_place[i], hit[i] != 0};
             s = stretch_plane(s, plane, place, upper, origin, direction, search->surface[i],
                               inside);

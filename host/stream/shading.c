@@ -26,15 +26,15 @@ static void find_ways(const struct light *source, const struct hit_lanes *restri
         }
     } else {
         for (int i = 0; i < LANES; i++) {
-            const struct point where = {hit->where.x[i], hit->where.y[i], hit->where.z[i]};
+            const struct point where = point_in(&hit->where, i);
             struct point gap = point_subtract(light.position, where);
             unit_normalise_lengths(gap.x, gap.y, gap.z, &way->towards.x[i], &way->towards.y[i],
                                    &way->towards.z[i], &way->distance[i]);
         }
     }
     for (int i = 0; i < LANES; i++) {
-        const struct direction normal = {hit->normal.x[i], hit->normal.y[i], hit->normal.z[i]};
-        const struct direction towards = {way->towards.x[i], way->towards.y[i], way->towards.z[i]};
+        const struct direction normal = direction_in(&hit->normal, i);
+        const struct direction towards = direction_in(&way->towards, i);
         real_unit cosine = direction_dot(normal, towards);
         way->cosine[i] = cosine;
         way->lit[i] = unit_less(REAL_UNIT(0.0), cosine) ? hit->is[i] : 0;
@@ -90,7 +90,7 @@ static void find_beta(const struct direction_lanes *restrict direction,
                       const struct hit_lanes *restrict hit, const struct way_lanes *restrict way,
                       real_unit cosine[restrict LANES]) {
     for (int i = 0; i < LANES; i++) {
-        const struct direction normal = {hit->normal.x[i], hit->normal.y[i], hit->normal.z[i]};
+        const struct direction normal = direction_in(&hit->normal, i);
         struct direction half;
         unit_normalise_wide(wide_sum(way->towards.x[i], unit_negate(direction->x[i])),
                             wide_sum(way->towards.y[i], unit_negate(direction->y[i])),
@@ -103,9 +103,8 @@ static void find_beta(const struct direction_lanes *restrict direction,
 static void find_alpha(const struct hit_lanes *restrict hit, const struct way_lanes *restrict way,
                        real_unit cosine[restrict LANES]) {
     for (int i = 0; i < LANES; i++) {
-        const struct direction light = {way->towards.x[i], way->towards.y[i], way->towards.z[i]};
-        const struct direction mirrored = {hit->mirrored.x[i], hit->mirrored.y[i],
-                                           hit->mirrored.z[i]};
+        const struct direction light = direction_in(&way->towards, i);
+        const struct direction mirrored = direction_in(&hit->mirrored, i);
         cosine[i] = direction_dot(mirrored, light);
     }
 }
@@ -158,7 +157,7 @@ static void add_light(const struct light *source, const struct way_lanes *restri
 static void fade(const struct scene *scene, const struct hit_lanes *hit,
                  struct colour_lanes *direct) {
     for (int i = 0; i < LANES; i++) {
-        const struct point where = {hit->where.x[i], hit->where.y[i], hit->where.z[i]};
+        const struct point where = point_in(&hit->where, i);
         struct point way = point_subtract(where, scene->camera.eye);
         real_length distance = length_add(scene->fade_start, length_root(point_norm(way)));
         direct->red[i] = colour_faded(direct->red[i], distance, scene->fade_exponent);
