@@ -1,16 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* Fig. 7 as a table, as a script for gnuplot, and by gnuplot as plots. */
-#include <errno.h>
-#include <stdlib.h>
-#include <string.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include "command.h"
+#include "gnuplot.h"
 #include "interrupt.h"
 #include "paper_curves.h"
-
-enum { NOT_FOUND = 127, NOT_RUN = 126 };
 
 static const char data_name[] = "fig7.csv", script_name[] = "fig7.gp";
 static const char *const plot_names[PAPER_COSTS] = {"fig7-rays.png", "fig7-tests.png"};
@@ -94,27 +89,6 @@ static int write_script(const struct paper *paper) {
     return paper_close(file, script_name);
 }
 
-/* Runs gnuplot in the folder; its exit status, or NOT_FOUND or NOT_RUN. */
-static int run_gnuplot(const char *folder) {
-    int status = 0;
-    pid_t child = fork();
-    if (child == 0) {
-        if (chdir(folder) == 0) {
-            (void)execlp("gnuplot", "gnuplot", script_name, (char *)NULL);
-        }
-        _exit(errno == ENOENT ? NOT_FOUND : NOT_RUN);
-    }
-    if (child < 0) {
-        return NOT_RUN;
-    }
-    while (waitpid(child, &status, 0) < 0) {
-        if (errno != EINTR) {
-            return NOT_RUN;
-        }
-    }
-    return WIFEXITED(status) ? WEXITSTATUS(status) : NOT_RUN;
-}
-
 static void remove_plots(const struct paper *paper) {
     for (int i = 0; i < PAPER_COSTS; i++) {
         char path[4096];
@@ -127,12 +101,12 @@ int paper_write_plots(struct paper *paper) {
     if (write_data(paper) != STATUS_DONE || write_script(paper) != STATUS_DONE) {
         return STATUS_FAILED;
     }
-    int status = run_gnuplot(paper->folder);
-    paper->has_plots = status == 0;
-    if (status != 0) {
+    enum gnuplot_status drawn = gnuplot_run(paper->folder, script_name);
+    paper->has_plots = drawn == GNUPLOT_DONE;
+    if (drawn != GNUPLOT_DONE) {
         remove_plots(paper);
         complain(
-            status == NOT_FOUND
+            drawn == GNUPLOT_NOT_FOUND
                 ? "gnuplot is not there: the plots of Fig. 7 are left out; install it (Debian: "
                   "apt-get install gnuplot-nox, or sh setup.sh paper), or draw fig7.gp later"
                 : "gnuplot could not draw fig7.gp: the plots of Fig. 7 are left out");

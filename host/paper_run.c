@@ -26,7 +26,6 @@ static int plan_and_render(struct paper *paper, bool quiet) {
     }
     paper->is_planning = false;
     paper->began = stopwatch_start();
-    interrupt_catch();
     progress_begin(&paper->progress, paper->rows, quiet);
     status = render_all(paper);
     progress_end(&paper->progress);
@@ -63,6 +62,7 @@ static void free_photos(struct paper *paper) {
 
 static int make_paper(struct paper *paper, const struct options *options) {
     struct paper_folder folder;
+    interrupt_catch();
     if (!make_scratch(paper) || !paper_folder_open(&folder, options->output)) {
         return STATUS_FAILED;
     }

@@ -253,6 +253,7 @@ static void failures_leave_nothing(void **state) {
     }
 }
 
+/* timeout(1) without --foreground sends its signal twice: to the program and to its group. */
 static void an_interrupted_run_leaves_nothing(void **state) {
     (void)state;
     assert_status("mkdir empty; cd empty; "
