@@ -30,11 +30,15 @@ static void add_part(struct tree *tree, struct colours part) {
     tree->sum = colours_add(tree->sum, colours_in_steps(part));
 }
 
+static enum estimate_way way_of(const struct scene *scene, const struct direction *direction) {
+    return unit_is_negative(direction_dot(*direction, scene->camera.up)) ? WAY_DOWN : WAY_UP;
+}
+
 /* A branch that is cut adds what the scene's estimate says, or nothing. */
-static void cut_worth(struct tree *tree, struct energies weight) {
+static void cut_worth(struct tree *tree, struct energies weight, enum estimate_way way) {
     const struct estimate *estimate = tree->scene->estimate;
     if (FEATURE_ESTIMATE && estimate) {
-        const int32_t *steps = estimate->level[0].mean;
+        const int32_t *steps = estimate->level[0].mean[way];
         const struct colours mean = {colour_of_steps(steps[0]), colour_of_steps(steps[1]),
                                      colour_of_steps(steps[2])};
         add_part(tree, colours_weighed(mean, weight));
@@ -60,7 +64,7 @@ static void lose(struct tree *tree, const struct branch *branch, enum branch_end
         add_weight(losses->ended, branch->weight);
         return;
     }
-    add_weight(losses->weight, branch->weight);
+    add_weight(losses->weight[way_of(tree->scene, &branch->ray.direction)], branch->weight);
     losses->squares += growth_square(branch->weight);
 }
 
@@ -94,23 +98,47 @@ static uint8_t levels_above(const struct lesson *lesson, int32_t weight) {
     return count;
 }
 
+/* The way which the branch, or the one it grew from, was going when that level cut it. */
+static enum estimate_way way_at(const struct branch *branch, uint8_t level) {
+    return branch->ups >> level & 1 ? WAY_UP : WAY_DOWN;
+}
+
+/* What ends beyond the cut without having been seen: all the levels that cut it miss it. */
+static void learn_rest(struct lesson *lesson, const struct branch *branch) {
+    for (uint8_t i = 0; i < branch->beyond; i++) {
+        add_weight(lesson->level[i].rest[way_at(branch, i)], branch->weight);
+    }
+}
+
+/* What is seen beyond the cut is worth something to all the levels that cut it. */
+static void learn_worth(struct lesson *lesson, const struct branch *branch, struct colours part) {
+    const int32_t steps[3] = {colour_steps(part.red), colour_steps(part.green),
+                              colour_steps(part.blue)};
+    for (uint8_t i = 0; i < branch->beyond; i++) {
+        int64_t *worth = lesson->level[i].worth[way_at(branch, i)];
+        for (uint8_t j = 0; j < 3; j++) {
+            worth[j] += steps[j];
+        }
+    }
+}
+
 /* Enters a new branch into the lesson: whether it is followed, beyond the cut if need be. */
 static bool learn_of(struct tree *tree, struct branch *branch, bool is_deep) {
     struct lesson *lesson = tree->lesson;
     int32_t steps = energy_steps(energies_largest(branch->weight));
+    enum estimate_way way = way_of(tree->scene, &branch->ray.direction);
     uint8_t cut = levels_above(lesson, steps), level = branch->beyond;
     if (is_deep && lesson->of_depth && cut == 0) {
         cut = 1;
     }
     for (; level < cut; level++) {
-        add_weight(lesson->level[level].weight, branch->weight);
+        add_weight(lesson->level[level].weight[way], branch->weight);
         lesson->level[level].squares += growth_square(branch->weight);
+        branch->ups |= (uint32_t)way << level;
     }
     branch->beyond = level;
     if (branch->events > lesson->last_depth || (level > 0 && steps < lesson->last)) {
-        if (level > 0) {
-            add_weight(lesson->level[level - 1].rest, branch->weight);
-        }
+        learn_rest(lesson, branch);
         return false;
     }
     return true;
@@ -122,7 +150,8 @@ static void cut(struct tree *tree, const struct branch *branch, enum branch_end 
     if (FEATURE_KEPT > 0 && tree->kept) {
         keep(tree, branch, why);
     } else {
-        cut_worth(tree, branch->weight);
+        cut_worth(tree, branch->weight,
+                  why == END_DEPTH ? WAY_ANY : way_of(tree->scene, &branch->ray.direction));
     }
 }
 
@@ -146,6 +175,7 @@ static void make_branch(const struct tree *tree, const struct node *node, enum b
     branch->channel = channel;
     if (FEATURE_ESTIMATE) {
         branch->beyond = node->branch->beyond;
+        branch->ups = node->branch->ups;
     }
     if (FEATURE_OBSERVER) {
         branch->kind = (uint8_t)kind;
@@ -165,7 +195,7 @@ static void grow(struct tree *tree, const struct node *node, enum branch_kind ki
     bool deep = node->branch->events >= tree->scene->depth;
     bool ends = deep || energy_less(largest, tree->threshold);
     if (ends && !cut_is_noticed(tree)) {
-        cut_worth(tree, weight);
+        cut_worth(tree, weight, deep ? WAY_ANY : way_of(tree->scene, direction));
         return;
     }
     struct branch *branch = &tree->branches[tree->waiting];
@@ -294,10 +324,7 @@ static void add_intensity(struct tree *tree, const struct branch *branch,
                           struct colours intensity) {
     struct colours part = colours_weighed(intensity, branch->weight);
     if (FEATURE_ESTIMATE && tree->lesson && branch->beyond > 0) {
-        int64_t *worth = tree->lesson->level[branch->beyond - 1].worth;
-        worth[0] += colour_steps(part.red);
-        worth[1] += colour_steps(part.green);
-        worth[2] += colour_steps(part.blue);
+        learn_worth(tree->lesson, branch, part);
     } else {
         add_part(tree, part);
     }
@@ -375,6 +402,7 @@ void growth_start(struct tree *tree, const struct scene *scene, const struct ray
     tree->branches[0].channel = CHANNEL_ALL;
     tree->branches[0].kind = BRANCH_EYE;
     tree->branches[0].beyond = 0;
+    tree->branches[0].ups = 0;
     tree->branches[0].parent = 0;
 }
 
@@ -387,13 +415,11 @@ static void cut_waiting(struct tree *tree) {
     while (tree->waiting > 0) {
         const struct branch *branch = &tree->branches[--tree->waiting];
         if (FEATURE_ESTIMATE && tree->lesson) {
-            if (branch->beyond > 0) {
-                add_weight(tree->lesson->level[branch->beyond - 1].rest, branch->weight);
-            }
+            learn_rest(tree->lesson, branch);
         } else if (FEATURE_KEPT > 0 && tree->kept) {
             growth_lose(tree, branch);
         } else {
-            cut_worth(tree, branch->weight);
+            cut_worth(tree, branch->weight, way_of(tree->scene, &branch->ray.direction));
         }
     }
 }
@@ -413,6 +439,7 @@ void growth_finish(struct tree *tree) {
                                 last->channel,
                                 FEATURE_OBSERVER ? last->kind : 0,
                                 FEATURE_ESTIMATE ? last->beyond : 0,
+                                FEATURE_ESTIMATE ? last->ups : 0,
                                 FEATURE_OBSERVER ? last->parent : 0};
         follow(tree, &branch);
     }

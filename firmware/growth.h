@@ -14,10 +14,10 @@ enum { KEPT_MOST = FEATURE_KEPT > 0 ? FEATURE_KEPT : 2 };
 
 /* What is not followed any farther, with an accuracy asked for: sums in integers. */
 struct losses {
-    int64_t weight[3]; /* that the threshold or the budget cut, in steps of 2^-30 */
-    int64_t squares;   /* of the largest of those, in steps of 2^-52 */
-    int64_t ended[3];  /* that the depth level cut, in steps of 2^-30 */
-    int64_t depth;     /* of all, the largest times the events which it could still have met */
+    int64_t weight[WAYS][3]; /* that the threshold or the budget cut, in steps of 2^-30 */
+    int64_t squares;         /* of the largest of those, in steps of 2^-52 */
+    int64_t ended[3];        /* that the depth level cut, in steps of 2^-30 */
+    int64_t depth; /* of all: the largest, times the events that it could still have met */
 };
 
 /* Branches that the threshold cut, kept because a lower one may follow them. */
@@ -29,13 +29,12 @@ struct kept_branches {
 
 enum { LESSON_LEVELS = FEATURE_KEPT > 0 ? ESTIMATE_LEVELS : 1 };
 
-/* What one pixel teaches of the branches that a threshold cuts. Each sum counts what is cut at its
- * level and at none before; worth and rest are also part of those before. */
+/* What one pixel teaches of the branches that a threshold cuts, by the way that they were going. */
 struct lesson_level {
-    int64_t worth[3];  /* in steps of 2^-16 level */
-    int64_t weight[3]; /* of what was cut, in steps of 2^-30 */
-    int64_t rest[3];   /* of that, what ended beyond the cut without having been seen */
-    int64_t squares;   /* of the largest weights that were cut, in steps of 2^-52 */
+    int64_t worth[WAYS][3];  /* in steps of 2^-16 level */
+    int64_t weight[WAYS][3]; /* of what was cut, in steps of 2^-30 */
+    int64_t rest[WAYS][3];   /* of that, what ended beyond the cut without having been seen */
+    int64_t squares;         /* of the largest weights that were cut, in steps of 2^-52 */
 };
 
 struct lesson {

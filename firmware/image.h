@@ -27,11 +27,15 @@ struct render_counts {
     uint32_t proved_error;     /* in levels: what was cut, at its brightest, to the depth level */
 };
 
+/* Where a branch was going when it was cut. What is above and what is below the objects differs
+ * more than anything else that is known of it by then. */
+enum estimate_way { WAY_DOWN, WAY_UP, WAYS, WAY_ANY = WAYS };
+
 /* What branches are worth that one threshold cuts; intensities in steps of 2^-16 level. */
 struct estimate_level {
-    int32_t mean[3]; /* red, green, blue */
+    int32_t mean[WAYS + 1][3]; /* of one way, or of any; red, green, blue */
 
-    /* Two standard deviations: of a pixel, over the root of the sum of the squares of
+    /* Three standard deviations: of a pixel, over the root of the sum of the squares of
      * the weights that are cut. */
     int32_t spread;
 

@@ -16,27 +16,35 @@ enum { MORE_EVENTS = 16, LESS_WEIGHT_BITS = 5 };
  * be seen for it to be known. */
 enum { FIRST_LEVELS = 7, MORE_LEVELS = 3, LEVELS_BELOW = 4 };
 
-/* A spread is so many quarters of a standard deviation. One of a branch is taken to be at least
- * what it is if all levels from black to white are as likely, 255 / 12^(1/2): few pixels tell
- * little. */
-enum { SPREAD_QUARTERS = 10, DEVIATION_LEAST = 74 };
+/* A spread is so many standard deviations. One of a branch is taken to be at least what it is if
+ * all levels from black to white are as likely, 255 / 12^(1/2): few pixels tell little. */
+enum { SPREAD_DEVIATIONS = 3, DEVIATION_LEAST = 74 };
 
 /* A pixel that is looked at has this part of the budget of rays. Where this part of those in which
  * something is cut use it up, light is trapped, and more levels would teach nothing. */
 enum { BUDGET_PART = 8, EXHAUSTED_PART = 8 };
 
+/* A way's mean is learned as if this part of all that was cut had gone that way, too: a way that
+ * few branches went is worth what any is. */
+enum { SHARED_PART = 64 };
+
 /* Pixels begin so many levels above the typical one: few branches are cut there, and kept. */
 enum { LEVELS_ABOVE = 8 };
 
-/* Sums over pixels, of one level. */
-struct level_sums {
-    int64_t worth[3];  /* in steps of 2^-16 level */
-    int64_t weight[3]; /* whose worth that is, in steps of 2^-30 */
-    int64_t squares;   /* in steps of 2^-52 */
-    uint16_t pixels;   /* where something is cut */
+/* Sums over pixels, of one level and one primary. */
+struct level_sum {
+    int64_t worth[WAYS];  /* in steps of 2^-16 level */
+    int64_t weight[WAYS]; /* whose worth that is, in steps of 2^-30 */
 
-    /* Of each pixel's worth a, in steps of 2^-8 level, and weight b, in steps of 2^-18. */
-    int64_t aa[3], ab[3], bb[3];
+    /* Of each pixel's worth a, in steps of 2^-8 level, and weights b, down, and c, up, in steps of
+     * 2^-18. */
+    int64_t aa, ab, ac, bb, bc, cc;
+};
+
+struct level_sums {
+    struct level_sum of[3]; /* red, green, blue */
+    int64_t squares;        /* in steps of 2^-52 */
+    uint16_t pixels;        /* where something is cut */
 };
 
 struct sums {
@@ -112,51 +120,57 @@ static void clear_lesson(struct lesson *lesson) {
     for (uint8_t i = 0; i < lesson->levels; i++) {
         struct lesson_level *level = &lesson->level[i];
         for (uint8_t j = 0; j < 3; j++) {
-            level->worth[j] = level->weight[j] = level->rest[j] = 0;
+            for (uint8_t way = 0; way < WAYS; way++) {
+                level->worth[way][j] = level->weight[way][j] = level->rest[way][j] = 0;
+            }
         }
         level->squares = 0;
     }
 }
 
 static void clear_sums(struct sums *sums) {
+    const struct level_sum nothing = {{0, 0}, {0, 0}, 0, 0, 0, 0, 0, 0};
     for (uint8_t i = 0; i < sums->levels; i++) {
         struct level_sums *level = &sums->level[i];
-        for (uint8_t j = 0; j < 3; j++) {
-            level->worth[j] = level->weight[j] = level->aa[j] = level->ab[j] = level->bb[j] = 0;
-        }
+        level->of[0] = level->of[1] = level->of[2] = nothing;
         level->squares = 0;
         level->pixels = 0;
     }
 }
 
-/* One channel of a pixel. What is above white is no error: the screen does not show it. */
-static void add_channel(struct level_sums *to, uint8_t channel, int64_t worth, int64_t weight) {
+/* One primary of a pixel. What is above white is no error: the screen does not show it. */
+static void add_primary(struct level_sum *to, const int64_t worth[WAYS],
+                        const int64_t weight[WAYS]) {
     const int64_t white = (int64_t)255 << 8;
-    to->worth[channel] += worth;
-    to->weight[channel] += weight;
-    worth >>= 8;
-    weight >>= 12;
-    worth = worth < white ? worth : white;
-    to->aa[channel] += worth * worth;
-    to->ab[channel] += worth * weight;
-    to->bb[channel] += weight * weight;
+    for (uint8_t way = 0; way < WAYS; way++) {
+        to->worth[way] += worth[way];
+        to->weight[way] += weight[way];
+    }
+    int64_t a = (worth[WAY_DOWN] + worth[WAY_UP]) >> 8;
+    int64_t b = weight[WAY_DOWN] >> 12, c = weight[WAY_UP] >> 12;
+    a = a < white ? a : white;
+    to->aa += a * a;
+    to->ab += a * b;
+    to->ac += a * c;
+    to->bb += b * b;
+    to->bc += b * c;
+    to->cc += c * c;
 }
 
-static void add_pixel(struct sums *sums, struct lesson *lesson) {
-    for (uint8_t i = lesson->levels; i-- > 0;) {
-        struct lesson_level *from = &lesson->level[i];
+static void add_pixel(struct sums *sums, const struct lesson *lesson) {
+    for (uint8_t i = 0; i < lesson->levels; i++) {
+        const struct lesson_level *from = &lesson->level[i];
         struct level_sums *to = &sums->level[i];
         for (uint8_t j = 0; j < 3; j++) {
-            if (LESSON_LEVELS > 1 && i + 1 < lesson->levels) {
-                from->worth[j] += from[1].worth[j];
-                from->rest[j] += from[1].rest[j];
+            int64_t worth[WAYS], weight[WAYS];
+            for (uint8_t way = 0; way < WAYS; way++) {
+                int64_t rest = from->rest[way][j];
+                bool is_known = sums->rest_mean != 0;
+                worth[way] = from->worth[way][j];
+                worth[way] += is_known ? (rest * sums->rest_mean[j]) >> 30 : 0;
+                weight[way] = from->weight[way][j] - (is_known ? 0 : rest);
             }
-            if (sums->rest_mean) {
-                int64_t rest = (from->rest[j] * sums->rest_mean[j]) >> 30;
-                add_channel(to, j, from->worth[j] + rest, from->weight[j]);
-            } else {
-                add_channel(to, j, from->worth[j], from->weight[j] - from->rest[j]);
-            }
+            add_primary(&to->of[j], worth, weight);
         }
         to->squares += from->squares;
         to->pixels = (uint16_t)(to->pixels + (from->squares > 0));
@@ -178,18 +192,32 @@ static void look(const struct scene *scene, struct lesson *lesson, struct sums *
 
 static void conclude_mean(const struct level_sums *sums, struct estimate_level *level) {
     for (uint8_t i = 0; i < 3; i++) {
-        level->mean[i] = per_weight(sums->worth[i], sums->weight[i]);
+        const struct level_sum *of = &sums->of[i];
+        int64_t worth = of->worth[WAY_DOWN] + of->worth[WAY_UP];
+        int64_t weight = of->weight[WAY_DOWN] + of->weight[WAY_UP];
+        level->mean[WAY_ANY][i] = per_weight(worth, weight);
+        for (uint8_t way = 0; way < WAYS; way++) {
+            level->mean[way][i] = per_weight(of->worth[way] + worth / SHARED_PART,
+                                             of->weight[way] + weight / SHARED_PART);
+        }
     }
 }
 
-/* The sum of the squares of how far pixels stray from the mean, of the channel where that is most:
- * of (a - mean b)^2, in steps of 2^-16 level^2. */
+/* A sum that holds one weight, in steps of 2^-18, times a mean: without that weight's steps. */
+static int64_t times_mean(int64_t sum, int64_t mean) {
+    return (sum * mean) >> 18;
+}
+
+/* The sum of the squares of how far pixels stray from the means, of the primary where that is most:
+ * of (a - down b - up c)^2, in steps of 2^-16 level^2. */
 static int64_t squared_strays(const struct level_sums *sums, const struct estimate_level *level) {
     int64_t most = 0;
     for (uint8_t i = 0; i < 3; i++) {
-        int64_t mean = level->mean[i] >> 8;
-        int64_t strays = sums->aa[i] - ((2 * mean * sums->ab[i]) >> 18) +
-                         ((mean * ((mean * sums->bb[i]) >> 18)) >> 18);
+        const struct level_sum *of = &sums->of[i];
+        int64_t down = level->mean[WAY_DOWN][i] >> 8, up = level->mean[WAY_UP][i] >> 8;
+        int64_t strays = of->aa - 2 * (times_mean(of->ab, down) + times_mean(of->ac, up)) +
+                         times_mean(times_mean(of->bb, down) + 2 * times_mean(of->bc, up), down) +
+                         times_mean(times_mean(of->cc, up), up);
         most = strays > most ? strays : most;
     }
     return most;
@@ -198,7 +226,7 @@ static int64_t squared_strays(const struct level_sums *sums, const struct estima
 /* The spread, times the root of the squares, is to be no more than the error that is asked for. */
 static void conclude_spread(int64_t deviation, uint32_t error, struct estimate_level *level) {
     const int64_t all = (int64_t)1 << 26;
-    int64_t spread = deviation * SPREAD_QUARTERS << 6;
+    int64_t spread = deviation * SPREAD_DEVIATIONS << 8;
     level->spread = spread > INT32_MAX ? INT32_MAX : (int32_t)spread;
     int64_t most = quotient((int64_t)error << 26, level->spread);
     most = most < all ? most : all;
@@ -267,7 +295,7 @@ static void learn_levels(const struct scene *scene, struct lesson *lesson,
             return;
         }
         for (uint8_t i = 0; i < 3; i++) {
-            rest_mean[i] = estimate->level[lesson->levels - FIRST_LEVELS].mean[i];
+            rest_mean[i] = estimate->level[lesson->levels - FIRST_LEVELS].mean[WAY_ANY][i];
         }
         lesson->levels = (uint8_t)(lesson->levels + MORE_LEVELS);
         lesson->last = lesson->first >> (lesson->levels - 1);

@@ -156,6 +156,7 @@ struct camera {
     struct point eye;
     struct direction forward;
     struct direction column, row; /* not of length 1: half the pixel pitch times 2^shift */
+    struct direction up;          /* in space, of length 1, wherever the eye looks */
     uint8_t shift;
     struct primitive_set inside; /* the primitives that the eye is strictly inside of */
     uint8_t object;              /* and the object there */

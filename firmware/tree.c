@@ -46,7 +46,8 @@ static void begin(struct tree *tree, const struct ray *eye_ray, real_energy thre
     tree->kept = kept;
     kept->count = 0;
     for (uint8_t i = 0; i < 3; i++) {
-        kept->losses.weight[i] = kept->losses.ended[i] = 0;
+        kept->losses.weight[WAY_DOWN][i] = kept->losses.weight[WAY_UP][i] = 0;
+        kept->losses.ended[i] = 0;
     }
     kept->losses.squares = kept->losses.depth = 0;
     growth_finish(tree);
@@ -258,7 +259,7 @@ static int32_t weighed(int64_t weight, int32_t mean) {
 static int32_t open_half(const struct losses *losses, const struct estimate_level *level) {
     int32_t most = 0;
     for (uint8_t i = 0; i < 3; i++) {
-        int32_t half = weighed(losses->ended[i] / 2, level->mean[i]);
+        int32_t half = weighed(losses->ended[i] / 2, level->mean[WAY_ANY][i]);
         most = half > most ? half : most;
     }
     return most;
@@ -271,9 +272,10 @@ static struct colours worth_of(const struct losses *losses, const struct estimat
                                bool counts_open) {
     int32_t worth[3];
     for (uint8_t i = 0; i < 3; i++) {
-        worth[i] = weighed(losses->weight[i], level->mean[i]);
+        worth[i] = weighed(losses->weight[WAY_DOWN][i], level->mean[WAY_DOWN][i]) +
+                   weighed(losses->weight[WAY_UP][i], level->mean[WAY_UP][i]);
         if (counts_open) {
-            worth[i] += weighed(losses->ended[i] / 2, level->mean[i]);
+            worth[i] += weighed(losses->ended[i] / 2, level->mean[WAY_ANY][i]);
         }
     }
     const struct colours colours = {colour_of_steps(worth[0]), colour_of_steps(worth[1]),

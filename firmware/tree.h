@@ -27,6 +27,7 @@ struct branch {
     uint8_t channel;        /* 0, 1, 2 or CHANNEL_ALL */
     uint8_t kind;           /* enum branch_kind */
     uint8_t beyond;         /* the levels that cut it, of a lesson: 0 is what is seen anyway */
+    uint32_t ups;           /* bit i: where level i cut its way, that was going up */
     uint32_t parent;        /* the node where it began; 0: the eye */
 };
 

@@ -40,9 +40,10 @@ struct compiler {
     const struct scene_description *description;
     struct compiled_scene *scene;
     struct scene_error *error;
-    struct affine scaling;                               /* the file's coordinates to scaled ones */
-    unsigned line;                                       /* of the node or object at work */
-    const char *object_name;                             /* of the object at work */
+    struct affine scaling;   /* the file's coordinates to scaled ones */
+    unsigned line;           /* of the node or object at work */
+    unsigned lost_line;      /* of a half-space of the object, none of it in the world; 0: no */
+    const char *object_name; /* of the object at work */
     struct compile_plane planes[COMPILED_SURFACES_MOST]; /* by surface; normal null: no plane */
     struct bounds object_bounds[COMPILED_OBJECTS_MOST];  /* by compiled object, scaled */
 };

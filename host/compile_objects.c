@@ -70,13 +70,24 @@ static bool append_program(struct compiler *compiler, int index, const struct af
     return true;
 }
 
-/* A boundary that goes on for ever cannot be left: only opaque solids may be unbounded. */
+/* A boundary that goes on for ever cannot be left: only opaque solids may be unbounded. What of
+ * them lies within the world is there; it is not to be nothing. */
 static bool check_bounded(struct compiler *compiler, const struct compiled_object *object,
                           const struct bounds *bounds) {
-    if (compiler->scene->materials[object->material].transparent && !bounds_are_finite(bounds)) {
+    if (bounds_are_finite(bounds)) {
+        return true;
+    }
+    if (compiler->scene->materials[object->material].transparent) {
         return compile_fail(compiler, compiler->line,
                             "a transparent object without an end: intersect it with a bounded "
                             "solid, or give it an opaque material");
+    }
+    if (compiler->lost_line != 0) {
+        return compile_fail(compiler, compiler->lost_line,
+                            "a half_space out of the scene, which ends %g units from the middle of "
+                            "its bounded solids, eye and lights: move its plane nearer, or add a "
+                            "bounded solid that is as far away",
+                            ldexp(COMPILE_WORLD, -compiler->scene->exponent));
     }
     return true;
 }
@@ -89,6 +100,7 @@ static bool add_object(struct compiler *compiler, const struct instance *instanc
     }
     struct compiled_object *object = &scene->objects[scene->object_count];
     unsigned instance_line = compiler->line; /* what is compiled for it moves that on */
+    compiler->lost_line = 0;
     object->program = scene->program_length;
     object->length = 0;
     object->material = (uint8_t)(instance->material + 1);

@@ -111,6 +111,15 @@ int compile_polyhedron(struct compiler *compiler, const struct scene_plane *plan
     return add_polyhedron(compiler, placed, count);
 }
 
+/* Whether no point of the world lies behind the plane. */
+static bool misses_world(const struct scene_plane *plane) {
+    double reach = 0;
+    for (int i = 0; i < 3; i++) {
+        reach += COMPILE_WORLD * fabs(plane->normal[i]);
+    }
+    return plane->offset <= -reach;
+}
+
 /* Half of the world: the firmware's world ends, so that a ray's way to it is a number that every
  * arithmetic holds. */
 int compile_half_space(struct compiler *compiler, const struct scene_plane *plane,
@@ -118,6 +127,9 @@ int compile_half_space(struct compiler *compiler, const struct scene_plane *plan
     struct scene_plane planes[7] = {{{0, 0, 0}, 0}};
     planes[0] = compile_placed_plane(plane, placement);
     size_t count = 1;
+    if (misses_world(&planes[0])) {
+        compiler->lost_line = compiler->line;
+    }
     for (int i = 0; i < 3; i++) {
         double along = planes[0].normal[i];
         if (compile_same(fabs(along), 1)) {

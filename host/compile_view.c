@@ -143,10 +143,12 @@ bool compile_view(struct compiler *compiler) {
     double right[3], up[3];
     for (int i = 0; i < 3; i++) {
         scene->camera.forward[i] = view->look_at[i] - view->eye[i];
+        scene->camera.up[i] = view->up[i];
         scene->background[i] = description->background[i];
     }
     vector_cross(scene->camera.forward, view->up, right);
-    if (!vector_normalise(scene->camera.forward) || !vector_normalise(right)) {
+    if (!vector_normalise(scene->camera.forward) || !vector_normalise(right) ||
+        !vector_normalise(scene->camera.up)) {
         return compile_fail(
             compiler, view->line,
             "the camera looks along `up`, or at itself: give another look_at or up");

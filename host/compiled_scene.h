@@ -109,7 +109,7 @@ struct compiled_light {
 };
 
 struct compiled_camera {
-    double eye[3], forward[3], column[3], row[3];
+    double eye[3], forward[3], column[3], row[3], up[3];
     uint8_t shift;
     struct compiled_set inside;
     uint8_t object;

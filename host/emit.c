@@ -218,6 +218,8 @@ static void emit_camera(FILE *out, const struct compiled_camera *camera, int wor
     emit_vector(out, "REAL_UNIT", camera->column);
     fprintf(out, ",\n     ");
     emit_vector(out, "REAL_UNIT", camera->row);
+    fprintf(out, ",\n     ");
+    emit_vector(out, "REAL_UNIT", camera->up);
     fprintf(out, ",\n     %u, ", camera->shift);
     emit_set(out, &camera->inside, words);
     fprintf(out, ", %u},\n", camera->object);

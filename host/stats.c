@@ -26,11 +26,16 @@ static void write_count(FILE *out, const char *key, uint64_t count) {
 
 /* What was reached, where cut branches are estimated. */
 static void write_estimate(FILE *out, const struct run_stats *stats) {
+    static const char *const names[WAYS + 1] = {
+        [WAY_DOWN] = "tail_down", [WAY_UP] = "tail_up", [WAY_ANY] = "tail"};
     const struct render_totals *totals = stats->totals;
     const struct estimate_level *level = &totals->estimate.level[totals->estimate.typical];
     write_count(out, "learning_rays", totals->learning_rays);
-    (void)fprintf(out, "  \"tail\": [%.6f, %.6f, %.6f],\n", level->mean[0] / 65536.0,
-                  level->mean[1] / 65536.0, level->mean[2] / 65536.0);
+    for (int way = 0; way <= WAYS; way++) {
+        const int32_t *mean = level->mean[way];
+        (void)fprintf(out, "  \"%s\": [%.6f, %.6f, %.6f],\n", names[way], mean[0] / 65536.0,
+                      mean[1] / 65536.0, mean[2] / 65536.0);
+    }
     if (stats->compiled->error > 0) {
         (void)fprintf(out, "  \"error\": %.17g,\n  \"spread\": %.6f,\n", stats->compiled->error,
                       level->spread / 65536.0);

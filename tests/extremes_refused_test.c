@@ -114,11 +114,49 @@ static void unbounded_glass_is_refused(void **state) {
     }
 }
 
+/* The world ends: a floor beyond it would be missing without a word. What only cuts a bounded solid
+ * may be anywhere. The eye and the ball give a world of 8 units around (1.5, 1, 1). */
+static void a_floor_beyond_the_world_is_refused(void **state) {
+    (void)state;
+    static const struct {
+        const char *solid;
+        bool is_there;
+    } cases[] = {
+        {"half_space = { normal = (0, 0, 1); offset = -6.5; };", true},
+        {"half_space = { normal = (0, 0, 1); offset = -7.5; };", false},
+        {"half_space = { normal = (0, 0, -1); offset = 7.5; };", true},
+        {"half_space = { normal = (1, 2, 3); through = (-6, -6.5, -6.5); };", true},
+        {"half_space = { normal = (1, 2, 3); through = (-7, -7.5, -7.5); };", false},
+        {"union = ( { ball = { radius = 1; }; },"
+         " { half_space = { normal = (0, 1, 0); offset = -70; }; } );",
+         false},
+        {"difference = ( { ball = { radius = 1; }; },"
+         " { half_space = { normal = (0, 1, 0); offset = -70; }; } );",
+         true},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        char text[2048];
+        snprintf(text, sizeof text,
+                 "version = 1; camera = { eye = (5, 4, 4); look_at = (0, 0, 0); };\n"
+                 "materials = { chalk = { colour = [9, 9, 9]; }; };\n"
+                 "objects = ( { material = \"chalk\"; solid = { ball = { radius = 2; }; }; },\n"
+                 "{ material = \"chalk\"; solid = { %s }; } );",
+                 cases[i].solid);
+        if (cases[i].is_there) {
+            struct loaded_scene loaded = load_text(text, "fx");
+            unload(&loaded);
+        } else {
+            assert_refused(text, "fx", "test.scene:4:", "ends 8 units from the middle");
+        }
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(each_is_refused_with_its_line_and_what_is_allowed),
         cmocka_unit_test(fx_refuses_what_it_cannot_hold),
         cmocka_unit_test(unbounded_glass_is_refused),
+        cmocka_unit_test(a_floor_beyond_the_world_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

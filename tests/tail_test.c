@@ -73,7 +73,9 @@ static void black_is_what_an_empty_estimate_gives(void **state) {
     (void)state;
     render_scene(&black, "fig4b", "fx", 1.0 / 512, false, 0);
     for (int i = 0; i < 3; i++) {
-        assert_int_equal(black.estimate.level[0].mean[i], 0);
+        for (int way = 0; way <= WAYS; way++) {
+            assert_int_equal(black.estimate.level[0].mean[way][i], 0);
+        }
     }
     render_scene(&estimated, "fig4b", "fx", 1.0 / 512, true, 0);
     for (int i = 0; i < PIXELS; i++) {
@@ -110,11 +112,65 @@ static void every_arithmetic_learns_the_same(void **state) {
         assert_int_equal(found.first, right.first);
         assert_int_equal(found.typical, right.typical);
         for (int j = 0; j < ESTIMATE_LEVELS; j++) {
-            for (int k = 0; k < 3; k++) {
-                assert_true(abs(found.level[j].mean[k] - right.level[j].mean[k]) < 65536);
+            for (int k = 0; k < 3 * (WAYS + 1); k++) {
+                int32_t mean = found.level[j].mean[k / 3][k % 3];
+                assert_true(abs(mean - right.level[j].mean[k / 3][k % 3]) < 65536);
             }
             assert_true(abs(found.level[j].spread - right.level[j].spread) <
                         right.level[j].spread / 64);
+        }
+    }
+}
+
+/* A ball of glass between a black plane and the white background, with a way up of its own. */
+static struct estimate learned_between(const char *up, const char *towards_black, double error) {
+    char text[1024];
+    (void)snprintf(
+        text, sizeof text,
+        "version = 1; size = [40, 25]; depth = 20; threshold = 0.015625;\n"
+        "background = [255, 255, 255]; camera = { eye = (2.5, -2, 1.5); look_at = (0, 0, 0);\n"
+        "  up = %s; };\n"
+        "materials = { black = { colour = [0, 0, 0]; };\n"
+        "  glass = { colour = [0, 0, 0]; ior = 1.5; }; };\n"
+        "objects = ( { material = \"glass\"; solid = { ball = { centre = (0, 0, 0); radius = 1; }; "
+        "}; },\n"
+        "  { material = \"black\"; solid = { half_space = { normal = %s; offset = -3; }; }; } );\n",
+        up, towards_black);
+    struct scene_description *description = read_text(text);
+    description->error = error;
+    description->estimates = true;
+    struct loaded_scene loaded = load_description(description, "fx");
+    struct estimate estimate;
+    struct render_counts counts = {0};
+    loaded.arithmetic->learn(loaded.scene, &estimate, &counts);
+    unload(&loaded);
+    scene_description_free(description);
+    return estimate;
+}
+
+/* Whatever the file takes for up, and on which side the dark is. */
+static void a_branch_is_worth_what_is_where_it_goes(void **state) {
+    (void)state;
+    static const struct {
+        const char *up, *normal;
+        bool is_dark_below;
+    } cases[] = {
+        {"(0, 0, 1)", "(0, 0, 1)", true},
+        {"(0, 0, 1)", "(0, 0, -1)", false},
+        {"(0, 3, 0)", "(0, 1, 0)", true},
+        {"(-2, 0, 0)", "(1, 0, 0)", false},
+        {"(1, 2, 3)", "(0.267, 0.535, 0.802)", true},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        for (int asked = 0; asked < 2; asked++) {
+            const struct estimate found = learned_between(cases[i].up, cases[i].normal, asked);
+            const struct estimate_level *level = &found.level[found.typical];
+            int dark = cases[i].is_dark_below ? WAY_DOWN : WAY_UP;
+            int bright = cases[i].is_dark_below ? WAY_UP : WAY_DOWN;
+            for (int j = 0; j < 3; j++) {
+                assert_true(level->mean[dark][j] + 15 * 65536 < level->mean[WAY_ANY][j]);
+                assert_true(level->mean[bright][j] - 15 * 65536 > level->mean[WAY_ANY][j]);
+            }
         }
     }
 }
@@ -155,6 +211,7 @@ int main(void) {
         cmocka_unit_test(an_estimate_is_worth_a_lower_threshold),
         cmocka_unit_test(black_is_what_an_empty_estimate_gives),
         cmocka_unit_test(every_arithmetic_learns_the_same),
+        cmocka_unit_test(a_branch_is_worth_what_is_where_it_goes),
         cmocka_unit_test(trapped_light_ends_and_is_told_of),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -214,6 +214,7 @@ static void load_camera(struct camera *camera, const struct compiled_camera *fro
     camera->forward = direction_of(from->forward);
     camera->column = direction_of(from->column);
     camera->row = direction_of(from->row);
+    camera->up = direction_of(from->up);
     camera->shift = from->shift;
     camera->inside = set_of(&from->inside);
     camera->object = from->object;

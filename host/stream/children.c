@@ -102,16 +102,22 @@ static void weigh_grey(const struct scene *scene, const struct ray_lanes *restri
     }
 }
 
-/* What of the weights belongs to no ray that is followed. */
-static void set_cut(const struct hit_lanes *restrict hit,
-                    const struct energy_lanes *restrict weight,
-                    const uint32_t follow[restrict LANES], struct energy_lanes *restrict cut) {
+/* What of the children belongs to no ray that is followed. */
+static void set_cut(const struct scene *scene, const struct ray_lanes *restrict rays,
+                    const struct hit_lanes *restrict hit, const struct ray_lanes *restrict child,
+                    const uint32_t follow[restrict LANES], struct cut_lanes *restrict cut) {
     const real_energy none = REAL_ENERGY(0.0);
+    const struct direction up = scene->camera.up;
     for (int i = 0; i < LANES; i++) {
         bool is_cut = (hit->is[i] != 0) & (follow[i] == 0);
-        cut->red[i] = is_cut ? weight->red[i] : none;
-        cut->green[i] = is_cut ? weight->green[i] : none;
-        cut->blue[i] = is_cut ? weight->blue[i] : none;
+        bool is_deep = path_events(rays->path[i]) >= scene->depth;
+        real_unit rise = unit_dot(child->direction.x[i], child->direction.y[i],
+                                  child->direction.z[i], up.x, up.y, up.z);
+        uint32_t way = unit_is_negative(rise) ? WAY_DOWN : WAY_UP;
+        cut->way[i] = is_deep ? WAY_ANY : way;
+        cut->weight.red[i] = is_cut ? child->weight.red[i] : none;
+        cut->weight.green[i] = is_cut ? child->weight.green[i] : none;
+        cut->weight.blue[i] = is_cut ? child->weight.blue[i] : none;
     }
 }
 
@@ -131,7 +137,7 @@ static void set_out(const struct ray_lanes *restrict rays, const struct hit_lane
 /* One kind of children, whose directions and objects are set. */
 static void send(const struct scene *scene, const struct ray_lanes *rays,
                  const struct hit_lanes *hit, const real_energy share[LANES],
-                 struct ray_lanes *child, struct queue *queue, struct energy_lanes *cut) {
+                 struct ray_lanes *child, struct queue *queue, struct cut_lanes *cut) {
     uint32_t follow[LANES];
     if (queue->is_grey) {
         weigh_grey(scene, rays, hit, share, child, follow);
@@ -139,14 +145,14 @@ static void send(const struct scene *scene, const struct ray_lanes *rays,
         weigh(scene, rays, hit, share, child, follow);
     }
     if (scene->estimate) {
-        set_cut(hit, &child->weight, follow, cut);
+        set_cut(scene, rays, hit, child, follow, cut);
     }
     queue_push(queue, child, follow);
 }
 
 void children_grow(const struct scene *scene, const struct ray_lanes *rays,
                    const struct hit_lanes *hit, const struct border_lanes *border,
-                   struct queue *queue, struct energy_lanes cut[2]) {
+                   struct queue *queue, struct cut_lanes cut[2]) {
     struct passage_lanes passage;
     struct ray_lanes child;
     find_passages(&rays->direction, hit, border, &passage);

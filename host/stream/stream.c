@@ -181,18 +181,17 @@ static void absorb(struct stream *stream) {
 }
 
 /* What the cut branches are worth: cut_worth() of firmware/growth.c. */
-static void add_estimate(struct stream *stream, const struct energy_lanes *cut) {
-    const int32_t *steps = stream->scene->estimate->level[0].mean;
-    const struct colours mean = {colour_of_steps(steps[0]), colour_of_steps(steps[1]),
-                                 colour_of_steps(steps[2])};
+static void add_estimate(struct stream *stream, const struct cut_lanes *cut) {
+    const struct estimate_level *level = &stream->scene->estimate->level[0];
     const uint32_t uncounted[LANES] = {0};
     struct colour_lanes worth;
     for (int i = 0; i < LANES; i++) {
-        worth.red[i] = mean.red;
-        worth.green[i] = mean.green;
-        worth.blue[i] = mean.blue;
+        const int32_t *steps = level->mean[cut->way[i]];
+        worth.red[i] = colour_of_steps(steps[0]);
+        worth.green[i] = colour_of_steps(steps[1]);
+        worth.blue[i] = colour_of_steps(steps[2]);
     }
-    add_intensities(stream, &worth, cut, uncounted);
+    add_intensities(stream, &worth, &cut->weight, uncounted);
 }
 
 static void set_black(struct colour_lanes *restrict colour) {
@@ -219,7 +218,7 @@ static void add_arrivals(struct stream *stream, const struct colour_lanes *local
 /* What boundaries do to the rays that have come to one, and what they send: into *local. */
 static void meet_boundaries(struct stream *stream, struct colour_lanes *local) {
     struct border_lanes border;
-    struct energy_lanes cut[2];
+    struct cut_lanes cut[2];
     hits_describe(&stream->search, &stream->hit);
     if (stream->absorbs) {
         absorb(stream);
