@@ -100,7 +100,7 @@ static uint8_t levels_above(const struct lesson *lesson, int32_t weight) {
 
 /* The way which the branch, or the one it grew from, was going when that level cut it. */
 static enum estimate_way way_at(const struct branch *branch, uint8_t level) {
-    return branch->ups >> level & 1 ? WAY_UP : WAY_DOWN;
+    return branch->noted.ups >> level & 1 ? WAY_UP : WAY_DOWN;
 }
 
 /* What ends beyond the cut without having been seen: all the levels that cut it miss it. */
@@ -134,7 +134,7 @@ static bool learn_of(struct tree *tree, struct branch *branch, bool is_deep) {
     for (; level < cut; level++) {
         add_weight(lesson->level[level].weight[way], branch->weight);
         lesson->level[level].squares += growth_square(branch->weight);
-        branch->ups |= (uint32_t)way << level;
+        branch->noted.ups |= (uint32_t)way << level;
     }
     branch->beyond = level;
     if (branch->events > lesson->last_depth || (level > 0 && steps < lesson->last)) {
@@ -173,13 +173,15 @@ static void make_branch(const struct tree *tree, const struct node *node, enum b
     branch->ray.object = through ? hit->after : hit->before;
     branch->events = (uint8_t)(node->branch->events + 1);
     branch->channel = channel;
-    if (FEATURE_ESTIMATE) {
-        branch->beyond = node->branch->beyond;
-        branch->ups = node->branch->ups;
-    }
     if (FEATURE_OBSERVER) {
         branch->kind = (uint8_t)kind;
-        branch->parent = tree->node;
+        branch->noted.parent = tree->node;
+    }
+    if (FEATURE_ESTIMATE && tree->lesson) {
+        branch->noted.ups = node->branch->noted.ups;
+    }
+    if (FEATURE_ESTIMATE) {
+        branch->beyond = node->branch->beyond;
     }
 }
 
@@ -377,8 +379,9 @@ static void follow(struct tree *tree, struct branch *branch) {
     }
     add_intensity(tree, branch, scene->background);
     if (FEATURE_OBSERVER && tree->observer) {
-        tree->observer->end(tree->observer->context, branch->parent, (enum branch_kind)branch->kind,
-                            branch->channel, branch->weight, END_LEFT_SCENE);
+        tree->observer->end(tree->observer->context, branch->noted.parent,
+                            (enum branch_kind)branch->kind, branch->channel, branch->weight,
+                            END_LEFT_SCENE);
     }
 }
 
@@ -402,8 +405,7 @@ void growth_start(struct tree *tree, const struct scene *scene, const struct ray
     tree->branches[0].channel = CHANNEL_ALL;
     tree->branches[0].kind = BRANCH_EYE;
     tree->branches[0].beyond = 0;
-    tree->branches[0].ups = 0;
-    tree->branches[0].parent = 0;
+    tree->branches[0].noted.parent = 0;
 }
 
 bool growth_is_exhausted(const struct tree *tree) {
@@ -439,8 +441,7 @@ void growth_finish(struct tree *tree) {
                                 last->channel,
                                 FEATURE_OBSERVER ? last->kind : 0,
                                 FEATURE_ESTIMATE ? last->beyond : 0,
-                                FEATURE_ESTIMATE ? last->ups : 0,
-                                FEATURE_OBSERVER ? last->parent : 0};
+                                {FEATURE_OBSERVER || FEATURE_ESTIMATE ? last->noted.parent : 0}};
         follow(tree, &branch);
     }
 }

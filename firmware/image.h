@@ -68,7 +68,8 @@ struct image {
     const char *name; /* of the arithmetic */
 
     /* Learns from a few hundred pixels what branches are worth that the scene's threshold and depth
-     * level cut. The result goes where the scene's estimate points to before rows are rendered. */
+     * level cut. The result goes where the scene's estimate points to before rows are rendered. An
+     * image without that feature leaves it as it is. */
     void (*learn)(const struct scene *scene, struct estimate *estimate,
                   struct render_counts *counts);
 

@@ -321,6 +321,9 @@ static void learn_level(const struct scene *scene, struct lesson *lesson, struct
 void learn_estimate(const struct scene *scene, struct estimate *estimate,
                     struct render_counts *counts) {
     struct lesson lesson;
+    if (!FEATURE_ESTIMATE) {
+        return;
+    }
     lesson.first = energy_steps(scene->threshold);
     if (FEATURE_KEPT > 0 && scene->error > 0) {
         learn_levels(scene, &lesson, estimate, counts);

@@ -27,8 +27,12 @@ struct branch {
     uint8_t channel;        /* 0, 1, 2 or CHANNEL_ALL */
     uint8_t kind;           /* enum branch_kind */
     uint8_t beyond;         /* the levels that cut it, of a lesson: 0 is what is seen anyway */
-    uint32_t ups;           /* bit i: where level i cut its way, that was going up */
-    uint32_t parent;        /* the node where it began; 0: the eye */
+
+    /* Nobody looks on at a lesson: both have one place. */
+    union {
+        uint32_t parent; /* for an observer: the node where it began; 0: the eye */
+        uint32_t ups;    /* of a lesson, bit i: the way that level i cut was going up */
+    } noted;
 };
 
 /* Somebody who looks on while a tree is grown. Both members may be called many times a pixel. */
