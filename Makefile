@@ -105,7 +105,7 @@ INCLUDE_tests    := -Ihal -Ihal/usb -Iemulator -Ifirmware -Ihost -Itests
 COMPILER_HEADERS = $(dir $(shell $(CC) -print-file-name=include/quadmath.h))
 
 POSIX   := -D_POSIX_C_SOURCE=200809L
-LIBS    := -lpng -lconfig -lxxhash -lz -lquadmath -lm -lpthread $(USB_LIBS) $(BOOT_LIBS)
+LIBS    := -lpng -lconfig -lxxhash -ldeflate -lquadmath -lm -lpthread $(USB_LIBS) $(BOOT_LIBS)
 
 .PHONY: all
 all: $(BUILD)/superframe ## Build the program (the default)

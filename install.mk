@@ -30,7 +30,7 @@ $(BUILD)/library/libsuperframe-testing.a: $(TESTKIT_OBJECTS)
 	$(AR) rcs $@ $(filter %.o,$^)
 
 $(BUILD)/library/$(SONAME): $(LIBRARY_OBJECTS) $(BUILD)/sources
-	$(CC) -shared -Wl,-soname,$(SONAME) -Wl,-z,defs -o $@ $(filter %.o,$^) -lpng -lxxhash -lz
+	$(CC) -shared -Wl,-soname,$(SONAME) -Wl,-z,defs -o $@ $(filter %.o,$^) -lpng -lxxhash -ldeflate
 
 .PHONY: library
 library: $(LIBRARIES) ## Build libsuperframe, static and shared, and its test kit

@@ -20,7 +20,7 @@ build|header|stdio.h|libc6-dev
 build|header|png.h|libpng-dev
 build|header|libconfig.h|libconfig-dev
 build|header|xxhash.h|libxxhash-dev
-build|header|zlib.h|zlib1g-dev
+build|header|libdeflate.h|libdeflate-dev
 test|header|cmocka.h|libcmocka-dev
 test|m32|stdio.h|gcc-multilib
 test|tool|clang|clang

@@ -31,7 +31,7 @@ USB_TEST_OBJECTS := $(patsubst tests/%.c,$(BUILD)/sanitized/tests/%.o,$(wildcard
                     $(patsubst %.c,$(BUILD)/sanitized/%.o,$(wildcard emulator/board*.c host/usb_*.c host/usb/libusb*.c) emulator/picture.c emulator/native_screen.c host/usb/hidapi.c)
 
 $(USB_TEST_PROGRAMS): $(BUILD)/sanitized/tests/usb/%_test: $(USB_TEST_OBJECTS)
-	$(CC) $(LDFLAGS_sanitized) -o $@ $^ -lcmocka -lusb-1.0 -l$* $(UMOCKDEV_LIBS) -lz -lpthread
+	$(CC) $(LDFLAGS_sanitized) -o $@ $^ -lcmocka -lusb-1.0 -l$* $(UMOCKDEV_LIBS) -ldeflate -lpthread
 
 # ---- Without the libraries: what says so stands in for them ---------------------------------------
 

@@ -4,9 +4,9 @@
 
 #include "board_internal.h"
 
+#include <libdeflate.h>
 #include <stdbool.h>
 #include <string.h>
-#include <zlib.h>
 
 static bool is_initialised(const struct board *board) {
     for (unsigned index = 0; index < 32; index++) {
@@ -113,5 +113,5 @@ const uint8_t *picture_in_memory(const struct board *board, const struct native_
 }
 
 uint32_t picture_crc(const uint8_t rgb[PICTURE_BYTES]) {
-    return (uint32_t)crc32(crc32(0, NULL, 0), rgb, PICTURE_BYTES);
+    return libdeflate_crc32(0, rgb, PICTURE_BYTES);
 }

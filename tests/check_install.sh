@@ -61,7 +61,7 @@ cmp "$out/gradient.png" "$out/again.png" || wrong 'the viewer shows another pict
 # The static library alone does as well.
 # shellcheck disable=SC2046 # words
 $CC -std=c99 $(pkg-config --cflags superframe) -o "$out/static" "$place/gradient/main.c" \
-    "$place/gradient/gradient.c" "$prefix/lib/libsuperframe.a" -lpng -lxxhash -lz &&
+    "$place/gradient/gradient.c" "$prefix/lib/libsuperframe.a" -lpng -lxxhash -ldeflate &&
     env -u LD_LIBRARY_PATH "$out/static" "$out/static.png" &&
     cmp "$out/gradient.png" "$out/static.png" || wrong 'the static library does not serve'
 

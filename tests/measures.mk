@@ -6,7 +6,7 @@ bench-ports: $(BUILD)/release/ports_bench ## Measure what a port write costs, in
 	$(BUILD)/release/ports_bench
 
 $(BUILD)/release/ports_bench: tests/bench/ports_bench.c $(release_HAL) $(release_EMULATOR) $(BUILD)/flags | setup
-	$(CC) $(WARNINGS) $(POSIX) $(CFLAGS_release) $(INCLUDE_emulator) -o $@ $(filter %.c %.o,$^) -lpng -lxxhash -lz
+	$(CC) $(WARNINGS) $(POSIX) $(CFLAGS_release) $(INCLUDE_emulator) -o $@ $(filter %.c %.o,$^) -lpng -lxxhash -ldeflate
 
 .PHONY: mutants
 mutants: | setup ## Break the board's register code in small ways and see whether the suites notice

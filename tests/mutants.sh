@@ -75,7 +75,7 @@ run_suites() {
     for suite in $SUITES; do
         $CC -I"$work/emulator" $FLAGS -o "$work/$suite" "tests/${suite}_test.c" \
             "$work"/emulator/board*.c "$work/emulator/picture.c" "$work/emulator/native_screen.c" \
-            hal/bus.c -lcmocka -lz > "$work/log" 2>&1 || return 2
+            hal/bus.c -lcmocka -ldeflate > "$work/log" 2>&1 || return 2
         timeout 60 "$work/$suite" > "$work/log" 2>&1 || return 1
     done
 }

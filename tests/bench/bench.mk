@@ -11,7 +11,7 @@ $(BUILD)/release/bench/timed: $(BUILD)/release/bench/timed.o
 	$(CC) $(LDFLAGS_release) -o $@ $<
 
 $(BUILD)/release/bench/psnr: $(BUILD)/release/bench/psnr.o $(release_EMULATOR) $(release_HAL)
-	$(CC) $(LDFLAGS_release) -o $@ $^ -lpng -lxxhash -lz -lm
+	$(CC) $(LDFLAGS_release) -o $@ $^ -lpng -lxxhash -ldeflate -lm
 
 $(BUILD)/release/bench/frame: $(BUILD)/release/bench/frame.o $(release_LIBRARY) $(BUILD)/sources
 	$(CC) $(LDFLAGS_release) -o $@ $(filter %.o,$^) $(LIBS)
