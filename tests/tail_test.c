@@ -86,21 +86,28 @@ static void black_is_what_an_empty_estimate_gives(void **state) {
     assert_true(far_pixels(&black, &estimated, 1) > PIXELS / 10);
 }
 
-/* What is learned for an accuracy so coarse that the pre-pass is short. */
+/* What is learned of a description, which is freed. */
+static struct estimate learned(struct scene_description *description, const char *arithmetic,
+                               double error) {
+    struct estimate estimate;
+    struct render_counts counts = {0};
+    description->error = error;
+    description->estimates = true;
+    struct loaded_scene loaded = load_description(description, arithmetic);
+    loaded.arithmetic->learn(loaded.scene, &estimate, &counts);
+    unload(&loaded);
+    scene_description_free(description);
+    return estimate;
+}
+
+/* For an accuracy so coarse that the pre-pass is short. */
 static struct estimate learned_in(const char *arithmetic) {
     struct scene_error refusal;
     struct scene_description *description = load_scene("fig3", &refusal);
     assert_non_null(description);
     description->width = WIDTH;
     description->height = HEIGHT;
-    description->error = 8;
-    struct loaded_scene loaded = load_description(description, arithmetic);
-    struct estimate estimate;
-    struct render_counts counts = {0};
-    loaded.arithmetic->learn(loaded.scene, &estimate, &counts);
-    unload(&loaded);
-    scene_description_free(description);
-    return estimate;
+    return learned(description, arithmetic, 8);
 }
 
 static void every_arithmetic_learns_the_same(void **state) {
@@ -136,16 +143,7 @@ static struct estimate learned_between(const char *up, const char *towards_black
         "}; },\n"
         "  { material = \"black\"; solid = { half_space = { normal = %s; offset = -3; }; }; } );\n",
         up, towards_black);
-    struct scene_description *description = read_text(text);
-    description->error = error;
-    description->estimates = true;
-    struct loaded_scene loaded = load_description(description, "fx");
-    struct estimate estimate;
-    struct render_counts counts = {0};
-    loaded.arithmetic->learn(loaded.scene, &estimate, &counts);
-    unload(&loaded);
-    scene_description_free(description);
-    return estimate;
+    return learned(read_text(text), "fx", error);
 }
 
 /* Whatever the file takes for up, and on which side the dark is. */
