@@ -12,8 +12,7 @@ struct picture {
     struct render_counts counts;
 };
 
-static void render_scene(struct picture *picture, const char *name, const char *arithmetic,
-                         double threshold, bool estimates, double error) {
+static struct scene_description *describe(const char *name, double threshold, bool estimates) {
     struct scene_error refusal;
     struct scene_description *description = load_scene(name, &refusal);
     assert_non_null(description);
@@ -22,7 +21,12 @@ static void render_scene(struct picture *picture, const char *name, const char *
     description->depth = 64;
     description->threshold = threshold;
     description->estimates = estimates;
-    description->error = error;
+    return description;
+}
+
+/* Frees the description. */
+static void render_description(struct picture *picture, struct scene_description *description,
+                               const char *arithmetic) {
     struct loaded_scene loaded = load_description(description, arithmetic);
     memset(picture, 0, sizeof *picture);
     loaded.arithmetic->learn(loaded.scene, &picture->estimate, &picture->counts);
@@ -34,6 +38,11 @@ static void render_scene(struct picture *picture, const char *name, const char *
     assert_int_equal(picture->counts.leaked_rays, 0);
     unload(&loaded);
     scene_description_free(description);
+}
+
+static void render_scene(struct picture *picture, const char *name, const char *arithmetic,
+                         double threshold, bool estimates) {
+    render_description(picture, describe(name, threshold, estimates), arithmetic);
 }
 
 /* The number of pixels that differ by more than that many levels, as the screen clamps them. */
@@ -56,9 +65,9 @@ static void an_estimate_is_worth_a_lower_threshold(void **state) {
     (void)state;
     static const char *const scenes[] = {"fig3", "fig5"};
     for (int i = 0; i < 2; i++) {
-        render_scene(&converged, scenes[i], "f64", 1.0 / 100000, true, 0);
-        render_scene(&estimated, scenes[i], "fx", 1.0 / 2048, true, 0);
-        render_scene(&black, scenes[i], "fx", 1.0 / 16384, false, 0);
+        render_scene(&converged, scenes[i], "f64", 1.0 / 100000, true);
+        render_scene(&estimated, scenes[i], "fx", 1.0 / 2048, true);
+        render_scene(&black, scenes[i], "fx", 1.0 / 16384, false);
         int with = far_pixels(&converged, &estimated, 1),
             without = far_pixels(&converged, &black, 1);
         print_message("%s: %d of %d pixels off at 1/2048 with the estimate (%lu rays), %d at "
@@ -71,19 +80,59 @@ static void an_estimate_is_worth_a_lower_threshold(void **state) {
 
 static void black_is_what_an_empty_estimate_gives(void **state) {
     (void)state;
-    render_scene(&black, "fig4b", "fx", 1.0 / 512, false, 0);
+    render_scene(&black, "fig4b", "fx", 1.0 / 512, false);
     for (int i = 0; i < 3; i++) {
         for (int way = 0; way <= WAYS; way++) {
             assert_int_equal(black.estimate.level[0].mean[way][i], 0);
         }
     }
-    render_scene(&estimated, "fig4b", "fx", 1.0 / 512, true, 0);
+    render_scene(&estimated, "fig4b", "fx", 1.0 / 512, true);
     for (int i = 0; i < PIXELS; i++) {
         for (int j = 0; j < 3; j++) {
             assert_true(estimated.level[i][j] >= black.level[i][j]);
         }
     }
     assert_true(far_pixels(&black, &estimated, 1) > PIXELS / 10);
+}
+
+/* As one who looks at the screen sees them. */
+static double squares(const struct picture *a, const struct picture *b) {
+    double sum = 0;
+    for (int i = 0; i < PIXELS; i++) {
+        for (int j = 0; j < 3; j++) {
+            double difference = fmin(a->level[i][j], 255) - fmin(b->level[i][j], 255);
+            sum += difference * difference;
+        }
+    }
+    return sum;
+}
+
+/* The same picture with an `up` that lies in the floor, ahead of the eye that looks down on it:
+ * what is cut is told apart by a way that means less. */
+static void render_lying(struct picture *picture, const char *name, double threshold) {
+    struct scene_description *description = describe(name, threshold, true);
+    struct scene_camera *camera = &description->camera;
+    assert_true(camera->up[2] > 0 && camera->look_at[2] < camera->eye[2]);
+    for (int i = 0; i < 3; i++) {
+        camera->up[i] = i < 2 ? camera->look_at[i] - camera->eye[i] : 0;
+    }
+    render_description(picture, description, "fx");
+}
+
+static void up_and_down_say_more_than_near_and_far(void **state) {
+    (void)state;
+    static const char *const scenes[] = {"fig3", "fig4b", "fig5", "fig6b"};
+    static struct picture lying;
+    for (int i = 0; i < 4; i++) {
+        render_scene(&converged, scenes[i], "f64", 1.0 / 65536, true);
+        render_scene(&estimated, scenes[i], "fx", 1.0 / 512, true);
+        render_lying(&lying, scenes[i], 1.0 / 512);
+        double right = squares(&estimated, &converged), wrong = squares(&lying, &converged);
+        print_message("%s: squares of %.0f by up and down, %.0f by near and far\n", scenes[i],
+                      right, wrong);
+        assert_int_equal(estimated.rays, lying.rays);
+        assert_true(right < 0.9 * wrong);
+    }
 }
 
 /* What is learned of a description, which is freed. */
@@ -207,6 +256,7 @@ static void trapped_light_ends_and_is_told_of(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(an_estimate_is_worth_a_lower_threshold),
+        cmocka_unit_test(up_and_down_say_more_than_near_and_far),
         cmocka_unit_test(black_is_what_an_empty_estimate_gives),
         cmocka_unit_test(every_arithmetic_learns_the_same),
         cmocka_unit_test(a_branch_is_worth_what_is_where_it_goes),
