@@ -222,6 +222,20 @@ static void a_branch_is_worth_what_is_where_it_goes(void **state) {
     }
 }
 
+/* White wherever one looks: what the lesson did not follow to the end is left out, not black. */
+static void what_was_not_seen_says_nothing(void **state) {
+    (void)state;
+    static const char text[] =
+        "version = 1; size = [40, 25]; depth = 20; threshold = 0.015625;\n"
+        "background = [255, 255, 255]; camera = { eye = (3, 2, 1); look_at = (0, 0, 0); };\n"
+        "materials = { glass = { colour = [0, 0, 0]; ior = 1.5; }; };\n"
+        "objects = ( { material = \"glass\"; solid = { ball = { radius = 1; }; }; } );\n";
+    const struct estimate found = learned(read_text(text), "fx", 0);
+    for (int i = 0; i < 3 * (WAYS + 1); i++) {
+        assert_in_range(found.level[0].mean[i / 3][i % 3], 254 * 65536, 256 * 65536);
+    }
+}
+
 /* Light that never comes out: the depth level ends it within the budget, and the counts say so. */
 static void trapped_light_ends_and_is_told_of(void **state) {
     (void)state;
@@ -260,6 +274,7 @@ int main(void) {
         cmocka_unit_test(black_is_what_an_empty_estimate_gives),
         cmocka_unit_test(every_arithmetic_learns_the_same),
         cmocka_unit_test(a_branch_is_worth_what_is_where_it_goes),
+        cmocka_unit_test(what_was_not_seen_says_nothing),
         cmocka_unit_test(trapped_light_ends_and_is_told_of),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
