@@ -81,9 +81,10 @@ STREAM_SOURCES := $(wildcard host/stream/*.c) firmware/solids.c
 # No operand is to be skipped: in lanes, & is what && is elsewhere.
 STREAM_FLAGS   := -O3 -fno-trapping-math -fno-math-errno -ffinite-math-only -fno-signed-zeros -Wno-bitwise-instead-of-logical
 # Two of gcc's passes make branches in loops that are to be vectors: they thread jumps through
-# choices that hang together, and, in some files, look for partial redundancies.
+# choices that hang together, and, in some files, look for partial redundancies. A third calls memcpy
+# for loops that are too short for it.
 ifeq ($(findstring clang,$(shell $(CC) --version)),)
-STREAM_FLAGS   += -fno-thread-jumps
+STREAM_FLAGS   += -fno-thread-jumps -fno-tree-loop-distribute-patterns
 STREAM_FLAGS_search_solids   := -fno-tree-pre
 STREAM_FLAGS_search_quadrics := -fno-tree-pre
 STREAM_FLAGS_borders         := -fno-tree-pre

@@ -278,16 +278,17 @@ static void what_an_engine_does_not_know_is_left_to_the_image(void **state) {
 }
 
 /* What has no room, or no budget, is the image's work: nothing of it is counted. */
-static void a_band_beyond_its_budget_is_given_back(void **state) {
-    (void)state;
+static void assert_given_back(int depth, double threshold, uint32_t budget) {
     struct scene_error error;
     struct scene_description *description = load_scene("fig3", &error);
     assert_non_null(description);
     description->width = 24;
     description->height = 16;
+    description->depth = depth;
+    description->threshold = threshold;
     struct compiled_scene *compiled = scene_compile(description, &error);
     assert_non_null(compiled);
-    compiled->ray_budget = 5;
+    compiled->ray_budget = budget;
     struct loaded_scene loaded = {arithmetic_find("f64"), compiled, NULL};
     loaded.scene = loaded.arithmetic->load(compiled, &error);
     assert_non_null(loaded.scene);
@@ -297,6 +298,18 @@ static void a_band_beyond_its_budget_is_given_back(void **state) {
     }
     unload(&loaded);
     scene_description_free(description);
+}
+
+static void a_band_beyond_its_budget_is_given_back(void **state) {
+    (void)state;
+    assert_given_back(10, 1.0 / 4096, 5);
+}
+
+/* Without a threshold rays double from level to level, and without a budget nothing else ends it.
+ */
+static void a_band_with_more_rays_than_there_is_room_for_is_given_back(void **state) {
+    (void)state;
+    assert_given_back(255, 0, UINT32_MAX);
 }
 
 static void the_best_engine_is_the_last_that_runs_here(void **state) {
@@ -320,6 +333,7 @@ int main(void) {
         cmocka_unit_test(what_an_engine_does_not_know_is_left_to_the_image),
         cmocka_unit_test(more_surfaces_than_an_engine_has_places_for_are_left_to_the_image),
         cmocka_unit_test(a_band_beyond_its_budget_is_given_back),
+        cmocka_unit_test(a_band_with_more_rays_than_there_is_room_for_is_given_back),
         cmocka_unit_test(the_best_engine_is_the_last_that_runs_here),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

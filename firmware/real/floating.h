@@ -315,7 +315,7 @@ static inline real_colour colour_scaled(real_colour a, real_energy share) {
 }
 
 static inline real_colour colour_lit(real_colour a, real_colour light) {
-    return a * light / 255;
+    return a * (light / 255);
 }
 
 static inline real_colour colour_faded(real_colour a, real_length distance, int exponent) {

@@ -79,89 +79,104 @@ static inline uint32_t is_followed(const struct scene *scene, uint32_t hit, uint
 /* The weights of one kind of children, and which of them are followed. */
 static void weigh(const struct scene *scene, const struct ray_lanes *restrict rays,
                   const struct hit_lanes *restrict hit, const real_energy share[restrict LANES],
-                  struct ray_lanes *restrict child, uint32_t follow[restrict LANES]) {
+                  struct energy_lanes *restrict child, uint32_t follow[restrict LANES]) {
     for (int i = 0; i < LANES; i++) {
         const struct energies before = {rays->weight.red[i], rays->weight.green[i],
                                         rays->weight.blue[i]};
         struct energies weight = energies_scaled(before, share[i]);
-        child->weight.red[i] = weight.red;
-        child->weight.green[i] = weight.green;
-        child->weight.blue[i] = weight.blue;
+        child->red[i] = weight.red;
+        child->green[i] = weight.green;
+        child->blue[i] = weight.blue;
         follow[i] = is_followed(scene, hit->is[i], rays->path[i], energies_largest(weight));
     }
 }
 
 static void weigh_grey(const struct scene *scene, const struct ray_lanes *restrict rays,
                        const struct hit_lanes *restrict hit,
-                       const real_energy share[restrict LANES], struct ray_lanes *restrict child,
+                       const real_energy share[restrict LANES], struct energy_lanes *restrict child,
                        uint32_t follow[restrict LANES]) {
     for (int i = 0; i < LANES; i++) {
         real_energy weight = energy_product(rays->weight.red[i], share[i]);
-        child->weight.red[i] = weight;
+        child->red[i] = weight;
         follow[i] = is_followed(scene, hit->is[i], rays->path[i], weight);
     }
 }
 
 /* What of the children belongs to no ray that is followed. */
 static void set_cut(const struct scene *scene, const struct ray_lanes *restrict rays,
-                    const struct hit_lanes *restrict hit, const struct ray_lanes *restrict child,
+                    const struct hit_lanes *restrict hit,
+                    const struct direction_lanes *restrict direction,
+                    const struct energy_lanes *restrict weight,
                     const uint32_t follow[restrict LANES], struct cut_lanes *restrict cut) {
     const real_energy none = REAL_ENERGY(0.0);
     const struct direction up = scene->camera.up;
     for (int i = 0; i < LANES; i++) {
         bool is_cut = (hit->is[i] != 0) & (follow[i] == 0);
         bool is_deep = path_events(rays->path[i]) >= scene->depth;
-        real_unit rise = unit_dot(child->direction.x[i], child->direction.y[i],
-                                  child->direction.z[i], up.x, up.y, up.z);
+        real_unit rise =
+            unit_dot(direction->x[i], direction->y[i], direction->z[i], up.x, up.y, up.z);
         uint32_t way = unit_is_negative(rise) ? WAY_DOWN : WAY_UP;
         cut->way[i] = is_deep ? WAY_ANY : way;
-        cut->weight.red[i] = is_cut ? child->weight.red[i] : none;
-        cut->weight.green[i] = is_cut ? child->weight.green[i] : none;
-        cut->weight.blue[i] = is_cut ? child->weight.blue[i] : none;
+        cut->weight.red[i] = is_cut ? weight->red[i] : none;
+        cut->weight.green[i] = is_cut ? weight->green[i] : none;
+        cut->weight.blue[i] = is_cut ? weight->blue[i] : none;
     }
 }
 
-/* Where the children of one kind go on. */
-static void set_out(const struct ray_lanes *restrict rays, const struct hit_lanes *restrict hit,
-                    const uint32_t object[restrict LANES], const uint32_t inside[restrict LANES],
-                    struct ray_lanes *restrict child) {
-    child->origin = hit->where;
+/* One kind of children: where they go, and what share of the light. */
+struct kind_of_children {
+    const struct direction_lanes *direction;
+    const uint32_t *object, *inside;
+    const real_energy *share;
+};
+
+/* What is the same for both kinds. */
+struct start_lanes {
+    real_length from[LANES];
+    uint32_t events[LANES], target[LANES];
+};
+
+static void set_starts(const struct ray_lanes *restrict rays, const struct hit_lanes *restrict hit,
+                       struct start_lanes *restrict start) {
     for (int i = 0; i < LANES; i++) {
-        child->from[i] = LENGTH_EPSILON;
-        child->path[i] = path_of(hit->surface[i], object[i], path_events(rays->path[i]) + 1);
-        child->target[i] = rays->target[i] & ~TARGET_CONTINUED;
-        child->inside[i] = inside[i];
+        start->from[i] = LENGTH_EPSILON;
+        start->events[i] = path_of(hit->surface[i], 0, path_events(rays->path[i]) + 1);
+        start->target[i] = rays->target[i] & ~TARGET_CONTINUED;
     }
 }
 
-/* One kind of children, whose directions and objects are set. */
 static void send(const struct scene *scene, const struct ray_lanes *rays,
-                 const struct hit_lanes *hit, const real_energy share[LANES],
-                 struct ray_lanes *child, struct queue *queue, struct cut_lanes *cut) {
-    uint32_t follow[LANES];
+                 const struct hit_lanes *hit, const struct start_lanes *start,
+                 const struct kind_of_children *kind, struct queue *queue, struct cut_lanes *cut) {
+    struct energy_lanes weight;
+    uint32_t follow[LANES], path[LANES];
     if (queue->is_grey) {
-        weigh_grey(scene, rays, hit, share, child, follow);
+        weigh_grey(scene, rays, hit, kind->share, &weight, follow);
     } else {
-        weigh(scene, rays, hit, share, child, follow);
+        weigh(scene, rays, hit, kind->share, &weight, follow);
     }
     if (scene->estimate) {
-        set_cut(scene, rays, hit, child, follow, cut);
+        set_cut(scene, rays, hit, kind->direction, &weight, follow, cut);
     }
-    queue_push(queue, child, follow);
+    for (int i = 0; i < LANES; i++) {
+        path[i] = start->events[i] | path_of(0, kind->object[i], 0);
+    }
+    const struct ray_columns children = {
+        &hit->where, kind->direction, &weight, start->from, kind->inside, path, start->target};
+    queue_push(queue, &children, follow);
 }
 
 void children_grow(const struct scene *scene, const struct ray_lanes *rays,
                    const struct hit_lanes *hit, const struct border_lanes *border,
                    struct queue *queue, struct cut_lanes cut[2]) {
     struct passage_lanes passage;
-    struct ray_lanes child;
+    struct start_lanes start;
     find_passages(&rays->direction, hit, border, &passage);
-
-    set_out(rays, hit, hit->before, hit->inside_before, &child);
-    child.direction = hit->mirrored;
-    send(scene, rays, hit, passage.reflectance, &child, queue, &cut[0]);
-
-    set_out(rays, hit, hit->after, hit->inside_after, &child);
-    child.direction = passage.refracted;
-    send(scene, rays, hit, passage.transmittance, &child, queue, &cut[1]);
+    set_starts(rays, hit, &start);
+    const struct kind_of_children mirrored = {&hit->mirrored, hit->before, hit->inside_before,
+                                              passage.reflectance};
+    const struct kind_of_children refracted = {&passage.refracted, hit->after, hit->inside_after,
+                                               passage.transmittance};
+    send(scene, rays, hit, &start, &mirrored, queue, &cut[0]);
+    send(scene, rays, hit, &start, &refracted, queue, &cut[1]);
 }

@@ -9,21 +9,25 @@
  * enough for what a step works on to stay in the nearest cache; and as many as a word has bits. */
 enum { LANES = 64 };
 
+/* The room of a quantity of rays: the queue puts whole vectors behind those that wait in a block,
+ * and what counts of them ends with the last lane. */
+enum { LANES_ROOM = LANES + 16 };
+
 /* The sets of a stream's rays are single words: a scene of more primitives goes the other way. */
 enum { STREAM_PRIMITIVES_MOST = 32 };
 
 struct point_lanes {
-    real_length x[LANES], y[LANES], z[LANES];
+    real_length x[LANES_ROOM], y[LANES_ROOM], z[LANES_ROOM];
 };
 
 struct direction_lanes {
-    real_unit x[LANES], y[LANES], z[LANES];
+    real_unit x[LANES_ROOM], y[LANES_ROOM], z[LANES_ROOM];
 };
 
 /* Where all of a scene's weights are grey, red stands for all three, and the others hold nothing.
  */
 struct energy_lanes {
-    real_energy red[LANES], green[LANES], blue[LANES];
+    real_energy red[LANES_ROOM], green[LANES_ROOM], blue[LANES_ROOM];
 };
 
 struct colour_lanes {
@@ -45,14 +49,48 @@ struct ray_lanes {
     struct point_lanes origin;
     struct direction_lanes direction;
     struct energy_lanes weight;
-    real_length from[LANES]; /* where the search for the next crossing begins */
-    uint32_t inside[LANES];  /* a set of primitives */
-    uint32_t path[LANES];   /* surface that it starts on | object it runs in << 16 | events << 24 */
-    uint32_t target[LANES]; /* the pixel that it is for, in the band | CONTINUED */
+    real_length from[LANES_ROOM]; /* where the search for the next crossing begins */
+    uint32_t inside[LANES_ROOM];  /* a set of primitives */
+    uint32_t path[LANES_ROOM];   /* surface it starts on | object it runs in << 16 | events << 24 */
+    uint32_t target[LANES_ROOM]; /* the pixel that it is for, in the band | CONTINUED */
+};
+
+/* The same of rays whose quantities lie apart: for each, where its lanes are. */
+struct ray_columns {
+    const struct point_lanes *origin;
+    const struct direction_lanes *direction;
+    const struct energy_lanes *weight;
+    const real_length *from;
+    const uint32_t *inside, *path, *target;
 };
 
 /* Set for a ray behind a crossing where the material did not change: it has been counted. */
 #define TARGET_CONTINUED UINT32_C(0x80000000)
+
+static inline struct ray_columns columns_of(const struct ray_lanes *rays) {
+    const struct ray_columns columns = {&rays->origin, &rays->direction, &rays->weight, rays->from,
+                                        rays->inside,  rays->path,       rays->target};
+    return columns;
+}
+
+/* Lanes alone: what a structure is copied with has their room as well. */
+static inline void copy_points(struct point_lanes *restrict to,
+                               const struct point_lanes *restrict from) {
+    for (int i = 0; i < LANES; i++) {
+        to->x[i] = from->x[i];
+        to->y[i] = from->y[i];
+        to->z[i] = from->z[i];
+    }
+}
+
+static inline void copy_directions(struct direction_lanes *restrict to,
+                                   const struct direction_lanes *restrict from) {
+    for (int i = 0; i < LANES; i++) {
+        to->x[i] = from->x[i];
+        to->y[i] = from->y[i];
+        to->z[i] = from->z[i];
+    }
+}
 
 /* The lanes that are 1 of those that are 0 or 1, a bit each. */
 static inline uint64_t lanes_set(const uint32_t lanes[restrict LANES]) {

@@ -6,36 +6,37 @@
 #include "lanes.h"
 
 /* Rays in one object meet the same primitives: those that wait in one bin are followed together.
- * Objects beyond the number of bins share them. The room is no power of two: a cache would keep all
- * quantities of one ray in the same few lines. */
-enum { QUEUE_BINS = 8, QUEUE_ROOM = 4096 + 80 };
+ * Objects beyond the number of bins share them. A ray is written once, into a block of its bin, and
+ * followed where it lies. */
+enum { QUEUE_BINS = 8, QUEUE_BLOCKS = 256 };
 
-/* See struct ray_lanes. */
+/* Its blocks that are full, the last one first out, and the one that is not full yet. */
 struct queue_bin {
-    uint32_t count;
-    real_length origin_x[QUEUE_ROOM], origin_y[QUEUE_ROOM], origin_z[QUEUE_ROOM];
-    real_unit direction_x[QUEUE_ROOM], direction_y[QUEUE_ROOM], direction_z[QUEUE_ROOM];
-    real_energy red[QUEUE_ROOM], green[QUEUE_ROOM], blue[QUEUE_ROOM];
-    real_length from[QUEUE_ROOM];
-    uint32_t inside[QUEUE_ROOM], path[QUEUE_ROOM], target[QUEUE_ROOM];
+    uint32_t count; /* rays in all of them */
+    uint32_t full, filling;
 };
 
 struct queue {
     bool is_grey;    /* all weights are: red alone is kept */
     bool overflowed; /* a ray found no room, and is lost */
     struct queue_bin bins[QUEUE_BINS];
+    uint32_t free;               /* the first block that is in no bin, QUEUE_BLOCKS: none is left */
+    uint32_t next[QUEUE_BLOCKS]; /* the one behind it, among the full or the free ones */
+    struct ray_lanes blocks[QUEUE_BLOCKS];
 };
 
 void queue_clear(struct queue *queue, bool is_grey);
 
 /* Puts in the rays of the lanes that are wanted (not 0). */
-void queue_push(struct queue *queue, const struct ray_lanes *rays, const uint32_t wanted[LANES]);
+void queue_push(struct queue *queue, const struct ray_columns *rays, const uint32_t wanted[LANES]);
 
 /* The most rays that wait in one bin. */
 uint32_t queue_fullest(const struct queue *queue);
 
-/* Takes up to LANES rays that came last out of the fullest bin: their number. The other lanes keep
- * what they had. */
-uint32_t queue_pop(struct queue *queue, struct ray_lanes *rays);
+/* A block of the fullest bin, the full one that came last if there is one: sets its number and
+ * returns that of its rays, 0 where none wait. The other lanes hold copies of them. The block is
+ * the caller's until it gives it back. */
+uint32_t queue_take(struct queue *queue, uint32_t *block);
+void queue_give_back(struct queue *queue, uint32_t block);
 
 #endif

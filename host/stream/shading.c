@@ -60,8 +60,8 @@ static void cast_shadows(const struct scene *scene, const struct hit_lanes *rest
     uint32_t shadowed[LANES];
     search->scene = scene;
     search->shadows = true;
-    search->world.origin = hit->where;
-    search->world.direction = way->towards;
+    copy_points(&search->world.origin, &hit->where);
+    copy_directions(&search->world.direction, &way->towards);
     for (int i = 0; i < LANES; i++) {
         search->surface[i] = hit->surface[i];
         search->inside[i] = hit->inside_before[i] & among;

@@ -25,15 +25,15 @@ enum { PRIMARIES = 3, SUM_OF_RAYS = PRIMARIES, SUMS = PRIMARIES + 1 };
 enum { STEPS_UNWATCHED = 512 };
 
 struct stream {
-    struct ray_lanes rays;
     struct hit_lanes hit;
-    struct search_lanes search, shadow_search;
+    struct search_lanes search;
     const struct scene *scene;
     struct render_counts counts;
     bool absorbs; /* a material of the scene does */
     uint32_t touches[TOUCHES];
     struct queue queue;
     int64_t sums[BAND_PIXELS][SUMS];
+    struct ray_lanes *rays; /* of a step: a block of the queue */
 };
 
 /* The rays of up to LANES pixels from `first` on, through the eye: see camera_ray(). */
@@ -41,7 +41,7 @@ static void start_eye_rays(struct stream *stream, uint16_t first_row, uint32_t f
                            uint32_t count) {
     const struct scene *scene = stream->scene;
     const struct camera camera = scene->camera;
-    struct ray_lanes *restrict rays = &stream->rays;
+    struct ray_lanes rays;
     int16_t column[LANES], row[LANES];
     uint32_t wanted[LANES];
     for (uint32_t i = 0; i < LANES; i++) {
@@ -49,7 +49,7 @@ static void start_eye_rays(struct stream *stream, uint16_t first_row, uint32_t f
         column[i] = (int16_t)(2 * (pixel % scene->width) + 1 - scene->width);
         row[i] = (int16_t)(2 * (first_row + pixel / scene->width) + 1 - scene->height);
         wanted[i] = i < count ? 1 : 0;
-        rays->target[i] = pixel;
+        rays.target[i] = pixel;
     }
     for (int i = 0; i < LANES; i++) {
         real_wide x = wide_component(camera.forward.x, camera.column.x, column[i], camera.row.x,
@@ -58,17 +58,18 @@ static void start_eye_rays(struct stream *stream, uint16_t first_row, uint32_t f
                                      row[i], camera.shift);
         real_wide z = wide_component(camera.forward.z, camera.column.z, column[i], camera.row.z,
                                      row[i], camera.shift);
-        unit_normalise_wide(x, y, z, &rays->direction.x[i], &rays->direction.y[i],
-                            &rays->direction.z[i]);
-        rays->origin.x[i] = camera.eye.x;
-        rays->origin.y[i] = camera.eye.y;
-        rays->origin.z[i] = camera.eye.z;
-        rays->weight.red[i] = rays->weight.green[i] = rays->weight.blue[i] = REAL_ENERGY(1.0);
-        rays->from[i] = LENGTH_EPSILON;
-        rays->inside[i] = camera.inside.word[0];
-        rays->path[i] = path_of(SURFACE_NONE, camera.object, 0);
+        unit_normalise_wide(x, y, z, &rays.direction.x[i], &rays.direction.y[i],
+                            &rays.direction.z[i]);
+        rays.origin.x[i] = camera.eye.x;
+        rays.origin.y[i] = camera.eye.y;
+        rays.origin.z[i] = camera.eye.z;
+        rays.weight.red[i] = rays.weight.green[i] = rays.weight.blue[i] = REAL_ENERGY(1.0);
+        rays.from[i] = LENGTH_EPSILON;
+        rays.inside[i] = camera.inside.word[0];
+        rays.path[i] = path_of(SURFACE_NONE, camera.object, 0);
     }
-    queue_push(&stream->queue, rays, wanted);
+    const struct ray_columns columns = columns_of(&rays);
+    queue_push(&stream->queue, &columns, wanted);
 }
 
 /* Adds what each lane sends to its pixel, times its weight, and whether its ray is counted. */
@@ -78,15 +79,21 @@ static void add_intensities(struct stream *stream, const struct colour_lanes *re
     const bool is_grey = stream->queue.is_grey;
     const real_energy *green = is_grey ? weight->red : weight->green;
     const real_energy *blue = is_grey ? weight->red : weight->blue;
-    int32_t part[LANES][SUMS];
+    const uint32_t *target = stream->rays->target;
+    int32_t steps[PRIMARIES][LANES], part[LANES][SUMS];
     for (int i = 0; i < LANES; i++) {
-        part[i][0] = colour_steps(colour_scaled(colour->red[i], weight->red[i]));
-        part[i][1] = colour_steps(colour_scaled(colour->green[i], green[i]));
-        part[i][2] = colour_steps(colour_scaled(colour->blue[i], blue[i]));
+        steps[0][i] = colour_steps(colour_scaled(colour->red[i], weight->red[i]));
+        steps[1][i] = colour_steps(colour_scaled(colour->green[i], green[i]));
+        steps[2][i] = colour_steps(colour_scaled(colour->blue[i], blue[i]));
+    }
+    for (int i = 0; i < LANES; i++) {
+        part[i][0] = steps[0][i];
+        part[i][1] = steps[1][i];
+        part[i][2] = steps[2][i];
         part[i][SUM_OF_RAYS] = (int32_t)counted[i];
     }
     for (int i = 0; i < LANES; i++) {
-        int64_t *restrict sum = stream->sums[stream->rays.target[i] & ~TARGET_CONTINUED];
+        int64_t *restrict sum = stream->sums[target[i] & ~TARGET_CONTINUED];
         for (int k = 0; k < SUMS; k++) {
             sum[k] += part[i][k];
         }
@@ -95,9 +102,10 @@ static void add_intensities(struct stream *stream, const struct colour_lanes *re
 
 /* Sets the lanes whose rays are new ones. */
 static void count_rays(struct stream *stream, uint32_t count, uint32_t counted[restrict LANES]) {
+    const uint32_t *restrict target = stream->rays->target;
     uint32_t rays = 0;
     for (uint32_t i = 0; i < LANES; i++) {
-        bool is_new = (i < count) & ((stream->rays.target[i] & TARGET_CONTINUED) == 0);
+        bool is_new = (i < count) & ((target[i] & TARGET_CONTINUED) == 0);
         counted[i] = is_new ? 1 : 0;
         rays += counted[i];
     }
@@ -105,12 +113,12 @@ static void count_rays(struct stream *stream, uint32_t count, uint32_t counted[r
 }
 
 static void find_crossings(struct stream *stream, uint32_t count) {
-    struct search_lanes *search = &stream->search;
-    const struct ray_lanes *rays = &stream->rays;
+    struct search_lanes *restrict search = &stream->search;
+    const struct ray_lanes *restrict rays = stream->rays;
     search->scene = stream->scene;
     search->shadows = false;
-    search->world.origin = rays->origin;
-    search->world.direction = rays->direction;
+    copy_points(&search->world.origin, &rays->origin);
+    copy_directions(&search->world.direction, &rays->direction);
     for (uint32_t i = 0; i < LANES; i++) {
         search->surface[i] = path_surface(rays->path[i]);
         search->inside[i] = rays->inside[i];
@@ -123,25 +131,29 @@ static void find_crossings(struct stream *stream, uint32_t count) {
 
 /* Sends the rays on that have crossed no border of materials. */
 static void go_on(struct stream *stream, const uint32_t continuing[LANES]) {
-    struct ray_lanes *rays = &stream->rays;
-    struct ray_lanes next = *rays;
+    const struct ray_lanes *restrict rays = stream->rays;
+    struct ray_columns next = columns_of(rays);
+    uint32_t path[LANES], target[LANES];
     for (int i = 0; i < LANES; i++) {
-        uint32_t path = rays->path[i];
-        next.from[i] = stream->search.t[i];
-        next.inside[i] = stream->hit.inside_after[i];
-        next.path[i] = path_of(path_surface(path), stream->hit.after[i], path_events(path));
-        next.target[i] = rays->target[i] | TARGET_CONTINUED;
+        path[i] =
+            path_of(path_surface(rays->path[i]), stream->hit.after[i], path_events(rays->path[i]));
+        target[i] = rays->target[i] | TARGET_CONTINUED;
     }
+    next.from = stream->search.t;
+    next.inside = stream->hit.inside_after;
+    next.path = path;
+    next.target = target;
     queue_push(&stream->queue, &next, continuing);
 }
 
 /* Sorts the lanes: at a border of materials, on between borders, or out of the scene. */
 static void sort_lanes(struct stream *stream, uint32_t continuing[LANES], uint32_t gone[LANES]) {
-    struct hit_lanes *hit = &stream->hit;
-    const struct search_lanes *search = &stream->search;
+    struct hit_lanes *restrict hit = &stream->hit;
+    const struct search_lanes *restrict search = &stream->search;
+    const uint32_t *restrict path = stream->rays->path;
     for (int i = 0; i < LANES; i++) {
         hit->inside_after[i] = search->inside[i] ^ search->toggled[i];
-        hit->before[i] = path_object(stream->rays.path[i]);
+        hit->before[i] = path_object(path[i]);
     }
     media_objects(stream->scene, hit->inside_after, hit->after);
     media_materials(stream->scene, hit->before, hit->material_before);
@@ -173,10 +185,10 @@ static void attenuate(const struct stream *stream, int primary, real_energy weig
 }
 
 static void absorb(struct stream *stream) {
-    attenuate(stream, 0, stream->rays.weight.red);
+    attenuate(stream, 0, stream->rays->weight.red);
     if (!stream->queue.is_grey) {
-        attenuate(stream, 1, stream->rays.weight.green);
-        attenuate(stream, 2, stream->rays.weight.blue);
+        attenuate(stream, 1, stream->rays->weight.green);
+        attenuate(stream, 2, stream->rays->weight.blue);
     }
 }
 
@@ -212,7 +224,7 @@ static void add_arrivals(struct stream *stream, const struct colour_lanes *local
         colour.green[i] = is_gone ? background.green : is_hit ? local->green[i] : black;
         colour.blue[i] = is_gone ? background.blue : is_hit ? local->blue[i] : black;
     }
-    add_intensities(stream, &colour, &stream->rays.weight, counted);
+    add_intensities(stream, &colour, &stream->rays->weight, counted);
 }
 
 /* What boundaries do to the rays that have come to one, and what they send: into *local. */
@@ -224,16 +236,16 @@ static void meet_boundaries(struct stream *stream, struct colour_lanes *local) {
         absorb(stream);
     }
     borders_find(stream->scene, &stream->hit, &border);
-    shading_local(stream->scene, &stream->rays.direction, &stream->hit, &border, local,
-                  &stream->shadow_search, stream->touches, &stream->counts);
-    children_grow(stream->scene, &stream->rays, &stream->hit, &border, &stream->queue, cut);
+    shading_local(stream->scene, &stream->rays->direction, &stream->hit, &border, local,
+                  &stream->search, stream->touches, &stream->counts);
+    children_grow(stream->scene, stream->rays, &stream->hit, &border, &stream->queue, cut);
     if (stream->scene->estimate) {
         add_estimate(stream, &cut[0]);
         add_estimate(stream, &cut[1]);
     }
 }
 
-/* Follows the rays of the first `count` lanes to their next crossing. */
+/* Follows the rays of the first `count` lanes of a block to their next crossing. */
 static void step(struct stream *stream, uint32_t count) {
     uint32_t counted[LANES], continuing[LANES], gone[LANES];
     struct colour_lanes local;
@@ -300,18 +312,20 @@ static bool is_exhausted(const struct stream *stream, uint32_t pixels) {
 
 /* Follows all rays of the band. False: the queue overflowed or a pixel's budget ended. */
 static bool follow_rays(struct stream *stream, uint16_t first, uint32_t pixels) {
-    uint32_t next = 0, unwatched = 0;
+    uint32_t next = 0, unwatched = 0, block = 0;
     for (;;) {
         while (next < pixels && queue_fullest(&stream->queue) < LANES) {
             uint32_t count = pixels - next < LANES ? pixels - next : LANES;
             start_eye_rays(stream, first, next, count);
             next += count;
         }
-        uint32_t count = queue_pop(&stream->queue, &stream->rays);
+        uint32_t count = queue_take(&stream->queue, &block);
         if (count == 0) {
             return !is_exhausted(stream, pixels);
         }
+        stream->rays = &stream->queue.blocks[block];
         step(stream, count);
+        queue_give_back(&stream->queue, block);
         unwatched = (unwatched + 1) % STEPS_UNWATCHED;
         if (stream->queue.overflowed || (unwatched == 0 && is_exhausted(stream, pixels))) {
             return false;

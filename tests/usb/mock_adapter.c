@@ -395,10 +395,11 @@ static void add_to_testbed(void) {
                    "P: " HID_PATH "/hidraw/hidraw0\nN: hidraw0=00\nE: DEVNAME=/dev/hidraw0\n"
                    "E: SUBSYSTEM=hidraw\nL: device=../../../0003:1209:9801.0001\n",
                    name + 5, name, mock.number, mock.number, hex);
-    if (!umockdev_testbed_add_from_string(mock.testbed, text, &error) ||
-        !umockdev_testbed_attach_ioctl(mock.testbed, name, mock.handler, &error) ||
+    /* Before there is a node: whoever opens one that nobody answers for is ended by umockdev. */
+    if (!umockdev_testbed_attach_ioctl(mock.testbed, name, mock.handler, &error) ||
         (!mock.has_hid &&
-         !umockdev_testbed_attach_ioctl(mock.testbed, "/dev/hidraw0", mock.handler, &error))) {
+         !umockdev_testbed_attach_ioctl(mock.testbed, "/dev/hidraw0", mock.handler, &error)) ||
+        !umockdev_testbed_add_from_string(mock.testbed, text, &error)) {
         (void)fprintf(stderr, "umockdev: %s\n", error->message);
         exit(1);
     }
