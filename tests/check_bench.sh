@@ -100,6 +100,18 @@ grep -q '20 | 22.00 (fig3, N = 10) | yes' "$folder/pairs.md" || wrong 'the faste
 grep -q '4 | 4.10 (fig3, N = 10) | yes' "$folder/pairs.md" || wrong 'fx counts by itself'
 grep -q '10 | 9.00 (figA, N = 10) | \*\*no\*\*' "$folder/pairs.md" || wrong 'the small scenes'
 
+# Speedups 2, 1.5 and 1.8; two renders at once take as long as one, twice as long, and 1.25 times.
+table 'scene size depth arithmetic jobs1 jobs2 at_once' 'a b 1 f64 2 1 2' 'a b 1 f64 3 2 6' \
+    'a b 1 f64 1.8 1 2.25' > "$folder/jobs.tsv"
+claims "$folder/jobs.tsv" > "$folder/jobs.md"
+grep -q '1.9 | 1.80 (1.50 to 2.00) | \*\*no\*\*' "$folder/jobs.md" || wrong 'two workers'
+grep -q '|  | 1.60 (1.00 to 2.00) |  |' "$folder/jobs.md" || wrong 'two renders at once'
+printf '# kept\n%s\n%s\n%s\n%s\n' 'fig3 f64 5 640x400 0:8 10 1000 100.00' \
+    'fig3 f64 20 640x400 0:8 10 1090 109.00' 'fig5 f64 5 640x400 0:8 10 1000 100.00' \
+    'fig5 f64 5 320x200 0:8 10 1000 200.00' > "$folder/instructions.txt"
+claims "$folder/instructions.txt" > "$folder/counted.md"
+grep -q '9.0 % (fig3, f64) | yes' "$folder/counted.md" || wrong 'a ray in instructions, of the large size alone'
+
 # ---- Instructions a ray ---------------------------------------------------------------------
 
 growth() {

@@ -333,6 +333,13 @@ static bool follow_rays(struct stream *stream, uint16_t first, uint32_t pixels) 
     }
 }
 
+/* colour_level() of a sum, without a branch: up to white every arithmetic holds all steps exactly. */
+static inline uint8_t level_of(int64_t steps) {
+    const int64_t white = INT64_C(255) << 16, half = INT64_C(1) << 15;
+    int64_t above = steps > 0 ? steps : 0;
+    return (uint8_t)(((above < white ? above : white) + half) >> 16);
+}
+
 static bool stream_rows(void *memory, const struct scene *scene, uint16_t first, uint16_t rows,
                         uint8_t *rgb, struct render_counts *counts) {
     struct stream *stream = memory;
@@ -342,9 +349,8 @@ static bool stream_rows(void *memory, const struct scene *scene, uint16_t first,
         return false;
     }
     for (uint32_t i = 0; i < pixels; i++) {
-        for (int primary = 0; primary < PRIMARIES; primary++) {
-            int64_t steps = stream->sums[i][primary];
-            *rgb++ = colour_level(colour_of_steps(steps < INT32_MAX ? (int32_t)steps : INT32_MAX));
+        for (uint32_t primary = 0; primary < PRIMARIES; primary++) {
+            rgb[PRIMARIES * i + primary] = level_of(stream->sums[i][primary]);
         }
     }
     add_counts(counts, &stream->counts);

@@ -37,7 +37,8 @@ static bool is_accessible(const char *path) {
     return true;
 }
 
-/* The usage page is not known to all of hidapi's back ends: the interface's number is. */
+/* The usage page is not known to all of hidapi's back ends: the interface's number is. One that was
+ * pulled meanwhile may be listed without a path. */
 static unsigned enumerate(struct usb_found *found, unsigned most, char *reason, bool must_try) {
     unsigned count = 0;
     reason[0] = '\0';
@@ -47,7 +48,7 @@ static unsigned enumerate(struct usb_found *found, unsigned most, char *reason, 
     }
     struct hid_device_info *all = hid_enumerate(USB_VENDOR_ID, USB_PRODUCT_ID);
     for (struct hid_device_info *info = all; info != NULL && count < most; info = info->next) {
-        if (info->interface_number == USB_HID_INTERFACE) {
+        if (info->interface_number == USB_HID_INTERFACE && info->path != NULL) {
             narrow(found[count].serial, info->serial_number);
             (void)snprintf(found[count].path, USB_PATH_SIZE, "%s", info->path);
             found[count].is_accessible = !must_try || is_accessible(info->path);

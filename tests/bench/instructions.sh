@@ -26,7 +26,8 @@ superframe=$build/superframe
 out=$build/bench
 mkdir -p "$out" || exit 1
 
-# scene | arithmetic | N | size | rows. A strip through the middle of the picture.
+# scene | arithmetic | N | size | rows. A strip through the middle of the picture; two whole bands of
+# rows where it is asked what a ray costs at other N.
 table='
 fig3|fx|10|320x200|98:102
 fig3|f32|10|320x200|98:102
@@ -39,8 +40,12 @@ fig7-isolated|fx|10|320x200|98:102
 fig7-isolated|f64|10|320x200|98:102
 figA|fx|10|320x200|98:102
 figA|f64|10|320x200|98:102
-fig4a|f64|5|320x200|98:102
-fig4a|f64|20|320x200|98:102
+fig3|f64|5|640x400|192:208
+fig3|f64|20|640x400|192:208
+fig4a|f64|5|640x400|192:208
+fig4a|f64|20|640x400|192:208
+fig5|f64|5|640x400|192:208
+fig5|f64|20|640x400|192:208
 '
 
 # one SCENE ARITHMETIC N SIZE ROWS: prints rays and instructions.

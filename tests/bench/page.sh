@@ -43,7 +43,8 @@ summarise() {
     awk -f "$here/statistics.awk" -f "$here/claims.awk" $(for name in renders.tsv frame.tsv jobs.tsv \
         pairs.ratios equal.ratios; do
         if have $name; then echo "$out/$name"; fi
-    done) < /dev/null > "$out/claims.md" || exit 1
+    done
+    [ ! -f "$kept_instructions" ] || echo "$kept_instructions") < /dev/null > "$out/claims.md" || exit 1
 }
 
 write_json() {
@@ -100,7 +101,7 @@ END
     section equal.ratios 'At equal error: user CPU' "POV-Ray's over ours with those settings; N is ours."
     section frame.tsv 'Ports, board and PNG' \
         'CPU milliseconds of a frame of 640 x 400 whose rows are ready-made: 1,024,432 port writes to the board; the same through the hash of --stats (observed); the PNG with its file. Median and largest of 15.'
-    section jobs.tsv 'Two workers' 'Seconds by the clock, in turn.'
+    section jobs.tsv 'Two workers' 'Seconds by the clock, in turn; two renders of one worker each at once tell what the two processors are worth.'
     section renders.tsv 'Whole renders' \
         'A render as it is called by the shell; user CPU and peak memory of the process. A ray is one of the tree (`rays` of --stats); shadow rays come on top. ns_a_ray is user CPU over rays; first_write_seconds is CPU time, the loading of the program included.'
     if [ -f "$kept_instructions" ]; then

@@ -43,18 +43,26 @@ stage_frame() {
     done
 }
 
-# One worker against two, in turn, by the clock.
+# render_with JOBS NAME: the seconds by the clock of a render with so many workers go to $out/NAME.
+render_with() {
+    "$tools/timed" 1 "$superframe" render fig4a --size 640x400 --depth 10 --arith f64 \
+        --colour full --quiet --jobs "$1" -o "$out/$2.png" > "$out/$2" 2>> "$out/log"
+}
+
+# One worker against two, in turn, and two renders of one worker each at once: what the machine has.
 stage_jobs() {
-    begin_table "$out/jobs.tsv" scene size depth arithmetic jobs1_seconds jobs2_seconds
+    begin_table "$out/jobs.tsv" scene size depth arithmetic jobs1_seconds jobs2_seconds \
+        two_at_once_seconds
     run=0
     while [ $run -lt "$BENCH_PAIRS" ]; do
         run=$((run + 1))
         for jobs in 1 2; do
-            "$tools/timed" 1 "$superframe" render fig4a --size 640x400 --depth 10 --arith f64 \
-                --colour full --quiet --jobs $jobs -o "$out/ours.png" > "$out/jobs$jobs" 2>> "$out/log" ||
-                give_up "superframe render fig4a --jobs $jobs failed; see $out/log"
+            render_with $jobs jobs$jobs || give_up "superframe render fig4a --jobs $jobs failed; see $out/log"
         done
+        render_with 1 once1 &
+        render_with 1 once2 || give_up "two renders of fig4a at once failed; see $out/log"
+        wait $! || give_up "two renders of fig4a at once failed; see $out/log"
         row "$out/jobs.tsv" fig4a 640x400 10 f64 "$(cut -d ' ' -f 1 "$out/jobs1")" \
-            "$(cut -d ' ' -f 1 "$out/jobs2")"
+            "$(cut -d ' ' -f 1 "$out/jobs2")" "$(cat "$out/once1" "$out/once2" | sort -n | tail -n 1 | cut -d ' ' -f 1)"
     done
 }

@@ -50,11 +50,13 @@ bool mock_enter(char **argv) {
     if (getenv("SUPERFRAME_MOCKED") != NULL) {
         return true;
     }
-    /* The preloaded library comes before the sanitizer's, which otherwise refuses to start. */
+    /* The preloaded library comes before the sanitizer's, which otherwise refuses to start. A crash
+     * in one of the libraries' threads is the sanitizer's to report, with its stack: cmocka's
+     * handler would leave from it to the test's. */
     const char *options = getenv("ASAN_OPTIONS");
     bool has_options = options != NULL && options[0] != 0;
     char text[512];
-    (void)snprintf(text, sizeof text, "verify_asan_link_order=0:detect_leaks=0%s%s",
+    (void)snprintf(text, sizeof text, "verify_asan_link_order=0:detect_leaks=0:handle_segv=2%s%s",
                    has_options ? ":" : "", has_options ? options : "");
     (void)setenv("ASAN_OPTIONS", text, 1);
     (void)setenv("SUPERFRAME_MOCKED", "1", 1);
