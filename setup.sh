@@ -57,6 +57,7 @@ targets|tool|powerpc-linux-gnu-gcc|gcc-powerpc-linux-gnu
 targets|file|/usr/powerpc-linux-gnu/include/stdio.h|libc6-dev-powerpc-cross
 targets|tool|qemu-ppc|qemu-user
 targets|tool|avr-gcc|gcc-avr
+targets|file|/usr/lib/avr/include/stdint.h|avr-libc
 '
 
 say() {

@@ -333,7 +333,8 @@ static bool follow_rays(struct stream *stream, uint16_t first, uint32_t pixels) 
     }
 }
 
-/* colour_level() of a sum, without a branch: up to white every arithmetic holds all steps exactly. */
+/* colour_level() of a sum, without a branch: up to white every arithmetic holds all steps exactly.
+ */
 static inline uint8_t level_of(int64_t steps) {
     const int64_t white = INT64_C(255) << 16, half = INT64_C(1) << 15;
     int64_t above = steps > 0 ? steps : 0;
