@@ -7,7 +7,8 @@
 #include "image.h"
 
 /* The intensity that each boundary sends along its ray. scratch is a search to use for shadows,
- * touches the scene's table. */
+ * whose content is lost: it may be the one that found the boundaries. touches is the scene's table.
+ */
 void shading_local(const struct scene *scene, const struct direction_lanes *direction,
                    const struct hit_lanes *hit, const struct border_lanes *border,
                    struct colour_lanes *local, struct search_lanes *scratch,

@@ -86,6 +86,7 @@ static void add_intensities(struct stream *stream, const struct colour_lanes *re
         steps[1][i] = colour_steps(colour_scaled(colour->green[i], green[i]));
         steps[2][i] = colour_steps(colour_scaled(colour->blue[i], blue[i]));
     }
+    /* A loop of its own: gcc puts four rows of words together by vectors, of sums it does not. */
     for (int i = 0; i < LANES; i++) {
         part[i][0] = steps[0][i];
         part[i][1] = steps[1][i];
@@ -227,7 +228,8 @@ static void add_arrivals(struct stream *stream, const struct colour_lanes *local
     add_intensities(stream, &colour, &stream->rays->weight, counted);
 }
 
-/* What boundaries do to the rays that have come to one, and what they send: into *local. */
+/* What boundaries do to the rays that have come to one, and what they send: into *local. What the
+ * search has found is lost to the shadows. */
 static void meet_boundaries(struct stream *stream, struct colour_lanes *local) {
     struct border_lanes border;
     struct cut_lanes cut[2];
