@@ -51,6 +51,12 @@ static enum value_verdict set_output(struct options *options, const char *value)
     return verdict(value[0] != '\0');
 }
 
+/* Many files can't go to standard output. */
+static enum value_verdict set_folder(struct options *options, const char *value) {
+    options->output = value;
+    return verdict(value[0] != '\0' && strcmp(value, "-") != 0);
+}
+
 static enum value_verdict set_arithmetic(struct options *options, const char *value) {
     options->arithmetic = value;
     options->has_arithmetic = true;
@@ -324,28 +330,55 @@ static enum value_verdict set_json(struct options *options, const char *value) {
     return VALUE_TAKEN;
 }
 
+/* Whatever takes an option, the same is allowed; what it does there may be another thing. */
+#define DEPTHS     "a whole number 0..255"
+#define THRESHOLDS "a number or a fraction 0..1"
+#define ERRORS     "a number 0.01..255"
+#define MODELS     "simple, fresnel, wavelength, absorption"
+#define TAILS      "black or estimate"
+
 const struct option_entry option_table[] = {
     {"output", 'o', "FILE",
-     BIT(RENDER) | BIT(MEASURE) | BIT(COMPILE) | BIT(EXPORT) | TRACE_READERS | BIT(TREE) |
-         BIT(PAPER) | BIT(ADAPTER) | BIT(BOOT),
-     set_output, "a file's name or -", "where the result goes; - is standard output"},
-    {"arith", 0, "NAME", BIT(RENDER) | BIT(MEASURE) | BIT(TREE) | BIT(PAPER), set_arithmetic,
-     arithmetic_names, "the firmware's arithmetic (fx)"},
-    {"depth", 0, "N", SCENE_READERS | BIT(MEASURE), set_depth, "a whole number 0..255",
-     "the paper's depth level (the scene's)"},
-    {"threshold", 0, "E", SCENE_READERS | BIT(MEASURE), set_threshold,
-     "a number or a fraction 0..1", "the weight under which a branch ends (the scene's)"},
-    {"error", 0, "LSB", SCENE_READERS | BIT(MEASURE), set_error, "a number 0.01..255",
+     BIT(RENDER) | BIT(COMPILE) | BIT(EXPORT) | TRACE_READERS | BIT(TREE) | BIT(BOOT), set_output,
+     "a file's name or -", "where the result goes; - is standard output"},
+    {"output", 'o', "FOLDER", BIT(MEASURE) | BIT(PAPER), set_folder, "a folder's name",
+     "where the results go; it is made if it is not there"},
+    {"output", 'o', "FILE.png", BIT(ADAPTER), set_output, "a file's name",
+     "the board's picture when the adapter ends"},
+    {"arith", 0, "NAME", BIT(RENDER) | BIT(TREE) | BIT(PAPER), set_arithmetic, arithmetic_names,
+     "the firmware's arithmetic (fx)"},
+    {"depth", 0, "N", SCENE_READERS, set_depth, DEPTHS, "the paper's depth level (the scene's)"},
+    {"threshold", 0, "E", SCENE_READERS, set_threshold, THRESHOLDS,
+     "the weight under which a branch ends (the scene's)"},
+    {"error", 0, "LSB", SCENE_READERS, set_error, ERRORS,
      "the accuracy asked for, in levels, instead of a threshold (off)"},
-    {"size", 0, "WxH", SCENE_READERS | BIT(MEASURE) | BIT(PAPER), set_size, "1x1..640x400",
+    {"size", 0, "WxH", SCENE_READERS, set_size, "1x1..640x400",
      "the pixels rendered (the scene's)"},
-    {"model", 0, "MODEL", SCENE_READERS | BIT(MEASURE), set_model,
-     "simple, fresnel, wavelength, absorption",
+    {"size", 0, "WxH", BIT(PAPER), set_size, "1x1..320x200",
+     "of the small pictures; the large ones are twice as wide and high (320x200)"},
+    {"model", 0, "MODEL", SCENE_READERS, set_model, MODELS,
      "how light is reflected and refracted (the scene's)"},
+    {"colour", 0, "MODE", SCENE_READERS, set_colour, "full, bits:1..bits:8, dither or exposures",
+     "how colours are shown (the scene's)"},
+    {"tail", 0, "KIND", SCENE_READERS, set_tail, TAILS,
+     "what a cut branch counts as (black; estimate with --error)"},
+    /* What measure varies of its own accord. */
+    {"arith", 0, "NAME", BIT(MEASURE), set_arithmetic, arithmetic_names,
+     "this arithmetic alone (fx, f32, f64 and two to compare with)"},
+    {"depth", 0, "N", BIT(MEASURE), set_depth, DEPTHS, "this depth level alone (eight, 1 to 64)"},
+    {"threshold", 0, "E", BIT(MEASURE), set_threshold, THRESHOLDS,
+     "this threshold alone (none, and five from 1/256 to 1/65536)"},
+    {"error", 0, "LSB", BIT(MEASURE), set_error, ERRORS,
+     "this accuracy asked for alone (4, 2, 1 and 0.5)"},
+    {"size", 0, "WxH", BIT(MEASURE), set_size, "1x1..640x400",
+     "this size alone (160x100, and three others)"},
+    {"model", 0, "MODEL", BIT(MEASURE), set_model, MODELS,
+     "this model alone (the scene's, and the two others)"},
+    {"colour", 0, "MODE", BIT(MEASURE), set_colour, "full, bits:1..bits:8 or dither",
+     "these colours alone (full, and five others)"},
+    {"tail", 0, "KIND", BIT(MEASURE), set_tail, TAILS, "this tail alone (both)"},
     {"highlight", 0, "KIND", SCENE_READERS | BIT(MEASURE), set_highlight, "phong or blinn",
      "how highlights are computed (the scene's)"},
-    {"colour", 0, "MODE", SCENE_READERS | BIT(MEASURE), set_colour,
-     "full, bits:1..bits:8, dither or exposures", "how colours are shown (the scene's)"},
     {"seed", 0, "S", SCENE_READERS | BIT(MEASURE), set_seed, "a whole number 0..4294967295",
      "of the random dither (1)"},
     {"keep-exposures", 0, "FOLDER", BIT(RENDER), set_keep_exposures, "a folder's name",
@@ -361,8 +394,6 @@ const struct option_entry option_table[] = {
      "which board (1987)"},
     {"base", 0, "PORT", BOARD_WATCHERS | BIT(ADAPTER), set_base,
      "00D0, 02D0, 04D0, 06D0, 08D0, 0AD0 or 0CD0", "the jumper's base address (00D0)"},
-    {"tail", 0, "KIND", SCENE_READERS | BIT(MEASURE), set_tail, "black or estimate",
-     "what a cut branch counts as (black; estimate with --error)"},
     {"verify", 0, "[=PERCENT]", BIT(RENDER), set_verify, "a whole number 1..100",
      "read back what was drawn over USB or HID, or so many of its lines, and repair it"},
     {"wait", 0, NULL, BIT(RENDER), set_wait, "", "wait for an adapter, and for a lost one"},

@@ -58,12 +58,12 @@ static void make_tables(enum command_id command, struct getopt_tables *tables) {
     }
 }
 
-static const struct option_entry *find_entry(int found) {
+static const struct option_entry *find_entry(enum command_id command, int found) {
     if (found >= LONG_ONLY) {
         return &option_table[found - LONG_ONLY];
     }
     for (const struct option_entry *entry = option_table; entry->name != NULL; entry++) {
-        if (entry->letter == found) {
+        if (entry->letter == found && (entry->commands & 1u << command) != 0) {
             return entry;
         }
     }
@@ -156,6 +156,31 @@ static bool check_trace(enum command_id command, const struct options *options,
     return true;
 }
 
+/* The options without which a command has nothing to do. */
+static bool check_needs(enum command_id command, const struct options *options,
+                        struct options_error *error) {
+    static const struct {
+        enum command_id command;
+        const char *lacking;
+    } needs[] = {
+        {COMMAND_MEASURE, "measure: -o FOLDER is lacking"},
+        {COMMAND_PAPER, "paper: -o FOLDER is lacking"},
+        {COMMAND_EXPORT, "export: -o FILE is lacking; -o - is standard output"},
+        {COMMAND_COMPILE, "compile: -o FILE.c is lacking; -o - is standard output"},
+        {COMMAND_REPLAY, "replay: -o FILE.png is lacking (or --stats or --strict)"},
+    };
+    if (command == COMMAND_EXPORT && !options->pov) {
+        return refuse(error, "export: --pov is lacking; it is the only kind of source");
+    }
+    for (size_t i = 0; i < sizeof needs / sizeof needs[0]; i++) {
+        bool has_other = command == COMMAND_REPLAY && (options->stats != NULL || options->strict);
+        if (needs[i].command == command && options->output == NULL && !has_other) {
+            return refuse(error, "%s", needs[i].lacking);
+        }
+    }
+    return true;
+}
+
 /* Options that exclude each other. */
 static bool check_together(enum command_id command, const struct options *options,
                            struct options_error *error) {
@@ -189,31 +214,10 @@ static bool check_together(enum command_id command, const struct options *option
         !differ(options->signatures, options->trace)) {
         return refuse(error, "two results can't go to the same place; give each its own file");
     }
-    if (command == COMMAND_MEASURE &&
-        (options->output == NULL || strcmp(options->output, "-") == 0)) {
-        return refuse(error, "measure: -o DIR is lacking; allowed is: a folder's name");
-    }
     if (command == COMMAND_MEASURE && options->overrides.has_colour &&
         options->overrides.colour == COLOUR_EXPOSURES) {
         return refuse(error, "measure: --colour exposures is not measured; allowed is: full, "
                              "bits:1..bits:8 or dither");
-    }
-    if (command == COMMAND_EXPORT && !options->pov) {
-        return refuse(error, "export: --pov is lacking; it is the only kind of source");
-    }
-    if (command == COMMAND_EXPORT && options->output == NULL) {
-        return refuse(error, "export: -o FILE is lacking; -o - is standard output");
-    }
-    if (command == COMMAND_PAPER &&
-        (options->output == NULL || strcmp(options->output, "-") == 0)) {
-        return refuse(error, "paper: -o FOLDER is lacking; it can't be standard output");
-    }
-    if (command == COMMAND_COMPILE && options->output == NULL) {
-        return refuse(error, "compile: -o FILE.c is lacking; -o - is standard output");
-    }
-    if (command == COMMAND_REPLAY && options->output == NULL && options->stats == NULL &&
-        !options->strict) {
-        return refuse(error, "replay: -o FILE.png is lacking (or --stats or --strict)");
     }
     return true;
 }
@@ -265,7 +269,7 @@ bool options_parse(enum command_id command, int argc, char **argv, struct option
         if (found == '?') {
             return refuse_unknown(name, culprit, error);
         }
-        const struct option_entry *entry = find_entry(found);
+        const struct option_entry *entry = find_entry(command, found);
         if (entry == NULL || !take(entry, optarg, options, error)) {
             return false;
         }
@@ -276,7 +280,7 @@ bool options_parse(enum command_id command, int argc, char **argv, struct option
     options->operands = argv + optind;
     options->operand_count = argc - optind;
     return check_operands(&commands[command], options, error) &&
-           check_together(command, options, error);
+           check_together(command, options, error) && check_needs(command, options, error);
 }
 
 void options_print(FILE *out, enum command_id command) {

@@ -68,12 +68,19 @@ grep -q 'gnuplot is not there' err.txt || wrong "no gnuplot: says \"$(cat err.tx
 # What was measured of a scene does not go with what it was changed into.
 sed -i 's/ior = 1.5/ior = 1.6/' ball.scene
 # shellcheck disable=SC2086
-expect 2 'm/points.csv: its points of "ball" are of that scene as it was' measure ball.scene $points -o m
+expect 2 'm/points.csv: its points of "ball" are of another scene' measure ball.scene $points -o m
 cmp -s m/points.csv before.csv || wrong 'the points of the scene as it was were touched'
 sed -i 's/ior = 1.6/ior = 1.5/; s/^version/# as it was\nversion/' ball.scene
 # shellcheck disable=SC2086
 expect 0 '' measure ball.scene $points -o m
 cmp -s m/points.csv before.csv || wrong 'a comment made another scene'
+
+# Nor with what an option makes of it that no column tells.
+for option in '--highlight blinn' '--seed 2'; do
+    # shellcheck disable=SC2086
+    expect 2 'm/points.csv: its points of "ball" are of another scene' measure ball.scene $points $option -o m
+done
+cmp -s m/points.csv before.csv || wrong 'points with another highlight or seed were touched'
 
 expect 0 '' measure ball.scene --arith fx --size 16x10 --error 0.7 --quiet -o e
 grep -q '^ball,fx,64,0,16,10,full,fresnel,estimate,0.7,' e/points.csv || wrong '--error does not fix the accuracy'
@@ -84,7 +91,7 @@ rays=$("$program" render ball.scene --error 0.7 --size 16x10 --colour full --qui
     wrong "--error 0.7: not the $rays rays of render"
 grep -q 'fx|0.7|' e/report.md || wrong 'the report lacks the accuracy asked for'
 
-expect 2 'measure: -o DIR is lacking' measure ball.scene
+expect 2 'measure: -o FOLDER is lacking' measure ball.scene
 expect 2 'exposures is not measured' measure ball.scene --colour exposures -o n
 expect 2 'nothing' measure nothing -o n
 expect 2 'two scenes are called' measure ball.scene ./ball.scene -o n

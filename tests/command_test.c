@@ -19,7 +19,7 @@ static const struct {
     {"superframe export fig3 --pov", 2, "superframe: export: -o FILE is lacking"},
     {"superframe export fig3 --pov --model wavelength -o x.png", 2, "superframe: fig3: model wave"},
     {"superframe export fig3 --pov -o no/x.png", 1, "superframe: no/x.png: cannot be written"},
-    {"superframe measure", 2, "superframe: measure: -o DIR is lacking"},
+    {"superframe measure", 2, "superframe: measure: -o FOLDER is lacking"},
     {"superframe paper", 2, "superframe: paper: -o FOLDER is lacking"},
     {"superframe render fig4a --colour dither -o x.png", 2, "superframe: fig4a: colour \"dither\""},
     {"superframe render " TINY "--keep-exposures e -o x.png", 2, "superframe: --keep-exposures"},

@@ -149,7 +149,9 @@ static const struct {
     {COMMAND_RENDER, "render a --seed 4294967296", "0..4294967295"},
     {COMMAND_RENDER, "render a --bus trace:t --keep-exposures e", "--keep-exposures"},
     {COMMAND_PAPER, "paper", "-o FOLDER is lacking"},
-    {COMMAND_PAPER, "paper -o -", "-o FOLDER is lacking"},
+    {COMMAND_PAPER, "paper -o -", "allowed is: a folder's name"},
+    {COMMAND_MEASURE, "measure -o -", "allowed is: a folder's name"},
+    {COMMAND_MEASURE, "measure -o x --colour exposures", "allowed is: full, bits:1..bits:8 or"},
     {COMMAND_PAPER, "paper fig3 -o x", "\"fig3\" is one too many"},
     {COMMAND_PAPER, "paper -o x --depth 3", "no option --depth"},
     {COMMAND_RENDER, "render a --tail white", "black"},
@@ -200,6 +202,30 @@ static void refusals(void **state) {
                      refused[i].fragment);
         }
     }
+}
+
+/* Where an option is another thing to another command, it has another entry. */
+static void no_command_is_offered_an_option_twice(void **state) {
+    (void)state;
+    for (const struct option_entry *a = option_table; a->name != NULL; a++) {
+        for (const struct option_entry *b = a + 1; b->name != NULL; b++) {
+            bool are_alike =
+                strcmp(a->name, b->name) == 0 || (a->letter != 0 && a->letter == b->letter);
+            if (are_alike && (a->commands & b->commands) != 0) {
+                fail_msg("--%s and --%s", a->name, b->name);
+            }
+        }
+    }
+}
+
+static void a_short_option_is_that_of_the_command(void **state) {
+    (void)state;
+    struct options options;
+    struct options_error error;
+    assert_true(parse(COMMAND_COMPILE, "compile fig3 -o -", &options, &error));
+    assert_string_equal(options.output, "-");
+    assert_false(parse(COMMAND_MEASURE, "measure -o -", &options, &error));
+    assert_string_equal(error.text, "--output: \"-\" is not allowed; allowed is: a folder's name");
 }
 
 static void help_is_not_refused_for_what_is_lacking(void **state) {
@@ -260,10 +286,15 @@ static void port_addresses(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(defaults),       cmocka_unit_test(all_options_of_render),
-        cmocka_unit_test(refusals),       cmocka_unit_test(help_is_not_refused_for_what_is_lacking),
-        cmocka_unit_test(whole_numbers),  cmocka_unit_test(real_numbers),
+        cmocka_unit_test(defaults),
+        cmocka_unit_test(all_options_of_render),
+        cmocka_unit_test(refusals),
+        cmocka_unit_test(help_is_not_refused_for_what_is_lacking),
+        cmocka_unit_test(whole_numbers),
+        cmocka_unit_test(real_numbers),
         cmocka_unit_test(port_addresses),
+        cmocka_unit_test(no_command_is_offered_an_option_twice),
+        cmocka_unit_test(a_short_option_is_that_of_the_command),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
