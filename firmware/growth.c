@@ -58,12 +58,12 @@ int64_t growth_square(struct energies weight) {
 
 static void lose(struct tree *tree, const struct branch *branch, enum branch_end why) {
     struct losses *losses = &tree->kept->losses;
-    int64_t steps = energy_steps(energies_largest(branch->weight));
-    losses->depth += steps * (tree->scene->depth - branch->events + 1);
     if (why == END_DEPTH) {
         add_weight(losses->ended, branch->weight);
         return;
     }
+    int64_t steps = energy_steps(energies_largest(branch->weight));
+    losses->depth += steps * (tree->scene->depth - branch->events + 1);
     add_weight(losses->weight[way_of(tree->scene, &branch->ray.direction)], branch->weight);
     losses->squares += growth_square(branch->weight);
 }
@@ -122,9 +122,11 @@ static void learn_worth(struct lesson *lesson, const struct branch *branch, stru
     }
 }
 
-/* Enters a new branch into the lesson: whether it is followed, beyond the cut if need be. */
-static bool learn_of(struct tree *tree, struct branch *branch, bool is_deep) {
+/* Enters a new branch into the lesson: whether it is followed, beyond the cut if need be. `events`
+ * are those of the branch that it grows from: its own are one more, which may be too many. */
+static bool learn_of(struct tree *tree, struct branch *branch, uint8_t events) {
     struct lesson *lesson = tree->lesson;
+    bool is_deep = events >= tree->scene->depth;
     int32_t steps = energy_steps(energies_largest(branch->weight));
     enum estimate_way way = way_of(tree->scene, &branch->ray.direction);
     uint8_t cut = levels_above(lesson, steps), level = branch->beyond;
@@ -137,7 +139,7 @@ static bool learn_of(struct tree *tree, struct branch *branch, bool is_deep) {
         branch->noted.ups |= (uint32_t)way << level;
     }
     branch->beyond = level;
-    if (branch->events > lesson->last_depth || (level > 0 && steps < lesson->last)) {
+    if (events >= lesson->last_depth || (level > 0 && steps < lesson->last)) {
         learn_rest(lesson, branch);
         return false;
     }
@@ -205,7 +207,7 @@ static void grow(struct tree *tree, const struct node *node, enum branch_kind ki
     branch->ray.direction = *direction;
     branch->weight = weight;
     if (FEATURE_ESTIMATE && tree->lesson) {
-        if (!learn_of(tree, branch, deep)) {
+        if (!learn_of(tree, branch, node->branch->events)) {
             return;
         }
     } else if (ends) {

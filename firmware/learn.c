@@ -203,9 +203,11 @@ static void conclude_mean(const struct level_sums *sums, struct estimate_level *
     }
 }
 
-/* A sum that holds one weight, in steps of 2^-18, times a mean: without that weight's steps. */
+/* A sum that holds one weight, in steps of 2^-18, times a mean, 0..2^23: without that weight's
+ * steps. In two parts, for bright scenes have sums times means beyond 64 bits. */
 static int64_t times_mean(int64_t sum, int64_t mean) {
-    return (sum * mean) >> 18;
+    const int64_t below = ((int64_t)1 << 18) - 1;
+    return (sum >> 18) * mean + (((sum & below) * mean) >> 18);
 }
 
 /* The sum of the squares of how far pixels stray from the means, of the primary where that is most:

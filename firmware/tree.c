@@ -250,16 +250,16 @@ static void lose_kept(struct tree *tree) {
 }
 
 /* A weight in steps of 2^-30 times a mean in steps of 2^-16 level, in these. */
-static int32_t weighed(int64_t weight, int32_t mean) {
-    return (int32_t)((weight * mean) >> 30);
+static int64_t weighed(int64_t weight, int32_t mean) {
+    return (weight * mean) >> 30;
 }
 
 /* Half of what the ways that the depth level ended are worth if they go on, in the channel where
  * that is most. */
-static int32_t open_half(const struct losses *losses, const struct estimate_level *level) {
-    int32_t most = 0;
+static int64_t open_half(const struct losses *losses, const struct estimate_level *level) {
+    int64_t most = 0;
     for (uint8_t i = 0; i < 3; i++) {
-        int32_t half = weighed(losses->ended[i] / 2, level->mean[WAY_ANY][i]);
+        int64_t half = weighed(losses->ended[i] / 2, level->mean[WAY_ANY][i]);
         most = half > most ? half : most;
     }
     return most;
@@ -272,11 +272,12 @@ static struct colours worth_of(const struct losses *losses, const struct estimat
                                bool counts_open) {
     int32_t worth[3];
     for (uint8_t i = 0; i < 3; i++) {
-        worth[i] = weighed(losses->weight[WAY_DOWN][i], level->mean[WAY_DOWN][i]) +
-                   weighed(losses->weight[WAY_UP][i], level->mean[WAY_UP][i]);
+        int64_t sum = weighed(losses->weight[WAY_DOWN][i], level->mean[WAY_DOWN][i]) +
+                      weighed(losses->weight[WAY_UP][i], level->mean[WAY_UP][i]);
         if (counts_open) {
-            worth[i] += weighed(losses->ended[i] / 2, level->mean[WAY_ANY][i]);
+            sum += weighed(losses->ended[i] / 2, level->mean[WAY_ANY][i]);
         }
+        worth[i] = sum < INT32_MAX ? (int32_t)sum : INT32_MAX;
     }
     const struct colours colours = {colour_of_steps(worth[0]), colour_of_steps(worth[1]),
                                     colour_of_steps(worth[2])};
@@ -309,8 +310,8 @@ static struct colours refined_colour(const struct scene *scene, const struct ray
     const struct estimate_level *level = &scene->estimate->level[refine(&tree, eye_ray)];
     const struct losses *losses = &kept.losses;
     lose_kept(&tree);
-    int32_t open = open_half(losses, level);
-    bool counts_open = (uint32_t)open <= scene->error;
+    int64_t open = open_half(losses, level);
+    bool counts_open = open <= (int64_t)scene->error;
     int64_t doubt = (((int64_t)learn_root(losses->squares) * level->spread) >> 26) + open;
     note_error(scene, losses, doubt, counts);
     counts->exhausted_pixels += tree.exhausted;

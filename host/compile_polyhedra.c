@@ -31,14 +31,17 @@ struct scene_plane compile_placed_plane(const struct scene_plane *plane,
     return placed;
 }
 
+/* The same surfaces, each with its inside on the same side: the halves of a solid have the plane
+ * between them in common. */
 static bool same_planes(const struct compiled_scene *scene,
-                        const struct compiled_polyhedron *polyhedron, const int *surfaces,
-                        size_t count) {
+                        const struct compiled_polyhedron *polyhedron,
+                        const struct scene_plane *planes, const int *surfaces, size_t count) {
     if (polyhedron->count != count) {
         return false;
     }
     for (size_t i = 0; i < count; i++) {
-        if (scene->planes[polyhedron->first + i].surface != surfaces[i]) {
+        const struct compiled_plane *plane = &scene->planes[polyhedron->first + i];
+        if (plane->surface != surfaces[i] || vector_dot(planes[i].normal, plane->normal) < 0) {
             return false;
         }
     }
@@ -70,9 +73,7 @@ static int add_polyhedron(struct compiler *compiler, const struct scene_plane *p
     for (int i = 0; i < scene->primitive_count; i++) {
         const struct compiled_primitive *other = &scene->primitives[i];
         if (other->kind == KIND_POLYHEDRON &&
-            same_planes(scene, &scene->polyhedra[other->index], surfaces, count) &&
-            vector_dot(planes[0].normal,
-                       scene->planes[scene->polyhedra[other->index].first].normal) > 0) {
+            same_planes(scene, &scene->polyhedra[other->index], planes, surfaces, count)) {
             return i;
         }
     }

@@ -82,6 +82,7 @@ struct compiled_object {
 };
 
 struct compiled_pattern {
+    unsigned line; /* of the material's, in the file */
     uint8_t frame;
     uint8_t axes;
     double origin[3], size[3], colour[3];

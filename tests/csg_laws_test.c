@@ -177,6 +177,31 @@ static void a_seam_between_coplanar_parts_of_a_union_does_not_show(void **state)
     }
 }
 
+/* A cube of planes, and one that cuts it across. */
+#define CUBE_PLANES                                                                                \
+    "{ normal = (1, 0, 0); offset = 1; }, { normal = (-1, 0, 0); offset = 1; },"                   \
+    " { normal = (0, 1, 0); offset = 1; }, { normal = (0, -1, 0); offset = 1; },"                  \
+    " { normal = (0, 0, 1); offset = 1; }, { normal = (0, 0, -1); offset = 1; }"
+#define POLYHEDRON(planes)   "{ polyhedron = { planes = ( " planes " ); }; }"
+#define ACROSS(sign, offset) "{ normal = (" sign "1, " sign "2, " sign "3); offset = " offset "; }"
+
+static void the_halves_of_a_polyhedron_are_the_whole(void **state) {
+    (void)state;
+    static const char *const halves[] = {
+        "{ union = ( " POLYHEDRON(CUBE_PLANES ", " ACROSS("", "0.5")) ", " POLYHEDRON(
+            CUBE_PLANES ", " ACROSS("-", "-0.5")) " ); }",
+        "{ union = ( " POLYHEDRON(ACROSS("", "0.5") ", " CUBE_PLANES) ", " POLYHEDRON(
+            ACROSS("-", "-0.5") ", " CUBE_PLANES) " ); }"};
+    for (int i = 0; i < 2; i++) {
+        for (int j = 0; j < ARITHMETICS; j++) {
+            char text[TEXT_SIZE], whole[TEXT_SIZE];
+            make_scene(text, "clay", halves[i]);
+            make_scene(whole, "clay", POLYHEDRON(CUBE_PLANES));
+            assert_true(same_picture(text, whole, arithmetics[j], j == 2 ? 1e-6 : 1) > 100);
+        }
+    }
+}
+
 static void a_placement_can_be_said_in_two_ways(void **state) {
     (void)state;
     static const char *const pairs[][2] = {
@@ -223,6 +248,7 @@ int main(void) {
         cmocka_unit_test(union_and_intersection_with_itself_change_nothing),
         cmocka_unit_test(de_morgan_holds_for_random_trees),
         cmocka_unit_test(a_seam_between_coplanar_parts_of_a_union_does_not_show),
+        cmocka_unit_test(the_halves_of_a_polyhedron_are_the_whole),
         cmocka_unit_test(a_placement_can_be_said_in_two_ways),
         cmocka_unit_test(a_later_object_fills_the_place_of_an_earlier_one),
     };

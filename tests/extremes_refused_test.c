@@ -93,6 +93,27 @@ static void fx_refuses_what_it_cannot_hold(void **state) {
     assert_refused(text, "fx", "test.scene", "C of C + D is too large");
 }
 
+static void a_patterns_cell_of_no_size_is_refused(void **state) {
+    (void)state;
+    static const char format[] =
+        "version = 1; size = [4, 4];\n"
+        "camera = { eye = (0, -8, 0); look_at = (0, 0, 0); };\n"
+        "materials = { board = { colour = [200, 0, 0]; ambient = 1; ambient_is_own = true;\n"
+        "  pattern = { size = (1, 0, %.17g); colour = [0, 0, 200]; }; }; };\n"
+        "objects = ( { material = \"board\"; solid = { box = { min = (-8, -8, -8);"
+        " max = (8, -4, 8); }; }; } );";
+    static struct picture seen;
+    char text[2048];
+    /* 64 scaled units make one of the file's, and 2^-20 is an LSB: half of one rounds up. */
+    snprintf(text, sizeof text, format, 0x1p-27);
+    render_text(&seen, text, "fx");
+    snprintf(text, sizeof text, format, 0x1p-28);
+    assert_refused(text, "fx", "test.scene:3:", "a pattern's cell smaller");
+    for (int i = F32; i < EXTREME_ARITHMETICS; i++) {
+        render_text(&seen, text, extreme_arithmetics[i]);
+    }
+}
+
 /* Without an end: nothing to be told of its inside. */
 static void unbounded_glass_is_refused(void **state) {
     (void)state;
@@ -155,6 +176,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(each_is_refused_with_its_line_and_what_is_allowed),
         cmocka_unit_test(fx_refuses_what_it_cannot_hold),
+        cmocka_unit_test(a_patterns_cell_of_no_size_is_refused),
         cmocka_unit_test(unbounded_glass_is_refused),
         cmocka_unit_test(a_floor_beyond_the_world_is_refused),
     };

@@ -204,6 +204,51 @@ static void random_scenes_with_coincident_faces_come_out_alike(void **state) {
     assert_true(fitting >= 24 * 3);
 }
 
+/* A wall that mirrors a light, seen so narrowly that all of it is the highlight: of a cosine raised
+ * to 65535 as many last bits are wrong as steps were rounded in another way. */
+static void highlights_of_any_gloss_come_out_alike(void **state) {
+    (void)state;
+    static const unsigned glosses[] = {0, 1, 37, 5000, 40961, 65534, 65535};
+    static const struct settings settings = {101, 63, 0, 1.0 / 4096, false};
+    char text[2048];
+    unsigned fitting = 0;
+    for (size_t i = 0; i < 2 * sizeof glosses / sizeof glosses[0]; i++) {
+        unsigned gloss = glosses[i / 2];
+        (void)snprintf(text, sizeof text,
+                       "version = 1; size = [101, 63]; highlight = \"%s\";"
+                       "camera = { eye = (0, -9, 0); look_at = (0, 0, 0); up = (0, 0, 1);"
+                       " field_of_view = %d; };"
+                       "lights = ( { direction = (0.002, 1, 0.001); colour = [250, 240, 255]; } );"
+                       "materials = { chrome = { colour = [0, 0, 0]; diffuse = 0; specular = 1;"
+                       " gloss = %u; }; };"
+                       "objects = ( { material = \"chrome\"; solid = { box = {"
+                       " min = (-4, 1, -4); max = (4, 2, 0.02); }; }; } );",
+                       i % 2 == 0 ? "phong" : "blinn", gloss > 5000 ? 2 : 30, gloss);
+        struct scene_description *description = read_text(text);
+        check_description("a highlight", description, &settings, &fitting);
+        scene_description_free(description);
+    }
+    assert_true(fitting >= 2 * 3 * sizeof glosses / sizeof glosses[0]);
+}
+
+/* Whoever sees past all solids into a light: half-way between the two there is nothing. */
+static void a_look_into_a_light_comes_out_alike(void **state) {
+    (void)state;
+    static const struct settings settings = {41, 31, 3, 1.0 / 4096, false};
+    struct scene_description *description =
+        read_text("version = 1; size = [41, 31]; highlight = \"blinn\";"
+                  "camera = { eye = (0, -9, 0); look_at = (0, 0, 0); up = (0, 0, 1); };"
+                  "lights = ( { direction = (0, -1, 0); } );"
+                  "materials = { chrome = { colour = [90, 90, 90]; diffuse = 0.5; specular = 0.5;"
+                  " gloss = 20; }; };"
+                  "objects = ( { material = \"chrome\"; solid = { ball = {"
+                  " centre = (-2, 0, 0); radius = 1.7; }; }; } );");
+    unsigned fitting = 0;
+    check_description("a light ahead", description, &settings, &fitting);
+    scene_description_free(description);
+    assert_true(fitting >= 2 * 3);
+}
+
 /* A scene of polyhedra, the first with so many faces and each other with the most. */
 static bool fits_with_faces(unsigned count, unsigned first_faces) {
     static char text[65536];
@@ -330,6 +375,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_built_in_scene_comes_out_alike),
         cmocka_unit_test(random_scenes_with_coincident_faces_come_out_alike),
+        cmocka_unit_test(highlights_of_any_gloss_come_out_alike),
+        cmocka_unit_test(a_look_into_a_light_comes_out_alike),
         cmocka_unit_test(what_an_engine_does_not_know_is_left_to_the_image),
         cmocka_unit_test(more_surfaces_than_an_engine_has_places_for_are_left_to_the_image),
         cmocka_unit_test(a_band_beyond_its_budget_is_given_back),

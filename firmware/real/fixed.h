@@ -16,6 +16,7 @@
 
 #include "fixed_bits.h"
 #include "fixed_exp.h"
+#include "fixed_power.h"
 #include "fixed_reciprocal.h"
 #include "fixed_root.h"
 
@@ -279,13 +280,14 @@ static inline int32_t fixed_narrowed(int64_t a, unsigned shift) {
 static inline void unit_normalise_wide(real_wide x, real_wide y, real_wide z, real_unit *u,
                                        real_unit *v, real_unit *w) {
     uint64_t most = fixed_magnitude64(x) | fixed_magnitude64(y) | fixed_magnitude64(z);
-    unsigned zeros = fixed_leading_zeros64(most);
+    unsigned zeros = fixed_leading_zeros64(most | 1);
     unsigned shift = zeros < 33 ? 33 - zeros : 0;
     int32_t a = fixed_narrowed(x, shift);
     int32_t b = fixed_narrowed(y, shift);
     int32_t c = fixed_narrowed(z, shift);
+    uint64_t norm = fixed_norm(a, b, c);
     uint32_t length;
-    struct fixed_slope slope = fixed_slope_of_norm(fixed_norm(a, b, c), &length);
+    struct fixed_slope slope = fixed_slope_of_norm(norm > 0 ? norm : 1, &length);
     *u = fixed_over(FIXED_unit_normalise_wide, a, slope);
     *v = fixed_over(FIXED_unit_normalise_wide, b, slope);
     *w = fixed_over(FIXED_unit_normalise_wide, c, slope);
@@ -403,29 +405,6 @@ static inline real_energy energy_ratio(real_index part, real_index whole) {
 static inline real_energy energy_mean_square(real_energy a, real_energy b) {
     /* 2 (2^31 - 1)^2 = 2^63 - 2^33 + 2: room for the half that rounds */
     return fixed_result(FIXED_energy_mean_square, fixed_times(a, a) + fixed_times(b, b), 31);
-}
-
-/* With one bit more than the format has: 31 bits of fraction, 1 is 2^31. */
-static inline real_energy energy_power(real_energy base, uint16_t exponent) {
-    uint32_t square = base > 0 ? 2 * (uint32_t)base : 0;
-    const uint32_t one = UINT32_C(1) << 31, half = one >> 1;
-    if (square > one) {
-        square = one;
-    }
-    if (exponent == 0) {
-        return FIXED_UNIT_ONE;
-    }
-    for (; (exponent & 1) == 0; exponent >>= 1) {
-        square = (uint32_t)((fixed_times_unsigned(square, square) + half) >> 31);
-    }
-    uint32_t result = square;
-    for (exponent >>= 1; exponent != 0; exponent >>= 1) {
-        square = (uint32_t)((fixed_times_unsigned(square, square) + half) >> 31);
-        if (exponent & 1) {
-            result = (uint32_t)((fixed_times_unsigned(result, square) + half) >> 31);
-        }
-    }
-    return (real_energy)((result + 1) >> 1);
 }
 
 static inline real_energy energy_transmitted(real_extinction extinction, real_length way) {

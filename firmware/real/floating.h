@@ -166,7 +166,8 @@ static inline real_wide wide_sum(real_unit a, real_unit b) {
 
 static inline void unit_normalise_wide(real_wide x, real_wide y, real_wide z, real_unit *u,
                                        real_unit *v, real_unit *w) {
-    floating inverse = 1 / floating_root(x * x + y * y + z * z);
+    floating norm = x * x + y * y + z * z;
+    floating inverse = 1 / floating_root(norm > 0 ? norm : 1);
     *u = x * inverse;
     *v = y * inverse;
     *w = z * inverse;
@@ -257,6 +258,21 @@ static inline real_energy energy_ratio(real_index part, real_index whole) {
 
 static inline real_energy energy_mean_square(real_energy a, real_energy b) {
     return (a * a + b * b) / 2;
+}
+
+typedef floating real_power;
+#define POWER_ONE ((floating)1)
+
+static inline real_power power_of(real_energy base) {
+    return base;
+}
+
+static inline real_power power_product(real_power a, real_power b) {
+    return a * b;
+}
+
+static inline real_energy energy_of_power(real_power power) {
+    return power;
 }
 
 static inline real_energy energy_power(real_energy base, uint16_t exponent) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Whether surfaces that differ in the file still differ in an arithmetic. */
+/* Whether surfaces and cells that differ in the file still differ in an arithmetic. */
 #include "distinct.h"
 
 #include <math.h>
@@ -10,12 +10,11 @@
 /* Compiled once for each arithmetic; the include path says which. */
 
 static bool fail(const struct compiled_scene *scene, unsigned line, const char *what,
-                 struct scene_error *error) {
-    snprintf(
-        error->text, sizeof error->text,
-        "%.200s:%u: %s than this arithmetic resolves: make it %s, the scene smaller, or choose "
-        "another --arith",
-        scene->path, line, what, what[2] == 'b' ? "larger" : "thicker");
+                 const char *remedy, struct scene_error *error) {
+    snprintf(error->text, sizeof error->text,
+             "%.200s:%u: %s than this arithmetic resolves: make it %s, the scene smaller, or "
+             "choose another --arith",
+             scene->path, line, what, remedy);
     return false;
 }
 
@@ -99,7 +98,7 @@ static bool faces_are_distinct(const struct compiled_scene *scene, struct scene_
     for (int i = 0; i < count; i++) {
         for (int j = 0; j < i; j++) {
             if (faces[i].surface != faces[j].surface && same_faces(&faces[i], &faces[j])) {
-                return fail(scene, faces[i].line, "a wall thinner", error);
+                return fail(scene, faces[i].line, "a wall thinner", "thicker", error);
             }
         }
     }
@@ -141,7 +140,7 @@ static bool curves_are_distinct(const struct compiled_scene *scene, struct scene
         const struct compiled_ball *ball = &scene->balls[primitive->index];
         const struct compiled_quadric *quadric = &scene->quadrics[primitive->index];
         if (primitive->kind == PRIMITIVE_BALL && same_length(ball->radius, 0)) {
-            return fail(scene, primitive->line, "a ball smaller", error);
+            return fail(scene, primitive->line, "a ball smaller", "larger", error);
         }
         for (int j = 0; j < i; j++) {
             const struct compiled_primitive *other = &scene->primitives[j];
@@ -152,7 +151,20 @@ static bool curves_are_distinct(const struct compiled_scene *scene, struct scene
                  (primitive->kind == PRIMITIVE_QUADRIC && primitive->frame == other->frame &&
                   same_quadrics(quadric, &scene->quadrics[other->index])));
             if (same) {
-                return fail(scene, primitive->line, "a shell thinner", error);
+                return fail(scene, primitive->line, "a shell thinner", "thicker", error);
+            }
+        }
+    }
+    return true;
+}
+
+/* Cells of no size have no number. */
+static bool cells_are_distinct(const struct compiled_scene *scene, struct scene_error *error) {
+    for (int i = 0; i < scene->pattern_count; i++) {
+        const struct compiled_pattern *pattern = &scene->patterns[i];
+        for (int axis = 0; axis < 3; axis++) {
+            if ((pattern->axes >> axis & 1) != 0 && same_length(pattern->size[axis], 0)) {
+                return fail(scene, pattern->line, "a pattern's cell smaller", "larger", error);
             }
         }
     }
@@ -160,5 +172,6 @@ static bool curves_are_distinct(const struct compiled_scene *scene, struct scene
 }
 
 bool surfaces_are_distinct(const struct compiled_scene *scene, struct scene_error *error) {
-    return faces_are_distinct(scene, error) && curves_are_distinct(scene, error);
+    return faces_are_distinct(scene, error) && curves_are_distinct(scene, error) &&
+           cells_are_distinct(scene, error);
 }

@@ -115,22 +115,26 @@ static void find_glints(const struct scene *scene, const struct direction_lanes 
                         const struct border_lanes *restrict border,
                         real_energy glint[restrict LANES]) {
     real_unit cosine[LANES];
-    real_energy square[LANES];
+    real_power square[LANES], power[LANES];
     if (scene->blinn) {
         find_beta(direction, hit, way, cosine);
     } else {
         find_alpha(hit, way, cosine);
     }
     for (int i = 0; i < LANES; i++) {
-        square[i] = energy_of_cosine(unit_is_negative(cosine[i]) ? REAL_UNIT(0.0) : cosine[i]);
-        glint[i] = REAL_ENERGY(1.0);
+        square[i] =
+            power_of(energy_of_cosine(unit_is_negative(cosine[i]) ? REAL_UNIT(0.0) : cosine[i]));
+        power[i] = POWER_ONE;
     }
     for (uint32_t bit = 1; bit <= border->gloss_most; bit <<= 1) {
         for (int i = 0; i < LANES; i++) {
-            real_energy product = energy_product(glint[i], square[i]);
-            glint[i] = (border->gloss[i] & bit) != 0 ? product : glint[i];
-            square[i] = energy_product(square[i], square[i]);
+            real_power product = power_product(power[i], square[i]);
+            power[i] = (border->gloss[i] & bit) != 0 ? product : power[i];
+            square[i] = power_product(square[i], square[i]);
         }
+    }
+    for (int i = 0; i < LANES; i++) {
+        glint[i] = energy_of_power(power[i]);
     }
 }
 

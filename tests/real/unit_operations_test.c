@@ -108,6 +108,14 @@ static void wide_sums_are_normalised_to_two_lsb(void **state) {
     }
 }
 
+static void a_null_vector_has_the_direction_null(void **state) {
+    (void)state;
+    real_unit zero = REAL_UNIT(0), one = REAL_UNIT(1), minus = REAL_UNIT(-1), got[3];
+    unit_normalise_wide(wide_sum(one, minus), wide_sum(zero, zero), wide_sum(minus, one), &got[0],
+                        &got[1], &got[2]);
+    assert_true(of_unit(got[0]) == 0 && of_unit(got[1]) == 0 && of_unit(got[2]) == 0);
+}
+
 static void axes_stay_axes_when_normalised(void **state) {
     (void)state;
     real_unit zero = REAL_UNIT(0), got[3];
@@ -356,6 +364,7 @@ int main(int argc, char **argv) {
         TEST(unit_add_is_exact_or_saturates),
         TEST(wide_components_are_formed_and_normalised_to_two_lsb),
         TEST(wide_sums_are_normalised_to_two_lsb),
+        TEST(a_null_vector_has_the_direction_null),
         TEST(axes_stay_axes_when_normalised),
         TEST(normalising_lengths_gives_direction_and_length),
         TEST(unit_mirrored_rounds_once),

@@ -158,7 +158,7 @@ real_wide wide_component(real_unit forward, real_unit column, int16_t x, real_un
 /* a + b of two directions' components, without loss. */
 real_wide wide_sum(real_unit a, real_unit b);
 
-/* The direction of (x, y, z), which must not be null. Error <= 2 LSB a component. */
+/* The direction of (x, y, z); (0, 0, 0) of a null vector. Error <= 2 LSB a component. */
 void unit_normalise_wide(real_wide x, real_wide y, real_wide z, real_unit *u, real_unit *v,
                          real_unit *w);
 
