@@ -30,7 +30,9 @@
  *                               later, index 1Fh: status, bit 1 = blank      -       D
  *       control 1               0000h whatever was written                   A !     word D, byte I
  *       X, Y, mode              FFh                                          A !     A !
- *     word, even, read          as the byte; red, green, blue: high byte FFh A !     A !
+ *     word, even, read          X, Y, mode: FFFFh (control 1: above)         A !     A !
+ *       control 2               as the byte, high byte FFh                   I       I
+ *       red, green, blue        as the byte, high byte FFh                   A !     A !
  *     byte, odd, read           FFh (control 1: 00h)                         A !     A !
  *     outside the 16 ports      write: nothing (D); read: FFh (A !)
  *

@@ -27,8 +27,10 @@ struct trace_recorder {
     uint8_t buffer[TRACE_BUFFER_SIZE];
 };
 
-/* Begins a trace in file, which stays the caller's, and passes every access on to inner. The bus
- * fails with BUS_IO_ERROR when the file can't be written, and as inner does when inner fails. */
+/* Begins a trace in file, which stays the caller's, and passes every access on to inner, which
+ * must not be NULL. *header must be valid for the text form too: a comment in its first line tells
+ * it. The bus fails with BUS_IO_ERROR when the file can't be written, and as inner does when inner
+ * fails. */
 void trace_recorder_init(struct trace_recorder *recorder, struct bus *inner, FILE *file,
                          enum trace_format format, const struct trace_header *header);
 

@@ -23,7 +23,7 @@ struct hit {
     struct direction normal; /* turned towards the arriving ray */
     uint16_t surface;
     uint8_t primitive, face;
-    uint8_t before, after; /* materials on the near and the far side */
+    uint8_t before, after; /* objects on the near and the far side */
     bool leaving;          /* the primitive is left, not entered */
     struct primitive_set inside_before, inside_after;
 };

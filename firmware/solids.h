@@ -29,6 +29,7 @@ struct segment {
  * differ in their last bit are both kept. */
 enum { VIEW_WORLD, VIEWS = 1 + 2 * FEATURE_ROTATION };
 
+/* Sets up the world's view of a ray. Those of frames are made when view_in() asks for them. */
 void views_start(struct local_ray views[VIEWS], const struct point *origin,
                  const struct direction *direction);
 
@@ -163,6 +164,7 @@ uint8_t primitive_segments(const struct scene *scene, const struct primitive *pr
                            struct local_ray views[VIEWS], struct start start,
                            struct segment segments[2]);
 
+/* The number of the surface that a face lies on. */
 uint16_t primitive_surface(const struct scene *scene, const struct primitive *primitive,
                            uint8_t face);
 

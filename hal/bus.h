@@ -22,7 +22,8 @@ enum bus_width { BUS_BYTE = 1, BUS_WORD = 2 };
 struct bus;
 
 /* What a back end implements. Each function gets the bus it was called on; width is 1 or 2.
- * A failure is reported by bus_fail(), which makes it sticky. */
+ * Of a byte only bits 7-0 count, of the value that is written and of what read returns. A failure
+ * is reported by bus_fail(), which makes it sticky. */
 struct bus_operations {
     void (*write)(struct bus *bus, uint16_t port, uint16_t value, unsigned width);
     uint16_t (*read)(struct bus *bus, uint16_t port, unsigned width);
@@ -35,7 +36,7 @@ struct bus {
     enum bus_status status; /* sticky: the first failure stays until the bus is set up again */
 };
 
-/* Writes through the bus. Dropped once the bus has failed. */
+/* Writes through the bus: of a byte, bits 7-0 of value. Dropped once the bus has failed. */
 void bus_write(struct bus *bus, uint16_t port, uint16_t value, unsigned width);
 
 /* What a decorator that works does with a write: hands it to inner and takes over how inner fares.
@@ -48,7 +49,8 @@ static inline void bus_pass_on(struct bus *bus, struct bus *inner, uint16_t port
     bus->status = inner->status;
 }
 
-/* Reads through the bus: 00FFh (width 1) or FFFFh (width 2) once the bus has failed. */
+/* Reads through the bus: 0..FFh (width 1) or 0..FFFFh (width 2); the upper end of these once the
+ * bus has failed. */
 uint16_t bus_read(struct bus *bus, uint16_t port, unsigned width);
 
 /* Hands on whatever the bus has buffered and returns its status. */

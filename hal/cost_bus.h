@@ -16,7 +16,8 @@ struct cost_machine {
     double megahertz;
 };
 
-/* The machines that are known; *count gets how many. Source: MAME's pc9801 header. */
+/* The machines that are known; *count gets how many, and count must not be NULL. Source: MAME's
+ * pc9801 header. */
 const struct cost_machine *cost_machines(unsigned *count);
 
 /* Finds a machine by its name ("VM2", "VX2", "RA2", ..., "8086-5"), case included; NULL: unknown.

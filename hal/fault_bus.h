@@ -35,7 +35,7 @@ struct fault_bus {
     uint64_t dead_reads; /* reads that got FFh instead of an answer */
 };
 
-/* Puts the plan's faults before inner. */
+/* Puts the plan's faults before inner, which must not be NULL. *plan is copied. */
 void fault_bus_init(struct fault_bus *fault_bus, struct bus *inner, const struct fault_plan *plan);
 
 #endif

@@ -10,7 +10,7 @@
  *
  * On a bare target each is one instruction (or a store to a memory-mapped bus). On the host each
  * goes to the bus that bus_bind() named (bus.h); with no bus bound, or after the bus has failed,
- * writes are dropped, reads give FFh or FFFFh, and bus_status() says so. */
+ * writes are dropped, reads give FFh or FFFFh, and bus_bound_status() says so. */
 
 /* Writes one byte: an even port drives D7-0, an odd port D15-8. */
 void outp(uint16_t port, uint8_t value);

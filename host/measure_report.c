@@ -45,7 +45,7 @@ static void write_method(const struct report *report) {
         names, first->width, first->height, MEASURE_CONVERGED_DEPTH);
     page_paragraph(report,
                    "That double is exact enough was checked against 113-bit numbers (f128), 48 x "
-                   "30 pixels of each scene at N = 10: %.2f %% of the pixels or more are the same "
+                   "30 pixels of each scene at N = 10: at least %.2f %% of the pixels are the same "
                    "to the last bit. f128 itself is too slow for the converged pictures.",
                    oracle);
     page_paragraph(report,
@@ -193,8 +193,8 @@ static void write_paper(const struct report *report) {
                  "The same with N = 64 and a threshold of 1/65536, arithmetic fx.");
     page_picture(report, "difference-error.png", "The same with --error 1, arithmetic fx.");
     page_picture(report, "error-depth.png",
-                 "Pixels wrong against depth level: with a threshold, more depth soon stops to "
-                 "help.");
+                 "Pixels wrong against depth level: with a threshold, more depth soon stops "
+                 "helping.");
     page_picture(report, "error-threshold.png",
                  "Pixels wrong against threshold at N = 64, for each arithmetic and tail. fx, f32 "
                  "and f64 lie on each other.");

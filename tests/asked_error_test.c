@@ -162,7 +162,7 @@ static unsigned long rays_of_uniform(const char *name, double most) {
     return rays;
 }
 
-/* How many pixels are within what was told of them; 0.02 for what double itself has not followed.
+/* How many pixels are within what was told of them; 0.05 for what double itself has not followed.
  */
 static int truly_told(const struct picture *picture) {
     int count = 0;

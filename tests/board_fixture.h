@@ -40,7 +40,7 @@ static inline void power_on_noise(enum board_profile profile, uint64_t seed) {
     power_on_desc(&desc);
 }
 
-/* The fifteen index/data pairs of the drivers (FACTS, grade D), and mode 00. */
+/* The fifteen index/data pairs of the drivers (docs/board.md, grade D), and mode 00. */
 static inline void initialise(void) {
     static const uint8_t pairs[15][2] = {{0x00, 0x6B}, {0x01, 0x50}, {0x02, 0x5B}, {0x03, 0x0E},
                                          {0x04, 0x1A}, {0x05, 0x02}, {0x06, 0x19}, {0x07, 0x19},

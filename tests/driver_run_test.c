@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The run of the two picture loaders of 1991-93, as FACTS.md has it, as literal port accesses. */
+/* The run of the two picture loaders of 1991-93 (docs/board.md, grade D) as literal port accesses.
+ */
 #include "board_fixture.h"
 
 #include "picture.h"

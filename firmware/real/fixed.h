@@ -1,16 +1,17 @@
 /* SPDX-License-Identifier: MIT */
 /* Every operation of real.h in integers: one format per role; strict/real.h is the contract. */
 
-/* Included by fx/real.h and checked/real.h, which have defined fixed_watch().
+/* Included by the real.h of fx, fx_16, fx_32, fx_m3, fx_vector and checked, where fixed_watch() is
+ * defined before.
  *
  * Three conventions hold throughout:
  *
- *   range      a 32-bit value v has |v| < 2^31, never -2^31 (FIXED_MOST in fixed_bits.h).
- *   direction  a component of a direction, and a cosine between directions, has |v| <= 4/3; what
- * the operations below make of directions stays within 1 + 2^-28. Sums of three products need that
- * to fit in 64 bits; all other operations take any value. rounding   to nearest, halves away from
- * zero: f(-a) = -f(a) wherever the formula is odd, so that a mirrored scene gives a mirrored
- * picture.
+ * - Range: a 32-bit value v has |v| < 2^31, never -2^31 (FIXED_MOST in fixed_bits.h).
+ * - Direction: a component of a direction, and a cosine between directions, has |v| <= 4/3; what
+ *   the operations below make of directions stays within 1 + 2^-28. Sums of three products need
+ *   that to fit in 64 bits; all other operations take any value.
+ * - Rounding: to nearest, halves away from zero: f(-a) = -f(a) wherever the formula is odd, so that
+ *   a mirrored scene gives a mirrored picture.
  *
  * A comment at a product gives the bound that keeps it inside 63 bits. */
 

@@ -11,7 +11,8 @@ enum { USB_MICROSOFT_REQUEST = 0x4D }; /* bRequest by which Windows asks for the
  * low one). Returns its length, 0 if there is none. bytes has room for USB_CONTROL_MOST. */
 size_t usb_descriptor(const struct usb_device *device, uint16_t value, uint8_t *bytes);
 
-/* Copies the MS OS 2.0 descriptor set: Windows binds WinUSB to the bulk interface by it. */
+/* Copies the MS OS 2.0 descriptor set: Windows binds WinUSB to the bulk interface by it.
+ * Returns its length, 178. bytes has room for USB_CONTROL_MOST. */
 size_t usb_microsoft_descriptor(uint8_t *bytes);
 
 #endif

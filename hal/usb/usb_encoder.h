@@ -23,7 +23,7 @@ struct usb_plan {
 };
 
 /* Turns a stream of accesses into payloads. Running the payloads in their order makes the same
- * accesses in the same order. About 70 KB. */
+ * accesses in the same order. About 64 KB. */
 struct usb_encoder {
     struct usb_memory memory; /* the adapter's, once it has run everything up to payload's end */
     size_t payload_most;
@@ -44,7 +44,8 @@ struct usb_encoder {
     struct usb_plan plan;
 };
 
-/* Begins a session: memory is empty at both ends. payload_most: USB_PAYLOAD_LEAST..MOST. */
+/* Begins a session: memory is empty at both ends. payload_most: USB_PAYLOAD_LEAST..MOST. full
+ * must not be NULL; it gets context. */
 void usb_encoder_init(struct usb_encoder *encoder, size_t payload_most, void (*full)(void *context),
                       void *context);
 

@@ -8,7 +8,7 @@
 #include "usb_wire.h"
 
 /* "A pixel" here is always the same four accesses: X as a word, then R, G and B as bytes. A count
- * is a number of pixels, 1..USB_LINE_PIXELS; next_x, color and line are struct usb_memory's. */
+ * is a number of pixels, 1..USB_LINE_PIXELS; next_x, colour and line are struct usb_memory's. */
 enum usb_op {
     USB_OP_WRITE_BYTE = 0x00,  /* | offset; value */
     USB_OP_WRITE_WORD = 0x10,  /* | offset; low, high */
@@ -57,7 +57,7 @@ void usb_memory_clear(struct usb_memory *memory);
 /* Notes a pixel at next_x. */
 void usb_memory_pixel(struct usb_memory *memory, const uint8_t colour[3]);
 
-/* Notes a plain write. */
+/* Notes a plain write. offset: 0..15 from the board's base; width: 1 or 2 bytes. */
 void usb_memory_write(struct usb_memory *memory, unsigned offset, uint16_t value, unsigned width);
 
 /* Whether a payload holds nothing but whole, known ops, with counts in range, and what it reads

@@ -76,6 +76,7 @@ struct usb_hello_reply {
 /* CRC-32 (IEEE 802.3), begun with crc = 0 and continued with what it gave. */
 uint32_t usb_crc(uint32_t crc, const uint8_t *bytes, size_t count);
 
+/* Numbers as they lie in a frame: the low byte first, 2 or 4 bytes at any address. */
 uint16_t usb_get16(const uint8_t *bytes);
 uint32_t usb_get32(const uint8_t *bytes);
 void usb_put16(uint8_t *bytes, uint16_t value);
@@ -100,7 +101,8 @@ enum usb_scan {
 enum usb_scan usb_frame_scan(const uint8_t *bytes, size_t count, struct usb_header *header,
                              size_t *length);
 
-/* Packs and unpacks the payload of the reply to a hello. False if a value is out of range. */
+/* Packs and unpacks the payload of the reply to a hello. Unpacking gives false if there are fewer
+ * bytes or a value is out of range. */
 void usb_hello_reply_pack(uint8_t bytes[USB_HELLO_REPLY_BYTES],
                           const struct usb_hello_reply *hello);
 bool usb_hello_reply_unpack(const uint8_t *bytes, size_t count, struct usb_hello_reply *hello);

@@ -66,7 +66,7 @@ static struct meeting_place meeting_place(const struct scene *scene, uint32_t be
                                           uint32_t after) {
     const struct material *near = &scene->materials[scene->objects[before].material];
     const struct material *far = &scene->materials[scene->objects[after].material];
-    /* Whose surface it is: surface_material() of firmware/growth.c. */
+    /* Whose surface it is: set_materials() of firmware/growth.c. */
     bool near_owns = near->transparent != far->transparent ? far->transparent : before > after;
     const struct material *owner = near_owns ? near : far;
     const struct pattern *pattern =

@@ -79,7 +79,7 @@ static inline struct meeting meeting_leaving_two(struct stretch a, struct stretc
     return meeting;
 }
 
-/* One axis of a box; see box_axis(). */
+/* The two faces of a box across one axis: where on the axis they lie, and their places. */
 struct slab {
     real_length low, high;
     uint32_t low_place, high_place;

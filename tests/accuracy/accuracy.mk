@@ -15,8 +15,8 @@ $(BUILD)/converged/made_by: $(BUILD)/release/image_f64.o $(BUILD)/release/tests/
 	@rm -rf $(@D) && mkdir -p $(@D) && touch $@
 
 .PHONY: accuracy-tails accuracy-asked
-accuracy-tails: $(BUILD)/release/accuracy_tails $(BUILD)/converged/made_by ## What cut branches count as: fig3, fig4a, fig5 by arithmetic, threshold and tail (CONVERGED_SIZE=640x400)
+accuracy-tails: $(BUILD)/release/accuracy_tails $(BUILD)/converged/made_by ## What cut branches count as: fig3, fig4a, fig5 by arithmetic, threshold and tail (CONVERGED_SIZE=640x400, SCENES=... for some)
 	$< $(BUILD)/converged $(CONVERGED_SIZE) $(SCENES)
 
-accuracy-asked: $(BUILD)/release/accuracy_asked $(BUILD)/converged/made_by ## What --error reaches on every built-in scene, and what it takes (CONVERGED_SIZE=320x200, SCENES=...)
+accuracy-asked: $(BUILD)/release/accuracy_asked $(BUILD)/converged/made_by ## What --error reaches on every built-in scene, and what it takes (CONVERGED_SIZE=640x400, SCENES=... for some)
 	$< $(BUILD)/converged $(CONVERGED_SIZE) $(SCENES)

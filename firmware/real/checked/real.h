@@ -16,7 +16,7 @@
 #include <stdint.h>
 
 /* What one operation has done since the start. `largest` is the greatest magnitude that a result
- * had before it was saturated, in LSB of the result (of Q22.40 for areas, which come saturated). */
+ * had before it was saturated, in LSB of the result (of Q23.40 for areas, which come saturated). */
 struct fixed_record {
     uint32_t calls; /* stops at its end, as saturations does */
     uint32_t saturations;

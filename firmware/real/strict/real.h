@@ -13,7 +13,7 @@
  *   role        what it holds                      fx (fixed point)
  *   ----------  ---------------------------------  --------------------
  *   length      position, distance, size           Q11.20
- *   area        square of a length                 Q22.40 in 64 bits
+ *   area        square of a length                 Q23.40 in 64 bits
  *   unit        component of a direction, cosine   Q1.30
  *   index       index of refraction, ratio         Q3.28
  *   energy      reflectance, weight, cos^g         Q1.30
@@ -122,7 +122,7 @@ real_area area_subtract(real_area a, real_area b);
 /* a < 0. */
 bool area_is_negative(real_area a);
 
-/* a * u. Error <= 1/2 LSB of Q22.40; saturates where |u| > 1. */
+/* a * u. Error <= 1/2 LSB of Q23.40; saturates where |u| > 1. */
 real_area area_scaled(real_area a, real_unit u);
 
 /* The square root; 0 for a negative argument. Error <= 1/2 LSB of a length. */

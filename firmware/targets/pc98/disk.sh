@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Makes a PC-98 floppy of C sources; read by build.sh and probe.sh with here, folder and CC set.
+# Makes a PC-98 floppy of C sources; read by build.sh and build_probe.sh with here, folder and CC set.
 #
 # pc98_disk MODE OPTIONS LOAD_ADDRESS ROOM ARGUMENT...: the image, the boot sector, the disk, in
 # $folder. MODE is flat or real; the arguments are options and sources for the compiler.

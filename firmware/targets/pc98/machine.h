@@ -8,10 +8,11 @@
 
 enum { TEXT_COLUMNS = 80, TEXT_ROWS = 25 };
 
+/* Makes the whole text screen blank. */
 void text_clear(void);
 
-/* Writes ASCII from a column on; returns the column after it. What is past the line's end is lost.
- */
+/* Writes ASCII in row 0..24, from column 0..79 on; returns the column after it. What is past the
+ * line's end is lost. */
 uint8_t text_put(uint8_t row, uint8_t column, const char *text);
 
 /* The same with a number, 0..65535. */
