@@ -51,7 +51,7 @@ int usb_device_control(struct usb_device *device, const uint8_t setup[8], const 
                        uint8_t *in);
 
 /* What came in over an OUT endpoint. False: it stalls until CLEAR_FEATURE, and what came is lost;
- * so it does when more replies wait than credits allow. */
+ * so it does where a host sends more than its credits allow and fetches no replies. */
 bool usb_device_out(struct usb_device *device, uint8_t endpoint, const uint8_t *bytes,
                     size_t count);
 
