@@ -8,7 +8,8 @@
 #include "usb_wire.h"
 
 /* "A pixel" here is always the same four accesses: X as a word, then R, G and B as bytes. A count
- * is a number of pixels, 1..USB_LINE_PIXELS; next_x, color and line are struct usb_memory's. */
+ * is a number of pixels, 1..USB_LINE_PIXELS; a mask 1 red, 2 green, 4 blue, and what is not in it
+ * is as in the pixel before; next_x, color and line are struct usb_memory's. */
 enum usb_op {
     USB_OP_WRITE_BYTE = 0x00,  /* | offset; value */
     USB_OP_WRITE_WORD = 0x10,  /* | offset; low, high */
@@ -28,9 +29,6 @@ enum usb_op {
 };
 
 enum {
-    USB_MASK_RED = 1,
-    USB_MASK_GREEN = 2,
-    USB_MASK_BLUE = 4, /* what is not in the mask is as in the pixel before */
     USB_LINE_PIXELS = 640,
     USB_FEW_MOST = 16,
     USB_PIXELS_MOST = 256, /* of one USB_OP_PIXELS */
