@@ -50,8 +50,9 @@ void usb_device_reset(struct usb_device *device);
 int usb_device_control(struct usb_device *device, const uint8_t setup[8], const uint8_t *data,
                        uint8_t *in);
 
-/* What came in over an OUT endpoint. False: it stalls until CLEAR_FEATURE, and what came is lost;
- * so it does where a host sends more than its credits allow and fetches no replies. */
+/* What came in over an OUT endpoint. False: what came is lost, and the endpoint stalls. So it is
+ * where the device has no such endpoint or is not configured, and until CLEAR_FEATURE once more
+ * replies waited than credits allow. */
 bool usb_device_out(struct usb_device *device, uint8_t endpoint, const uint8_t *bytes,
                     size_t count);
 
