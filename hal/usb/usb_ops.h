@@ -8,8 +8,7 @@
 #include "usb_wire.h"
 
 /* "A pixel" here is always the same four accesses: X as a word, then R, G and B as bytes. A count
- * is a number of pixels, 1..USB_LINE_PIXELS; a mask 1 red, 2 green, 4 blue, and what is not in it
- * is as in the pixel before; next_x, color and line are struct usb_memory's. */
+ * is a number of pixels, 1..USB_LINE_PIXELS; next_x, colour and line are struct usb_memory's. */
 enum usb_op {
     USB_OP_WRITE_BYTE = 0x00,  /* | offset; value */
     USB_OP_WRITE_WORD = 0x10,  /* | offset; low, high */
@@ -24,8 +23,9 @@ enum usb_op {
                                first: red, green, blue; 1: FFh, 0: 00h */
     USB_OP_SAME_FEW = 0x50, /* | count - 1 */
     USB_OP_COPY_FEW = 0x60, /* | count - 1 */
-    USB_OP_PIXELS = 0x80,   /* | mask; count - 1; of each pixel the primaries in the mask */
-    USB_OP_PAIRS = 0x88     /* | mask; count - 1; the same, and each pixel twice */
+    USB_OP_PIXELS = 0x80, /* | mask (1 red, 2 green, 4 blue); count - 1; of each pixel the primaries
+                             in the mask, the others as in the pixel before */
+    USB_OP_PAIRS = 0x88   /* | mask; count - 1; the same, and each pixel twice */
 };
 
 enum {
