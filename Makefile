@@ -243,12 +243,13 @@ $(BUILD)/sanitized/tests/%_test.o: tests/%_test.c $(BUILD)/flags | setup
 $(TEST_PROGRAMS): %: %.o $(sanitized_LIBRARY) $(BUILD)/sources
 	$(CC) $(LDFLAGS_sanitized) -o $@ $(filter %.o,$^) -lcmocka $(LIBS)
 
-# The test kit is no part of the program: its own suite alone is linked with it.
+# The test kit is no part of the program: its own suites alone are linked with it.
+TESTKIT_TESTS := $(BUILD)/sanitized/tests/testkit_test $(BUILD)/sanitized/tests/testkit_writes_test
 $(BUILD)/sanitized/emulator/testing/%.o: emulator/testing/%.c $(BUILD)/flags | setup
 	@mkdir -p $(@D)
 	$(CC) $(WARNINGS) $(POSIX) $(CFLAGS_sanitized) $(INCLUDE_testkit) -MMD -MP -c -o $@ $<
-$(BUILD)/sanitized/tests/testkit_test.o: INCLUDE_tests += -Iemulator/testing
-$(BUILD)/sanitized/tests/testkit_test: $(TESTKIT_SOURCES:%.c=$(BUILD)/sanitized/%.o)
+$(TESTKIT_TESTS:%=%.o): INCLUDE_tests += -Iemulator/testing
+$(TESTKIT_TESTS): $(TESTKIT_SOURCES:%.c=$(BUILD)/sanitized/%.o)
 
 define real_test_rules
 $$(BUILD)/sanitized/tests/real/%_test_$(1).o: tests/real/%_test.c $$(BUILD)/flags | setup

@@ -4,6 +4,8 @@
 
 #include <string.h>
 
+#include "splitmix64.h"
+
 struct board_desc board_default_desc(enum board_profile profile) {
     struct board_desc desc = {profile, BOARD_FACTORY_BASE, BOARD_OUTSIDE_IGNORED, false, 0};
     return desc;
@@ -14,18 +16,10 @@ bool board_base_is_offered(uint16_t base) {
     return (base & 0xF1FF) == BOARD_FACTORY_BASE && base <= 0x0CD0;
 }
 
-/* splitmix64: one 64-bit number for each state, every seed as good as another. */
-static uint64_t next_noise(uint64_t *state) {
-    uint64_t z = (*state += 0x9E3779B97F4A7C15U);
-    z = (z ^ z >> 30) * 0xBF58476D1CE4E5B9U;
-    z = (z ^ z >> 27) * 0x94D049BB133111EBU;
-    return z ^ z >> 31;
-}
-
 static void fill_with_noise(struct board *board, uint64_t seed) {
     uint64_t noise = 0;
     for (size_t i = 0; i < sizeof board->memory; i++) {
-        noise = i % 8 == 0 ? next_noise(&seed) : noise >> 8;
+        noise = i % 8 == 0 ? splitmix64(&seed) : noise >> 8;
         board->memory[i] = (uint8_t)noise;
     }
 }

@@ -2,22 +2,16 @@
 /* Faults on their way to another bus: lost writes, flipped bits, a dead port, a missing device. */
 #include "fault_bus.h"
 
-/* splitmix64: small, and every seed is as good as another. */
-static uint64_t next_random(struct fault_bus *fault_bus) {
-    uint64_t z = (fault_bus->random += 0x9E3779B97F4A7C15U);
-    z = (z ^ z >> 30) * 0xBF58476D1CE4E5B9U;
-    z = (z ^ z >> 27) * 0x94D049BB133111EBU;
-    return z ^ z >> 31;
-}
+#include "splitmix64.h"
 
 /* True once in `one_in` times on average. Draws only for faults that are asked for, so that adding
  * one kind doesn't move the others of a plan that has one only. */
 static bool strikes(struct fault_bus *fault_bus, uint32_t one_in) {
-    return one_in != 0 && next_random(fault_bus) % one_in == 0;
+    return one_in != 0 && splitmix64(&fault_bus->random) % one_in == 0;
 }
 
 static uint16_t flip_one_bit(struct fault_bus *fault_bus, uint16_t value, unsigned width) {
-    unsigned bit = (unsigned)(next_random(fault_bus) % (width * 8));
+    unsigned bit = (unsigned)(splitmix64(&fault_bus->random) % (width * 8));
     return (uint16_t)(value ^ 1U << bit);
 }
 

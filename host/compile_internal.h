@@ -149,8 +149,4 @@ void quadric_extent(const struct compiled_scene *scene, const struct compiled_qu
 double quadric_ball(const struct compiled_quadric *quadric, const double low[3],
                     const double high[3]);
 
-/* Whether a set has a primitive, and putting it in. */
-bool compiled_set_has(const struct compiled_set *set, int primitive);
-void compiled_set_include(struct compiled_set *set, int primitive);
-
 #endif

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* An object's postfix program as a tree, for the scene compiler to rewrite. */
+/* An object's postfix program as a tree: the scene compiler rewrites it, the POV-Ray export reads
+ * it. */
 #ifndef SUPERFRAME_COMPILE_TREE_H
 #define SUPERFRAME_COMPILE_TREE_H
 

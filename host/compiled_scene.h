@@ -209,4 +209,8 @@ bool compiled_primitive_holds(const struct compiled_scene *scene, uint8_t index,
 bool compiled_object_holds(const struct compiled_scene *scene, uint8_t index,
                            const struct compiled_set *inside);
 
+/* Whether a set has a primitive, and putting it in. */
+bool compiled_set_has(const struct compiled_set *set, int primitive);
+void compiled_set_include(struct compiled_set *set, int primitive);
+
 #endif

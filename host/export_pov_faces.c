@@ -23,11 +23,6 @@ struct face {
     double offset;
 };
 
-static bool bounds_primitive(const struct compiled_scene *scene, unsigned surface,
-                             uint8_t primitive) {
-    return (scene->surfaces[surface].word[primitive / 32] >> primitive % 32 & 1) != 0;
-}
-
 static bool box_face(const struct compiled_scene *scene, const struct compiled_primitive *primitive,
                      unsigned surface, struct face *face) {
     const struct compiled_quadric *quadric = &scene->quadrics[primitive->index];
@@ -112,14 +107,10 @@ static struct compiled_set primitives_of(const struct compiled_scene *scene, uin
     for (uint8_t i = 0; i < object->length; i++) {
         uint8_t code = scene->programs[object->program + i];
         if (code < COMPILED_PRIMITIVES_MOST) {
-            set.word[code / 32] |= (uint32_t)1 << code % 32;
+            compiled_set_include(&set, code);
         }
     }
     return set;
-}
-
-static bool has(const struct compiled_set *set, uint8_t primitive) {
-    return (set->word[primitive / 32] >> primitive % 32 & 1) != 0;
 }
 
 /* Whether one primitive of each set have a common face. The same curved one in both counts as
@@ -129,13 +120,14 @@ static bool sets_touch(const struct compiled_scene *scene, const struct compiled
                        const double high[3]) {
     struct face face;
     for (unsigned surface = 0; surface < scene->surface_count; surface++) {
+        const struct compiled_set *bounded = &scene->surfaces[surface];
         for (uint8_t a = 0; a < scene->primitive_count; a++) {
-            if (!has(first, a) || !bounds_primitive(scene, surface, a)) {
+            if (!compiled_set_has(first, a) || !compiled_set_has(bounded, a)) {
                 continue;
             }
             bool is_flat = face_of(scene, a, surface, &face);
             for (uint8_t b = 0; b < scene->primitive_count; b++) {
-                if (has(second, b) && bounds_primitive(scene, surface, b) &&
+                if (compiled_set_has(second, b) && compiled_set_has(bounded, b) &&
                     (!is_flat || lie_on_each_other(scene, a, b, &face, low, high))) {
                     return true;
                 }
@@ -178,11 +170,11 @@ bool export_pov_has_seam(const struct compiled_scene *scene, uint8_t index) {
     }
     for (uint8_t i = 0; i < scene->primitive_count; i++) {
         struct compiled_set one, others = all;
-        if (!has(&all, i)) {
+        if (!compiled_set_has(&all, i)) {
             continue;
         }
         memset(&one, 0, sizeof one);
-        one.word[i / 32] = (uint32_t)1 << i % 32;
+        compiled_set_include(&one, i);
         others.word[i / 32] &= ~one.word[i / 32];
         if (sets_touch(scene, &one, &others, low, high)) {
             return true;

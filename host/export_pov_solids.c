@@ -1,24 +1,18 @@
 /* SPDX-License-Identifier: MIT */
 /* The POV-Ray export: primitives, and postfix programs as CSG. */
-#include <math.h>
 #include <string.h>
 
+#include "compile_tree.h"
 #include "export_pov_internal.h"
 
 /* How far an object's bounding box stands off it, in scaled units: rounding can't cut it. */
 #define BOUND_MARGIN 0x1p-6
 
-/* A node of an object's tree: a primitive, or an operation on two nodes before it. */
-struct pov_node {
-    uint8_t code;
-    uint8_t left, right; /* of an operation */
-};
-
-/* An object's tree; the root is the last node. */
+/* An object, and how its operations are to be written. */
 struct pov_tree {
     const struct compiled_scene *scene;
     bool transparent;
-    struct pov_node nodes[256];
+    struct csg_tree csg;
 };
 
 static void indent(FILE *out, int levels) {
@@ -147,10 +141,11 @@ static void write_node(FILE *out, const struct pov_tree *tree, uint8_t index, in
 static void write_operands(FILE *out, const struct pov_tree *tree, uint8_t index, int level) {
     uint8_t chain[256] = {0};
     int count = 0;
-    uint8_t code = tree->nodes[index].code;
-    while (tree->nodes[index].code == code) {
-        chain[count++] = tree->nodes[index].right;
-        index = tree->nodes[index].left;
+    const struct csg_node *nodes = tree->csg.nodes;
+    uint8_t code = nodes[index].code;
+    while (nodes[index].code == code) {
+        chain[count++] = nodes[index].right;
+        index = nodes[index].left;
     }
     chain[count++] = index;
     while (count > 0) {
@@ -162,40 +157,14 @@ static void write_operands(FILE *out, const struct pov_tree *tree, uint8_t index
 
 /* As deep as solids may be nested: 32 levels. */
 static void write_node(FILE *out, const struct pov_tree *tree, uint8_t index, int level) {
-    const struct pov_node *node = &tree->nodes[index];
-    if (node->code < CODE_UNION) {
-        write_primitive(out, tree->scene, node->code, level);
+    uint8_t code = tree->csg.nodes[index].code;
+    if (csg_is_leaf(&tree->csg, index)) {
+        write_primitive(out, tree->scene, code, level);
         return;
     }
-    (void)fprintf(out, "%s {\n", operation_name(tree, node->code));
+    (void)fprintf(out, "%s {\n", operation_name(tree, code));
     write_operands(out, tree, index, level + 1);
     indent(out, level);
-}
-
-/* The tree of a postfix program; returns its root. */
-static uint8_t read_program(struct pov_tree *tree, const struct compiled_object *object) {
-    uint8_t stack[256] = {0};
-    int depth = 0;
-    for (uint8_t i = 0; i < object->length; i++) {
-        struct pov_node *node = &tree->nodes[i];
-        node->code = tree->scene->programs[object->program + i];
-        node->left = node->right = 0;
-        if (node->code >= CODE_UNION) {
-            node->right = stack[--depth];
-            node->left = stack[--depth];
-        }
-        stack[depth++] = i;
-    }
-    return (uint8_t)(object->length - 1);
-}
-
-static bool is_bounded(const struct compiled_object *object) {
-    for (int i = 0; i < 3; i++) {
-        if (!isfinite(object->low[i]) || !isfinite(object->high[i])) {
-            return false;
-        }
-    }
-    return true;
 }
 
 /* POV-Ray finds no bounds of quadrics and slanted planes by itself. A box or a ball needs none. */
@@ -204,7 +173,10 @@ static void write_bounds(FILE *out, const struct compiled_scene *scene,
     uint8_t first = scene->programs[object->program];
     bool is_simple = object->length == 1 && (scene->primitives[first].kind == KIND_BOX ||
                                              scene->primitives[first].kind == KIND_BALL);
-    if (is_simple || !is_bounded(object)) {
+    struct bounds bounds;
+    memcpy(bounds.low, object->low, sizeof bounds.low);
+    memcpy(bounds.high, object->high, sizeof bounds.high);
+    if (is_simple || !bounds_are_finite(&bounds)) {
         return;
     }
     (void)fputs("    bounded_by { box { ", out);
@@ -216,9 +188,9 @@ static void write_bounds(FILE *out, const struct compiled_scene *scene,
     (void)fputs(" } }\n", out);
 }
 
-static void write_object(FILE *out, const struct pov_tree *tree, uint8_t root,
+static void write_object(FILE *out, const struct pov_tree *tree,
                          const struct compiled_object *object, const char *modifiers) {
-    write_node(out, tree, root, 0);
+    write_node(out, tree, tree->csg.root, 0);
     (void)fprintf(out, "\n%s", modifiers);
     write_bounds(out, tree->scene, object);
     (void)fputs("}\n\n", out);
@@ -226,10 +198,10 @@ static void write_object(FILE *out, const struct pov_tree *tree, uint8_t root,
 
 /* POV-Ray lets light through what is transparent. What casts a shadow none the less has an opaque
  * twin that shadow rays alone can meet. */
-static void write_shadow(FILE *out, const struct pov_tree *tree, uint8_t root,
+static void write_shadow(FILE *out, const struct pov_tree *tree,
                          const struct compiled_object *object) {
     (void)fputs("// its shadow\n", out);
-    write_object(out, tree, root, object,
+    write_object(out, tree, object,
                  "    texture { pigment { rgb 0 } }\n    no_image\n    no_reflection\n");
 }
 
@@ -243,15 +215,15 @@ void export_pov_objects(FILE *out, const struct scene_description *description,
         memset(&tree, 0, sizeof tree);
         tree.scene = scene;
         tree.transparent = material->transparent;
-        uint8_t root = read_program(&tree, object);
+        csg_read(scene, object, &tree.csg);
         export_pov_material_name(description, object->material, name);
         (void)snprintf(modifiers, sizeof modifiers, "    material { %s }\n%s%s", name,
                        material->transparent ? "    no_shadow\n" : "",
                        material->absorbs ? "    hollow\n" : "");
         export_pov_comment(out, scene->object_names[i]);
-        write_object(out, &tree, root, object, modifiers);
+        write_object(out, &tree, object, modifiers);
         if (material->transparent && material->casts_shadow) {
-            write_shadow(out, &tree, root, object);
+            write_shadow(out, &tree, object);
         }
     }
 }

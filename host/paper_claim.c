@@ -19,6 +19,10 @@ void paper_say(char text[PAPER_TEXT_SIZE], const char *format, ...) {
     va_end(arguments);
 }
 
+const char *paper_yes(bool part) {
+    return part ? "yes" : "no";
+}
+
 enum paper_verdict paper_judge(const bool *parts, size_t count) {
     size_t holding = 0;
     for (size_t i = 0; i < count; i++) {

@@ -30,6 +30,9 @@ const char *paper_verdict_text(enum paper_verdict verdict);
 /* Appends to one of a claim's texts, which are PAPER_TEXT_SIZE long. */
 void paper_say(char text[PAPER_TEXT_SIZE], const char *format, ...) PAPER_FORMAT;
 
+/* Whether a part of it holds, in a word. */
+const char *paper_yes(bool part);
+
 /* The verdict on several parts: all of them, some or none hold. */
 enum paper_verdict paper_judge(const bool *parts, size_t count);
 

@@ -7,10 +7,6 @@
 #include "paper_curves.h"
 #include "paper_measure.h"
 
-static const char *yes(bool part) {
-    return part ? "yes" : "no";
-}
-
 /* How many times as much b takes as a. */
 struct ratios {
     double rays, tests, seconds;
@@ -69,7 +65,7 @@ int paper_claim_nested(struct paper *paper, struct paper_claim *claim) {
         "Asked for: more than 2 in both counts (%s); red 10 %% above green and blue (%s; what the "
         "paper calls red is an orange, (64, 32, 0), to begin with); a chroma of 0.1 or more of "
         "the ball in both, whose own colour is grey (%s); half of its pixels differ (%s).",
-        yes(parts[0]), yes(parts[1]), yes(parts[2]), yes(parts[3]));
+        paper_yes(parts[0]), paper_yes(parts[1]), paper_yes(parts[2]), paper_yes(parts[3]));
     claim->verdict = paper_judge(parts, sizeof parts / sizeof parts[0]);
     return STATUS_DONE;
 }
@@ -90,7 +86,7 @@ int paper_claim_cover(struct paper *paper, struct paper_claim *claim) {
     paper_say(claim->why,
               "Asked for: 2.5 to 3.5, in rays (%s) and in solid tests (%s). The paper does not say "
               "how much of the picture its cover fills, on which the ratio depends.",
-              yes(parts[0]), yes(parts[1]));
+              paper_yes(parts[0]), paper_yes(parts[1]));
     claim->verdict = paper_judge(parts, sizeof parts / sizeof parts[0]);
     return STATUS_DONE;
 }
@@ -162,7 +158,7 @@ int paper_claim_formula(struct paper *paper, struct paper_claim *claim) {
               "largest C1 and C2 reading (i) comes to 13.8 at N = 16; reading (ii) never falls "
               "below N + 1 "
               "and has no power between N and N^2.",
-              yes(parts[0]), yes(parts[1]), yes(parts[2]), yes(parts[3]));
+              paper_yes(parts[0]), paper_yes(parts[1]), paper_yes(parts[2]), paper_yes(parts[3]));
     claim->verdict = paper_judge(parts, sizeof parts / sizeof parts[0]);
     return STATUS_DONE;
 }
@@ -211,7 +207,7 @@ int paper_claim_size(struct paper *paper, struct paper_claim *claim) {
               "Asked for: 3.8 to 4.2 in both counts (%s); relative costs that differ by no more "
               "than 2 %% (%s; the largest difference is %.2f %%). Seconds are processor time of "
               "one run each, the drawing of the whole screen included.",
-              yes(parts[0]), yes(parts[1]), 100 * worst);
+              paper_yes(parts[0]), paper_yes(parts[1]), 100 * worst);
     claim->verdict = paper_judge(parts, sizeof parts / sizeof parts[0]);
     return STATUS_DONE;
 }
@@ -261,7 +257,7 @@ int paper_claim_threshold(struct paper *paper, struct paper_claim *claim) {
               "Asked for: from N = 64 to 255 the rays grow by no more than 0.1 %% with either "
               "threshold (%s, %s), and without one they grow from N = 10 to 12 by 10 %% or more "
               "(%s). Light that is caught by total reflection loses nothing and goes on to N.",
-              yes(parts[0]), yes(parts[1]), yes(parts[2]));
+              paper_yes(parts[0]), paper_yes(parts[1]), paper_yes(parts[2]));
     claim->verdict = paper_judge(parts, sizeof parts / sizeof parts[0]);
     return STATUS_DONE;
 }

@@ -6,10 +6,6 @@
 #include "paper_claims.h"
 #include "paper_measure.h"
 
-static const char *yes(bool part) {
-    return part ? "yes" : "no";
-}
-
 /* How much of the mask in scratch[0] shows the board: scene as `shown`, and once more with the
  * board's two colours swapped. Uses scratch[1] and, if shown is NULL, scratch[2]. */
 static int board_contrast(struct paper *paper, const struct paper_shot *shot,
@@ -92,7 +88,7 @@ int paper_claim_depth(struct paper *paper, struct paper_claim *claim) {
               "10 (%s), and the middle at N = 5 is less than half as bright (%s). A line of sight "
               "through all three cubes crosses ten boundaries before it comes to the board; one "
               "that enters the inner cube's side is reflected in it as well, and needs more.",
-              yes(parts[0]), yes(parts[1]), yes(parts[2]));
+              paper_yes(parts[0]), paper_yes(parts[1]), paper_yes(parts[2]));
     claim->verdict = paper_judge(parts, sizeof parts / sizeof parts[0]);
     return STATUS_DONE;
 }
@@ -152,7 +148,8 @@ int paper_claim_visibility(struct paper *paper, struct paper_claim *claim) {
               "cubes (%s). A line of sight straight on crosses 2 boundaries of a solid object, 4 "
               "of the frustum with its cavity and 10 of the nested cubes; total reflection adds "
               "to that.",
-              yes(parts[0]), yes(parts[1]), yes(parts[2]), yes(parts[3]), yes(parts[4]));
+              paper_yes(parts[0]), paper_yes(parts[1]), paper_yes(parts[2]), paper_yes(parts[3]),
+              paper_yes(parts[4]));
     claim->verdict = paper_judge(parts, sizeof parts / sizeof parts[0]);
     return status;
 }
@@ -189,7 +186,7 @@ int paper_claim_bands(struct paper *paper, struct paper_claim *claim) {
               "A band is a step of %d levels or more (2 %% of the range) between two terraces. "
               "There is one at 4 bits (%s) and at 5 bits (%s), and none at 8 bits (%s). Whether "
               "an eye adds light and dark edges to it (Mach) was not measured.",
-              PAPER_SEEN, yes(parts[0]), yes(parts[1]), yes(parts[2]));
+              PAPER_SEEN, paper_yes(parts[0]), paper_yes(parts[1]), paper_yes(parts[2]));
     claim->verdict = paper_judge(parts, sizeof parts / sizeof parts[0]);
     return STATUS_DONE;
 }

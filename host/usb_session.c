@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "splitmix64.h"
 #include "stopwatch.h"
 
 enum { REOPEN_SLICE_MS = 200, JOURNAL_MOST = 256 << 20 };
@@ -24,14 +25,6 @@ void usb_bus_give_up(struct usb_bus *usb_bus, enum bus_status status, const char
 
 static bool has_failed(const struct usb_bus *usb_bus) {
     return usb_bus->bus.status != BUS_OK;
-}
-
-/* splitmix64 */
-static uint64_t next_random(struct usb_bus *usb_bus) {
-    uint64_t z = (usb_bus->random += 0x9E3779B97F4A7C15U);
-    z = (z ^ z >> 30) * 0xBF58476D1CE4E5B9U;
-    z = (z ^ z >> 27) * 0x94D049BB133111EBU;
-    return z ^ z >> 31;
 }
 
 /* Something went on: patience begins anew. */
@@ -263,7 +256,7 @@ static enum usb_link_status greet(struct usb_bus *usb_bus, bool is_start) {
 /* A session that the adapter has never heard of: everything is sent again from the beginning. */
 static void new_session(struct usb_bus *usb_bus) {
     do {
-        usb_bus->session = (uint32_t)next_random(usb_bus);
+        usb_bus->session = (uint32_t)splitmix64(&usb_bus->random);
     } while (usb_bus->session == 0);
     usb_bus->acked = usb_bus->sent = usb_bus->highest_sent = 0;
 }

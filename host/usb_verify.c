@@ -4,14 +4,9 @@
 
 #include <string.h>
 
-enum { ALL_PRIMARIES = 7, PERCENT = 100 };
+#include "splitmix64.h"
 
-static uint64_t next_random(uint64_t *state) {
-    uint64_t z = (*state += 0x9E3779B97F4A7C15U);
-    z = (z ^ z >> 30) * 0xBF58476D1CE4E5B9U;
-    z = (z ^ z >> 27) * 0x94D049BB133111EBU;
-    return z ^ z >> 31;
-}
+enum { ALL_PRIMARIES = 7, PERCENT = 100 };
 
 static bool is_drawn(const struct usb_bus *usb_bus, unsigned line) {
     for (unsigned x = 0; x < BOARD_WIDTH; x++) {
@@ -88,7 +83,7 @@ bool usb_bus_verify(struct usb_bus *usb_bus, unsigned percent, uint64_t seed,
     memset(verification, 0, sizeof *verification);
     (void)bus_flush(&usb_bus->bus);
     for (unsigned line = 0; line < BOARD_HEIGHT && usb_bus->bus.status == BUS_OK; line++) {
-        if (is_drawn(usb_bus, line) && next_random(&seed) % PERCENT < percent) {
+        if (is_drawn(usb_bus, line) && splitmix64(&seed) % PERCENT < percent) {
             verify_line(usb_bus, line, verification);
         }
     }

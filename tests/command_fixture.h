@@ -7,21 +7,9 @@
 #define SUPERFRAME_TESTS_COMMAND_FIXTURE_H
 
 #include <dirent.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <cmocka.h>
-
-enum { TEXT_SIZE = 65536, PATH_SIZE = 4096 };
+#include "shell_fixture.h"
 
 struct place {
     char before[PATH_SIZE];
@@ -87,40 +75,6 @@ static inline int leave(void **state) {
     return failed ? -1 : 0;
 }
 
-/* All of a file as text; "" if it is not there. */
-static inline const char *text_of(const char *path) {
-    static char text[TEXT_SIZE];
-    FILE *file = fopen(path, "rb");
-    size_t length = 0;
-    if (file != NULL) {
-        length = fread(text, 1, sizeof text - 1, file);
-        (void)fclose(file);
-    }
-    text[length] = '\0';
-    return text;
-}
-
-/* Runs a line of shell with a limit of time; its output goes to the files out and err. */
-static inline int run(const char *line) {
-    char whole[2048];
-    FILE *script = fopen("line", "w");
-    assert_non_null(script);
-    (void)fprintf(script, "%s\n", line);
-    (void)fclose(script);
-    (void)snprintf(whole, sizeof whole, "timeout -k 5 100 sh ./line > out 2> err < /dev/null");
-    int status = system(whole);
-    (void)unlink("line");
-    assert_true(WIFEXITED(status));
-    return WEXITSTATUS(status);
-}
-
-static inline void assert_status(const char *line, int expected) {
-    int status = run(line);
-    if (status != expected) {
-        fail_msg("\"%s\": status %d instead of %d: %s", line, status, expected, text_of("err"));
-    }
-}
-
 /* How many temporary files lie about. */
 static inline int leftovers(void) {
     int count = 0;
@@ -131,10 +85,6 @@ static inline int leftovers(void) {
     }
     (void)closedir(folder);
     return count;
-}
-
-static inline bool is_there(const char *path) {
-    return access(path, F_OK) == 0;
 }
 
 #define TEST(function) cmocka_unit_test_setup_teardown(function, enter, leave)

@@ -4,6 +4,7 @@
 #include "board_fixture.h"
 
 #include "fault_bus.h"
+#include "splitmix64.h"
 
 static struct fault_bus faulty;
 
@@ -149,6 +150,18 @@ static void a_failure_behind_it_comes_through(void **state) {
     assert_int_equal(bus_bound_status(), BUS_TIMEOUT);
 }
 
+/* Of the reference implementation: prng.di.unimi.it/splitmix64.c, from the state 1234567. */
+static void random_numbers_are_the_published_ones(void **state) {
+    static const uint64_t published[] = {6457827717110365317U, 3203168211198807973U,
+                                         9817491932198370423U, 4593380528125082431U,
+                                         16408922859458223821U};
+    uint64_t random = 1234567;
+    (void)state;
+    for (unsigned i = 0; i < 5; i++) {
+        assert_true(splitmix64(&random) == published[i]);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(without_a_plan_nothing_is_changed),
@@ -160,6 +173,7 @@ int main(void) {
         cmocka_unit_test(a_board_vanishes_after_k_accesses),
         cmocka_unit_test(the_same_seed_gives_the_same_faults_and_another_seed_others),
         cmocka_unit_test(a_failure_behind_it_comes_through),
+        cmocka_unit_test(random_numbers_are_the_published_ones),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

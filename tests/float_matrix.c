@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "image.h"
-#include "outp.h"
 #include "scene.h"
 
 #define NAME_JOIN(prefix, name)  NAME_JOIN_(prefix, name)
@@ -16,27 +15,6 @@
 
 extern const struct image IMAGE;
 extern const struct scene scene_fig3;
-
-/* Rows alone are asked for: no port is written to. */
-void outp(uint16_t port, uint8_t value) {
-    (void)port;
-    (void)value;
-}
-
-void outpw(uint16_t port, uint16_t value) {
-    (void)port;
-    (void)value;
-}
-
-uint8_t inp(uint16_t port) {
-    (void)port;
-    return 0xFF;
-}
-
-uint16_t inpw(uint16_t port) {
-    (void)port;
-    return 0xFFFF;
-}
 
 int main(void) {
     struct render_counts counts;

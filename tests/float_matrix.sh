@@ -23,7 +23,7 @@ render() {
     shift 2
     command -v "$1" > /dev/null 2>&1 &&
         "$@" -std=c99 -Ifirmware/real/"$arithmetic" -Ifirmware/features/full -Ihal -Ifirmware \
-            -o "$picture.program" tests/float_matrix.c "$folder/fig3.c" firmware/*.c -lm \
+            -o "$picture.program" tests/float_matrix.c tests/no_ports.c "$folder/fig3.c" firmware/*.c -lm \
             2> "$picture.log" || return 1
     timeout -k 5 120 "$picture.program" > "$picture" || {
         echo "fails: $arithmetic: $*"

@@ -10,16 +10,8 @@ enum { ARITHMETICS = 3 };
 /* The small balls hold the scene's centre and scale fast, whatever else is in it. */
 static const char scene_head[] =
     "version = 1; size = [40, 25]; depth = 6;\n"
-    "camera = { eye = (3.1, -7.3, 5.2); look_at = (0.0, 0.0, 0.3); field_of_view = 30; };\n"
-    "lights = ( { position = (-4.0, -6.0, 9.0); colour = [255, 255, 255]; } );\n"
-    "materials = {\n"
-    "  board = { colour = [200, 200, 200]; ambient = 0.3; ambient_is_own = true; diffuse = 0.6;\n"
-    "            pattern = { size = (0.7, 0.7, 0); colour = [40, 20, 60]; }; };\n"
-    "  glass = { colour = [10, 30, 20]; ambient = 0.4; ambient_is_own = true; diffuse = 0.3;\n"
-    "            specular = 0.4; gloss = 50; ior = 1.5; };\n"
-    "  clay = { colour = [200, 90, 40]; ambient = 0.3; ambient_is_own = true; diffuse = 0.7; };\n"
-    "};\n"
-    "objects = (\n"
+    "camera = { eye = (3.1, -7.3, 5.2); look_at = (0.0, 0.0, 0.3); field_of_view = 30; "
+    "};\n" SCENE_LIGHT_AND_MATERIALS "objects = (\n"
     "  { material = \"board\"; solid = { box = { min = (-9, -9, -2.2); max = (9, 9, -2); }; }; },\n"
     "  { material = \"clay\"; solid = { ball = { centre = (11, 11, 11); radius = 0.1; }; }; },\n"
     "  { material = \"clay\"; solid = { ball = { centre = (-11, -11, -11); radius = 0.1; }; }; }";

@@ -3,59 +3,14 @@
  *
  * SUPERFRAME names the program (build/sanitized/superframe). The pictures are a hundredth of the
  * paper's, so that all of it takes seconds. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <cmocka.h>
-
 #include "paper.h"
-
-enum { TEXT_SIZE = 65536, PATH_SIZE = 4096 };
+#include "shell_fixture.h"
 
 #define PAPER_RUN "$SUPERFRAME paper --size 32x20 --jobs 2 "
 
 struct place {
     char before[PATH_SIZE], folder[64];
 };
-
-/* Runs a line of shell with a limit of time; its output goes to the files out and err. */
-static int run(const char *line) {
-    FILE *script = fopen("line", "w");
-    assert_non_null(script);
-    (void)fprintf(script, "%s\n", line);
-    (void)fclose(script);
-    int status = system("timeout -k 5 250 sh ./line > out 2> err < /dev/null");
-    assert_true(WIFEXITED(status));
-    return WEXITSTATUS(status);
-}
-
-/* All of a file as text; "" if it is not there. */
-static const char *text_of(const char *path) {
-    static char text[TEXT_SIZE];
-    FILE *file = fopen(path, "rb");
-    size_t length = 0;
-    if (file != NULL) {
-        length = fread(text, 1, sizeof text - 1, file);
-        (void)fclose(file);
-    }
-    text[length] = '\0';
-    return text;
-}
-
-static void assert_status(const char *line, int expected) {
-    int status = run(line);
-    if (status != expected) {
-        fail_msg("\"%s\": status %d instead of %d: %s", line, status, expected, text_of("err"));
-    }
-}
 
 /* One folder for all tests: the first makes the paper in it, the others look at it. */
 static int enter_group(void **state) {
@@ -79,10 +34,6 @@ static int leave_group(void **state) {
     char line[128];
     (void)snprintf(line, sizeof line, "rm -rf %s", place->folder);
     return chdir(place->before) | system(line);
-}
-
-static bool is_there(const char *path) {
-    return access(path, F_OK) == 0;
 }
 
 static bool has_gnuplot(void) {

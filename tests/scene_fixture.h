@@ -18,6 +18,17 @@
 #include "arithmetic.h"
 #include "load_scene.h"
 
+/* A light, and a striped board, glass and an opaque material, for texts of scenes. */
+#define SCENE_LIGHT_AND_MATERIALS                                                                  \
+    "lights = ( { position = (-4.0, -6.0, 9.0); colour = [255, 255, 255]; } );\n"                  \
+    "materials = {\n"                                                                              \
+    "  board = { colour = [200, 200, 200]; ambient = 0.3; ambient_is_own = true; diffuse = 0.6;\n" \
+    "            pattern = { size = (0.7, 0.7, 0); colour = [40, 20, 60]; }; };\n"                 \
+    "  glass = { colour = [10, 30, 20]; ambient = 0.4; ambient_is_own = true; diffuse = 0.3;\n"    \
+    "            specular = 0.4; gloss = 50; ior = 1.5; };\n"                                      \
+    "  clay = { colour = [200, 90, 40]; ambient = 0.3; ambient_is_own = true; diffuse = 0.7; };\n" \
+    "};\n"
+
 /* A scene in one arithmetic. */
 struct loaded_scene {
     const struct arithmetic *arithmetic;

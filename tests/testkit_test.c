@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The test kit: what it lets pass, what it stops, and what it says then. */
+/* The test kit: pictures, and what its assertions let pass, what they stop, and what they say then.
+ */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -7,12 +8,12 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cmocka.h>
 
-#include "match.h"
 #include "picture.h"
 #include "pixels.h"
 #include "png_file.h"
@@ -43,111 +44,6 @@ static int remove_folder(void **state) {
     (void)state;
     (void)snprintf(line, sizeof line, "rm -rf %s", folder);
     return system(line);
-}
-
-/* ---- Writes --------------------------------------------------------------------------------- */
-
-static void write_five(void) {
-    outpw(0x00D4, 0x0123);
-    outp(0x00D8, 0xFF);
-    (void)inp(0x00D8);
-    outp(0x00DA, 0x80);
-    outpw(0x00D4, 0x0124);
-    outp(0x00D8, 0xFE);
-}
-
-/* Each line against the five writes; report: a fragment of what is said, NULL: they match. */
-static const struct {
-    const char *expected, *report;
-} orders[] = {
-    {"out16 00D4 0123\nout8 00D8 FF\nout8 00DA 80\nout16 00D4 0124\nout8 00D8 FE\n", NULL},
-    {"OUT16 d4 123 # X\n\n out8 D8 ff\nout8 DA 80\nout16 D4 124\nout8 D8 FE", NULL},
-    {"...", NULL},
-    {"...\n...", NULL},
-    {"...\nout8 00D8 FE", NULL},
-    {"out16 00D4 0123\n...", NULL},
-    {"...\nout16 00D4 ????\nout8 00D8 F?\n...\nout16 ??D4 0124\n...", NULL},
-    {"...\nout8 00D? ??\nout16 00D4 0124\n...", NULL}, /* the first that fits is not the one */
-    {"out16 00D4 0123\nout8 00D8 FF\n...\nout8 00DA 80\n...\nout8 00D8 FE", NULL},
-    {"",
-     "first at write 1 (of 5):\nexpected          (no more writes)\nfound          1  out16 00D4"},
-    {"out16 00D4 0123\nout8 00D8 FE",
-     "first at write 2 (of 5):\n               1  out16 00D4 0123\nexpected line  2  out8 00D8 FE\n"
-     "found          2  out8 00D8 FF"},
-    {"out8 00D4 23\n...", "expected line  1  out8 00D4 23"},
-    {"out16 00D4 0123\n\n...\nout8 00D8 FD\n...", "expected line  4  out8 00D8 FD"},
-    {"...\nout8 00DC ??", "expected line  2  out8 00DC ??"},
-    {"...\nout8 00D8 FF", "the writes differ"},
-    {"...\nout8 00D8 FE\nout8 00D8 FE", "found             (no more writes)"},
-    {"out8 00D8 F?\n", "expected line  1  out8 00D8 F?"},
-    {"...\nin8 00D8 FF\n", "line 2 of what is expected: a read; allowed are out8, out16 and ..."},
-    {"out9 00D8 FF\n", "line 1 of what is expected: unknown operation"},
-    {"\nout8 00D8\n", "line 2 of what is expected: bad value"},
-    {"out8 00D8 FF FF\n", "line 1 of what is expected: more than"},
-};
-
-static void writes_in_order(void **state) {
-    char report[MATCH_REPORT_SIZE];
-    (void)state;
-    write_five();
-    assert_int_equal(kit->count, 6);
-    for (size_t i = 0; i < sizeof orders / sizeof orders[0]; i++) {
-        bool does_match = match_writes(kit, orders[i].expected, report);
-        if (does_match != (orders[i].report == NULL)) {
-            fail_msg("\"%s\": %s", orders[i].expected, does_match ? "matched" : report);
-        }
-        if (!does_match && strstr(report, orders[i].report) == NULL) {
-            fail_msg("\"%s\": \"%s\" is not in: %s", orders[i].expected, orders[i].report, report);
-        }
-    }
-}
-
-static void writes_in_any_order(void **state) {
-    char report[MATCH_REPORT_SIZE];
-    (void)state;
-    write_five();
-    assert_true(match_writes_any_order(kit,
-                                       "out8 00D8 FE\nout8 00D8 FF\nout16 00D4 0124\n"
-                                       "out8 00DA 80\nout16 00D4 0123\n",
-                                       report));
-    assert_false(match_writes_any_order(kit,
-                                        "out8 00D8 FF\nout8 00D8 FF\nout16 00D4 0124\n"
-                                        "out8 00DA 80\nout16 00D4 0123\n",
-                                        report));
-    assert_string_equal(report, "found, not expected: out8 00D8 FE\n"
-                                "expected, not found: out8 00D8 FF\n");
-    assert_false(match_writes_any_order(kit, "out8 00D8 F?\n", report));
-    assert_non_null(strstr(report, "line 1 of what is expected: no ? and no ..."));
-    assert_false(match_writes_any_order(kit, "...\n", report));
-    assert_false(match_writes_any_order(kit, "out8\n", report));
-    for (unsigned i = 0; i < 20; i++) {
-        outp(0x00DC, (uint8_t)i);
-    }
-    assert_false(match_writes_any_order(kit, "", report));
-    assert_non_null(strstr(report, "and 17 more\n"));
-}
-
-static void only_what_follows_the_mark_counts(void **state) {
-    char report[MATCH_REPORT_SIZE];
-    (void)state;
-    write_five();
-    superframe_kit_mark(kit);
-    assert_true(match_writes(kit, "", report));
-    outp(0x00D8, 1);
-    assert_true(match_writes(kit, "out8 00D8 01", report));
-    assert_true(match_writes_any_order(kit, "out8 00D8 01", report));
-}
-
-static void many_writes_are_all_remembered(void **state) {
-    char report[MATCH_REPORT_SIZE];
-    (void)state;
-    for (unsigned i = 0; i < 100000; i++) {
-        outp(0x00D8, (uint8_t)(i >> 8));
-    }
-    outp(0x00DA, 7);
-    assert_int_equal(kit->count, 100001);
-    assert_true(match_writes(kit, "...\nout8 00D8 86\nout8 00DA 07", report));
-    assert_false(match_writes(kit, "...\nout8 00D8 85\nout8 00DA 07", report));
 }
 
 /* ---- Pixels --------------------------------------------------------------------------------- */
@@ -193,6 +89,38 @@ static void a_picture_that_can_not_be_written_is_said(void **state) {
     assert_false(pixels_equal(&pixels, "x", report));
     assert_int_equal(setenv("SUPERFRAME_TEST_FOLDER", folder, 1), 0);
     assert_non_null(strstr(report, "/nowhere/x-expected.png (can't be written: No such file"));
+}
+
+static void only_a_named_folder_takes_the_pictures(void **state) {
+    char report[PIXELS_REPORT_SIZE], here[256], name[PIXELS_PATH_SIZE];
+    uint8_t expected[3] = {0}, found[3] = {1};
+    const struct pixels pixels = {{0, 0, 1, 1}, expected, found, 0};
+    (void)state;
+    assert_non_null(getcwd(here, sizeof here));
+    assert_int_equal(chdir(folder), 0);
+    assert_int_equal(setenv("SUPERFRAME_TEST_FOLDER", "", 1), 0);
+    assert_false(pixels_equal(&pixels, "unnamed", report));
+    assert_int_equal(chdir(here), 0);
+    assert_non_null(strstr(report, "expected: ./unnamed-expected.png\n"));
+    /* A folder of 360 letters is one; a name that no file can have is said to be none. */
+    memset(name, 'a', sizeof name);
+    int length = snprintf(name, sizeof name, "%s/", folder);
+    for (unsigned i = 0; i < 6; i++) {
+        length += snprintf(name + length, sizeof name - (size_t)length, "%s%059u", i ? "/" : "", i);
+        assert_int_equal(mkdir(name, 0700), 0);
+    }
+    assert_int_equal(setenv("SUPERFRAME_TEST_FOLDER", name, 1), 0);
+    assert_false(pixels_equal(&pixels, "deep", report));
+    (void)snprintf(name + length, sizeof name - (size_t)length, "/deep-found.png");
+    assert_non_null(strstr(report, name));
+    assert_int_equal(access(name, F_OK), 0);
+    memset(name, 'a', sizeof name - 1);
+    name[sizeof name - 1] = '\0';
+    assert_int_equal(setenv("SUPERFRAME_TEST_FOLDER", name, 1), 0);
+    assert_false(pixels_equal(&pixels, "x", report));
+    assert_int_equal(setenv("SUPERFRAME_TEST_FOLDER", folder, 1), 0);
+    assert_non_null(
+        strstr(report, "found:    (can't be written: the folder's name is too long)\n"));
 }
 
 static void rectangles_lie_in_the_frame_memory(void **state) {
@@ -251,6 +179,7 @@ static void what_holds_passes(void **state) {
     superframe_assert_region(kit, line, two, 0);
     superframe_assert_region(kit, line, nearly, 1);
     superframe_assert_region_colour(kit, black, 0x000000);
+    superframe_assert_region_colour(kit, ((struct superframe_rectangle){10, 0, 1, 1}), 0x002200);
     superframe_assert_screen(kit, write_screen("good.png"), 0);
     superframe_assert_no_violation(kit);
     superframe_assert_strict(kit, GRADE_INFERRED);
@@ -331,6 +260,37 @@ static void too_strict(void **state) {
     superframe_assert_strict(kit, GRADE_DRIVER);
 }
 
+static void violation_beside_the_ports(void **state) {
+    (void)state;
+    board_write(&kit->board, 0x00D9, 1, BUS_BYTE);
+    superframe_assert_no_violation(kit);
+}
+
+/* A kit that could not remember an access: all that these ask for holds of the board as it is. */
+static void cut_off_writes(void **state) {
+    (void)state;
+    bus_fail(&kit->bus, BUS_IO_ERROR);
+    superframe_assert_writes(kit, "...");
+}
+
+static void cut_off_pixel(void **state) {
+    (void)state;
+    bus_fail(&kit->bus, BUS_IO_ERROR);
+    superframe_assert_pixel(kit, 10, 0, 0x002200);
+}
+
+static void cut_off_screen(void **state) {
+    (void)state;
+    bus_fail(&kit->bus, BUS_LOST);
+    superframe_assert_screen(kit, getenv("GOOD"), 0);
+}
+
+static void cut_off_violations(void **state) {
+    (void)state;
+    bus_fail(&kit->bus, BUS_IO_ERROR);
+    superframe_assert_no_violation(kit);
+}
+
 static const struct {
     void (*test)(void **state);
     const char *report;
@@ -351,6 +311,12 @@ static const struct {
     {too_strict,
      "too_strict: relied on: control 1 written: the index (grade D): 15 times, first at "
      "access 1: out8 00D0 00"},
+    {violation_beside_the_ports,
+     "at an odd port (grade A): 1 times, first at access 34: not through"},
+    {cut_off_writes, "nothing has reached the board since access 33: out of memory"},
+    {cut_off_pixel, "nothing has reached the board since access 33: out of memory"},
+    {cut_off_screen, "nothing has reached the board since access 33: the device went away"},
+    {cut_off_violations, "nothing has reached the board since access 33: out of memory"},
 };
 
 /* Runs one failing test as a cmocka group in a child; its exit status is the number of failures. */
@@ -424,12 +390,9 @@ static void a_kit_is_the_bound_bus_until_it_is_freed(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        TEST(writes_in_order),
-        TEST(writes_in_any_order),
-        TEST(only_what_follows_the_mark_counts),
-        TEST(many_writes_are_all_remembered),
         TEST(pixels_are_compared_and_written),
         TEST(a_picture_that_can_not_be_written_is_said),
+        TEST(only_a_named_folder_takes_the_pictures),
         TEST(rectangles_lie_in_the_frame_memory),
         TEST(what_holds_passes),
         TEST(what_does_not_hold_fails_and_says_why),

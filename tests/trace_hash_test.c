@@ -27,6 +27,22 @@ static void it_is_xxh3_over_five_bytes_a_write(void **state) {
     trace_hash_free(&hash);
 }
 
+static void writes_of_a_file_hash_as_those_on_a_bus(void **state) {
+    struct trace_hash other;
+    (void)state;
+    power_on(BOARD_1987);
+    assert_true(trace_hash_init(&hash, NULL) && trace_hash_init(&other, &board_bus.bus));
+    for (unsigned i = 0; i < 2000; i++) { /* more than the buffer holds */
+        bus_write(&hash.bus, 0x00D8, (uint16_t)(i & 0xFF), BUS_BYTE);
+        trace_hash_add(&other, 0x00D8, (uint16_t)(i & 0xFF), BUS_BYTE);
+    }
+    assert_true(trace_hash_value(&hash) == trace_hash_value(&other));
+    assert_int_equal(other.writes, 2000);
+    assert_int_equal(board.accesses, 0); /* nothing is passed on */
+    trace_hash_free(&hash);
+    trace_hash_free(&other);
+}
+
 /* The published XXH3-64 of no input, as a check of the library that we link. */
 static void the_hash_of_nothing_is_the_published_one(void **state) {
     (void)state;
@@ -104,6 +120,7 @@ int main(void) {
         cmocka_unit_test(reads_do_not_count_and_are_answered_by_the_board),
         cmocka_unit_test(a_long_run_hashes_as_one_piece),
         cmocka_unit_test(a_failure_behind_it_comes_through),
+        cmocka_unit_test(writes_of_a_file_hash_as_those_on_a_bus),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -184,6 +184,56 @@ static void too_many_unfetched_replies_stall_the_endpoint(void **state) {
     assert_true(deliver(USB_KIND_HELLO, 5, 0, USB_HELLO_START, base, 2));
 }
 
+/* A whole window of the largest frames there are, with the largest replies there are. */
+static void all_runs_that_credits_allow_are_run_before_a_reply_is_fetched(void **state) {
+    static uint8_t payload[USB_PAYLOAD_MOST];
+    struct usb_header header;
+    (void)state;
+    memset(payload, USB_OP_READ_BYTE | USB_OFFSET_RED, USB_READ_MOST);
+    for (unsigned i = USB_READ_MOST; i < sizeof payload; i += 2) {
+        payload[i] = USB_OP_WRITE_BYTE | USB_OFFSET_RED;
+    }
+    greet(5);
+    for (unsigned i = 1; i <= USB_CREDITS_MOST; i++) {
+        payload[sizeof payload - 1] = (uint8_t)i;
+        assert_true(deliver(USB_KIND_RUN, 5, i, 0, payload, sizeof payload));
+        assert_int_equal(device.adapter.last, i);
+    }
+    /* One frame more is kept, and run as soon as there is room for its reply. */
+    assert_true(deliver(USB_KIND_RUN, 5, USB_CREDITS_MOST + 1, 0, payload, sizeof payload));
+    assert_int_equal(device.adapter.last, USB_CREDITS_MOST);
+    for (unsigned i = 1; i <= USB_CREDITS_MOST + 1; i++) {
+        assert_true(fetch(&header));
+        assert_int_equal(header.sequence, i);
+        assert_int_equal(header.status, USB_STATUS_OK);
+        assert_int_equal(header.length, USB_READ_MOST);
+        assert_int_equal(reply_payload[0], i - 1); /* what the run before wrote */
+    }
+    assert_false(fetch(&header));
+}
+
+static void a_report_without_bytes_changes_nothing(void **state) {
+    static const uint8_t set_report[8] = {0x21, 9, 0, 2, 1, 0, 0, 0};
+    uint8_t in[USB_CONTROL_MOST];
+    (void)state;
+    assert_int_equal(usb_device_control(&device, set_report, NULL, in), 0);
+    assert_true(usb_device_out(&device, USB_HID_OUT, NULL, 0));
+    assert_true(usb_device_out(&device, USB_BULK_OUT, NULL, 0));
+    assert_false(device.is_by_hid);
+}
+
+static void an_answer_is_no_longer_than_asked_for(void **state) {
+    static const uint16_t lengths[] = {0, 1, 17, 18, 19, 0x7FFF, 0x8000, 0xFFFF};
+    uint8_t in[USB_CONTROL_MOST];
+    (void)state;
+    for (size_t i = 0; i < sizeof lengths / sizeof lengths[0]; i++) {
+        uint8_t setup[8] = {0x80, 6, 0, 1};
+        usb_put16(setup + 6, lengths[i]);
+        assert_int_equal(usb_device_control(&device, setup, NULL, in),
+                         lengths[i] < 18 ? lengths[i] : 18);
+    }
+}
+
 static int get(unsigned type, unsigned index, unsigned length, uint8_t *in) {
     const uint8_t setup[8] = {0x80, 6, (uint8_t)index, (uint8_t)type, 0, 0, (uint8_t)length, 0};
     return usb_device_control(&device, setup, NULL, in);
@@ -251,6 +301,10 @@ int main(void) {
         cmocka_unit_test_setup(a_session_outlives_the_cable_but_not_the_power, plug_in),
         cmocka_unit_test_setup(another_version_and_another_base_are_refused, plug_in),
         cmocka_unit_test_setup(too_many_unfetched_replies_stall_the_endpoint, plug_in),
+        cmocka_unit_test_setup(all_runs_that_credits_allow_are_run_before_a_reply_is_fetched,
+                               plug_in),
+        cmocka_unit_test_setup(a_report_without_bytes_changes_nothing, plug_in),
+        cmocka_unit_test_setup(an_answer_is_no_longer_than_asked_for, plug_in),
         cmocka_unit_test_setup(the_descriptors_are_whole, plug_in),
         cmocka_unit_test_setup(windows_finds_its_driver, plug_in),
     };

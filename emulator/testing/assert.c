@@ -43,14 +43,16 @@ void superframe_check_writes_any_order(const struct superframe_kit *kit, const c
 
 /* ---- Pixels --------------------------------------------------------------------------------- */
 
-/* Compares a rectangle of the frame memory; expected is freed here, NULL: out of memory. */
+/* Compares a rectangle of the frame memory; expected is freed here, NULL: out of memory. A kit that
+ * is not whole fails. */
 static void check_memory(const struct superframe_kit *kit,
                          const struct superframe_rectangle *rectangle, uint8_t *expected,
                          unsigned within, const struct superframe_place *place) {
     char report[PIXELS_REPORT_SIZE] = "out of memory\n";
     uint8_t *found = pixels_of_memory(&kit->board, rectangle);
     const struct pixels pixels = {*rectangle, expected, found, within};
-    bool holds = expected != NULL && found != NULL && pixels_equal(&pixels, place->test, report);
+    bool holds = kit_is_whole(kit, report) && expected != NULL && found != NULL &&
+                 pixels_equal(&pixels, place->test, report);
     /* A failing assertion jumps: what is on the heap goes first. */
     free(expected);
     free(found);
@@ -127,7 +129,7 @@ void superframe_check_screen(const struct superframe_kit *kit, const char *path,
     struct png_image image = {0, 0, NULL};
     uint8_t *found = malloc(PICTURE_BYTES);
     bool holds = false;
-    if (found != NULL && read_expected(path, &image, report)) {
+    if (kit_is_whole(kit, report) && found != NULL && read_expected(path, &image, report)) {
         const struct pixels pixels = {
             {0, 0, PICTURE_WIDTH, PICTURE_HEIGHT}, image.rgb, found, within};
         enum picture_state state = picture_draw(&kit->board, NULL, found);
@@ -147,25 +149,36 @@ void superframe_check_screen(const struct superframe_kit *kit, const char *path,
 
 /* ---- Violations ----------------------------------------------------------------------------- */
 
+static void report_behaviour(const struct superframe_kit *kit, enum board_behaviour behaviour,
+                             bool is_violation, enum board_grade grade,
+                             const struct superframe_place *place) {
+    const struct board_note *note = &kit->board.notes[behaviour];
+    char text[2 * TRACE_TEXT_SIZE] = "not through the ports";
+    if (note->first <= kit->count) {
+        (void)trace_text_format(text, &kit->accesses[note->first - 1]);
+    }
+    print_error("%s: %s: %s (grade %s): %" PRIu64 " times, first at access %" PRIu64 ": %s\n",
+                place->test, is_violation ? "violation" : "relied on",
+                board_behaviour_text(behaviour), board_grade_letter(grade), note->count,
+                note->first, text);
+}
+
 static void check_behaviours(const struct superframe_kit *kit, bool has_grade,
                              enum board_grade grade, const struct superframe_place *place) {
     const struct board *board = &kit->board;
     enum board_profile profile = board->desc.profile;
+    char report[KIT_REPORT_SIZE];
     bool holds = true;
+    if (!kit_is_whole(kit, report)) {
+        fail_at(place, report);
+        return;
+    }
     for (int i = 0; i < BOARD_BEHAVIOURS; i++) {
         enum board_behaviour behaviour = (enum board_behaviour)i;
-        const struct board_note *note = &board->notes[i];
         bool is_violation = board_behaviour_is_violation(behaviour, profile);
         enum board_grade own = board_behaviour_grade(behaviour, profile);
-        if (note->count > 0 && note->first <= kit->count &&
-            (is_violation || (has_grade && own >= grade))) {
-            char text[TRACE_TEXT_SIZE];
-            (void)trace_text_format(text, &kit->accesses[note->first - 1]);
-            print_error("%s: %s: %s (grade %s): %" PRIu64 " times, first at access %" PRIu64
-                        ": %s\n",
-                        place->test, is_violation ? "violation" : "relied on",
-                        board_behaviour_text(behaviour), board_grade_letter(own), note->count,
-                        note->first, text);
+        if (board->notes[i].count > 0 && (is_violation || (has_grade && own >= grade))) {
+            report_behaviour(kit, behaviour, is_violation, own, place);
             holds = false;
         }
     }

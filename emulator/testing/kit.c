@@ -6,7 +6,7 @@
 
 enum { FIRST_CAPACITY = 4096 };
 
-/* False, and the bus has failed, if memory is out: assertions say so. */
+/* False, and the bus has failed, if memory is out: no assertion holds then. */
 static bool remember(struct superframe_kit *kit, const struct trace_access *access) {
     if (kit->count == kit->capacity) {
         size_t capacity = kit->capacity == 0 ? FIRST_CAPACITY : kit->capacity * 2;

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { LINE_SIZE = 256, CONTEXT = 5, SHOWN_MOST = 8 };
+enum { LINE_SIZE = 256, LINE_SHOWN_SIZE = 64, CONTEXT = 5, SHOWN_MOST = 8 };
 
 /* A line of what is expected. */
 struct line {
@@ -15,7 +15,7 @@ struct line {
     uint16_t port, port_mask, value, value_mask;
     uint8_t width;
     unsigned number; /* in the text, from 1 */
-    char text[TRACE_TEXT_SIZE];
+    char text[LINE_SHOWN_SIZE];
 };
 
 /* Expected lines, and the writes since the mark. */
@@ -76,7 +76,12 @@ static enum trace_line read_line(const char *text, struct line *line, char *mess
     const char *word = word_of(text, 0, &length);
     line->is_gap = length == 3 && strncmp(word, "...", 3) == 0;
     if (line->is_gap) {
-        return TRACE_LINE_ACCESS;
+        word += 3 + strspn(word + 3, " \t\r");
+        if (*word == '\0' || *word == '#') {
+            return TRACE_LINE_ACCESS;
+        }
+        (void)snprintf(message, TRACE_MESSAGE_SIZE, "more than ...; allowed is a # comment");
+        return TRACE_LINE_BAD;
     }
     (void)snprintf(digits, sizeof digits, "%s", text);
     for (char *c = digits; *c != '\0' && *c != '#'; c++) {
@@ -143,6 +148,17 @@ static size_t count_lines(const char *text) {
     return count;
 }
 
+bool kit_is_whole(const struct superframe_kit *kit, char *report) {
+    if (kit->bus.status != BUS_OK) {
+        (void)snprintf(report, KIT_REPORT_SIZE,
+                       "nothing has reached the board since access %zu: %s\n", kit->count,
+                       kit->bus.status == BUS_IO_ERROR ? "out of memory"
+                                                       : bus_status_text(kit->bus.status));
+        return false;
+    }
+    return true;
+}
+
 /* Gathers both sides; false, with the report filled, if it can't. */
 static bool gather(struct sides *sides, const struct superframe_kit *kit, const char *expected,
                    char *report) {
@@ -151,7 +167,10 @@ static bool gather(struct sides *sides, const struct superframe_kit *kit, const 
     report[0] = '\0';
     sides->lines = calloc(count_lines(expected), sizeof *sides->lines);
     sides->writes = calloc(kit->count - kit->mark + 1, sizeof(const struct trace_access *));
-    if (sides->lines == NULL || sides->writes == NULL || kit->bus.status != BUS_OK) {
+    if (!kit_is_whole(kit, report)) {
+        return false;
+    }
+    if (sides->lines == NULL || sides->writes == NULL) {
         add(sides, "out of memory\n");
         return false;
     }
@@ -285,6 +304,9 @@ static bool match_sorted(struct sides *sides) {
     uint64_t *expected = calloc(sides->line_count + 1, sizeof *expected);
     uint64_t *found = calloc(sides->write_count + 1, sizeof *found);
     bool does_match = expected != NULL && found != NULL;
+    if (!does_match) {
+        add(sides, "out of memory\n");
+    }
     for (size_t i = 0; i < sides->line_count && does_match; i++) {
         const struct line *line = &sides->lines[i];
         if (line->is_gap || (line->port_mask & line->value_mask) != 0xFFFF) {

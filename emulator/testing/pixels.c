@@ -9,7 +9,7 @@
 
 #include "png_file.h"
 
-enum { PATH_SIZE = 512 };
+enum { WHY_SIZE = 200 }; /* room behind a path for why it can't be written */
 
 bool pixels_rectangle_fits(const struct superframe_rectangle *rectangle, char *report) {
     bool fits = rectangle->width >= 1 && rectangle->width <= BOARD_WIDTH &&
@@ -37,34 +37,36 @@ uint8_t *pixels_of_memory(const struct board *board, const struct superframe_rec
 
 /* Writes NAME-KIND.png; path gets its name, or what is wrong with it. */
 static void write_picture(const struct pixels *pixels, const uint8_t *rgb, const char *name,
-                          const char *kind, char path[PATH_SIZE]) {
-    struct png_error error = {PNG_IO_ERROR, ""};
+                          const char *kind, char path[PIXELS_PATH_SIZE]) {
+    struct png_error error = {PNG_OK, ""};
     const char *folder = getenv("SUPERFRAME_TEST_FOLDER");
-    (void)snprintf(path, PATH_SIZE, "%.300s/%.100s-%s.png", folder != NULL ? folder : ".", name,
-                   kind);
-    FILE *file = fopen(path, "wb");
-    if (file == NULL) {
-        (void)snprintf(path + strlen(path), PATH_SIZE - strlen(path), " (can't be written: %.50s)",
-                       strerror(errno));
+    bool is_named = folder != NULL && folder[0] != '\0';
+    int length =
+        snprintf(path, PIXELS_PATH_SIZE, "%s/%s-%s.png", is_named ? folder : ".", name, kind);
+    if (length < 0 || length >= PIXELS_PATH_SIZE - WHY_SIZE) {
+        (void)snprintf(path, PIXELS_PATH_SIZE, "(can't be written: the folder's name is too long)");
         return;
     }
-    (void)write_png(file, rgb, pixels->place.width, pixels->place.height, &error);
-    if (fclose(file) != 0 || error.status != PNG_OK) {
-        (void)snprintf(path + strlen(path), PATH_SIZE - strlen(path), " (can't be written: %.50s)",
-                       error.message);
+    FILE *file = fopen(path, "wb");
+    bool is_written = file != NULL && write_png(file, rgb, pixels->place.width,
+                                                pixels->place.height, &error) == PNG_OK;
+    is_written = file != NULL && fclose(file) == 0 && is_written;
+    if (!is_written) {
+        (void)snprintf(path + length, WHY_SIZE, " (can't be written: %s)",
+                       error.status != PNG_OK ? error.message : strerror(errno));
     }
 }
 
 static void report_difference(const struct pixels *pixels, size_t count, size_t first,
                               unsigned largest, const char *name, char *report) {
-    char expected_path[PATH_SIZE], found_path[PATH_SIZE];
+    char expected_path[PIXELS_PATH_SIZE], found_path[PIXELS_PATH_SIZE];
     const uint8_t *expected = pixels->expected + first * 3, *found = pixels->found + first * 3;
     write_picture(pixels, pixels->expected, name, "expected", expected_path);
     write_picture(pixels, pixels->found, name, "found", found_path);
     (void)snprintf(report, PIXELS_REPORT_SIZE,
                    "%zu of %u x %u pixels differ, by %u at most (allowed: %u)\n"
                    "the first is at (%u, %u): expected %02X%02X%02X, found %02X%02X%02X\n"
-                   "expected: %.400s\nfound:    %.400s\n",
+                   "expected: %s\nfound:    %s\n",
                    count, pixels->place.width, pixels->place.height, largest, pixels->within,
                    pixels->place.x + (unsigned)(first % pixels->place.width),
                    pixels->place.y + (unsigned)(first / pixels->place.width), expected[0],

@@ -5,7 +5,8 @@
 
 #include "testing.h"
 
-enum { PIXELS_REPORT_SIZE = 1024 };
+/* Longest path of a picture, with its 0. */
+enum { PIXELS_PATH_SIZE = 4096, PIXELS_REPORT_SIZE = 2 * PIXELS_PATH_SIZE + 512 };
 
 /* Two pictures of one size, R, G, B from the top left, and where the upper left pixel lies. */
 struct pixels {
@@ -16,7 +17,8 @@ struct pixels {
 
 /* True if they are the same within what is allowed. False: report says how many differ, which is
  * the first, and by how much, and names the two PNG files that it has written: NAME-expected.png
- * and NAME-found.png in the folder that SUPERFRAME_TEST_FOLDER names, or in the current one. */
+ * and NAME-found.png in the folder that SUPERFRAME_TEST_FOLDER names, or in the current one if it
+ * names none. */
 bool pixels_equal(const struct pixels *pixels, const char *name, char *report);
 
 /* True if a rectangle has pixels and lies in the frame memory; else report says so. */

@@ -15,7 +15,8 @@
  * running cmocka test at the line where it stands. Pictures that differ are written as
  * TEST-expected.png and TEST-found.png, TEST being the function's name, into the folder that the
  * environment's SUPERFRAME_TEST_FOLDER names, or into the current one: beside the log, where that
- * is written there.
+ * is written there. A kit is best made in the test's setup and freed in its teardown: the failing
+ * assertion leaves the test at once.
  *
  * Link with `pkg-config --libs superframe-testing`, which brings cmocka. */
 #ifndef SUPERFRAME_TESTKIT_TESTING_H
@@ -62,9 +63,8 @@ void superframe_kit_mark(struct superframe_kit *kit);
 #define superframe_assert_writes(kit, expected)                                                    \
     superframe_check_writes(kit, expected, SUPERFRAME_HERE)
 
-/* The writes since the mark are these, in whatever order, each as often as it is listed. No ? and
- * no
- * "...". */
+/* The writes since the mark are these, in whatever order, each as often as it is listed: without ?
+ * and "...". */
 #define superframe_assert_writes_any_order(kit, expected)                                          \
     superframe_check_writes_any_order(kit, expected, SUPERFRAME_HERE)
 
@@ -72,7 +72,8 @@ void superframe_kit_mark(struct superframe_kit *kit);
 #define superframe_assert_pixel(kit, x, y, colour)                                                 \
     superframe_check_pixel(kit, x, y, colour, SUPERFRAME_HERE)
 
-/* All pixels of a rectangle of the frame memory, given as {x, y, width, height}, are 0xRRGGBB. */
+/* All pixels of a struct superframe_rectangle of the frame memory are 0xRRGGBB. (Written where the
+ * assertion stands it takes parentheses: ((struct superframe_rectangle){x, y, width, height}).) */
 #define superframe_assert_region_colour(kit, rectangle, colour)                                    \
     superframe_check_region_colour(kit, rectangle, colour, SUPERFRAME_HERE)
 

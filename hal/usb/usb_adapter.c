@@ -144,14 +144,15 @@ static bool work_off(struct usb_adapter *adapter) {
 size_t usb_adapter_receive(struct usb_adapter *adapter, const uint8_t *bytes, size_t count) {
     size_t taken = 0;
     for (;;) {
-        if (!work_off(adapter)) {
-            return taken;
-        }
+        bool may_go_on = work_off(adapter);
         while (taken < count && adapter->input_count < USB_FRAME_MOST) {
             adapter->input[adapter->input_count++] = bytes[taken++];
         }
         if (taken == count) {
             (void)work_off(adapter);
+            return taken;
+        }
+        if (!may_go_on) {
             return taken;
         }
     }

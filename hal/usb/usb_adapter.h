@@ -5,9 +5,10 @@
 
 #include "usb_ops.h"
 
-enum { USB_OUTPUT_BYTES = 2048 }; /* replies that nobody has fetched yet */
+/* Replies that nobody has fetched yet: whatever the credits allow to be on its way has room. */
+enum { USB_OUTPUT_BYTES = USB_CREDITS_MOST * USB_REPLY_MOST };
 
-/* An adapter. Copyable; no pointers into itself. About 9 KB. */
+/* An adapter. Copyable; no pointers into itself. About 11 KB. */
 struct usb_adapter {
     struct bus *bus; /* where the board is */
     uint16_t
@@ -35,8 +36,10 @@ void usb_adapter_init(struct usb_adapter *adapter, struct bus *bus, uint16_t bas
  * session stays. */
 void usb_adapter_detach(struct usb_adapter *adapter);
 
-/* Takes bytes of the stream and runs the frames that they complete. Returns how many it took:
- * fewer than count only while more than USB_CREDITS_MOST replies wait to be fetched. */
+/* Takes bytes of the stream and runs the frames that they complete. What comes once there is no
+ * room for one more of the largest replies waits, up to USB_FRAME_MOST bytes of it, and is worked
+ * off as replies are fetched. Returns how many bytes it took: fewer than count only while
+ * USB_CREDITS_MOST replies or more are to be fetched. */
 size_t usb_adapter_receive(struct usb_adapter *adapter, const uint8_t *bytes, size_t count);
 
 /* Moves up to room bytes of replies to bytes; returns how many. */

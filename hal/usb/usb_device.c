@@ -156,7 +156,8 @@ int usb_device_control(struct usb_device *device, const uint8_t setup[8], const 
         answer = class_request(device, request, value, length, data, in);
         break;
     }
-    return answer > (int)length ? (int)length : answer;
+    /* As unsigned: an int of 16 bits does not hold every wLength. */
+    return answer > 0 && (unsigned)answer > length ? (int)length : answer;
 }
 
 static bool is_ready(const struct usb_device *device, uint8_t endpoint) {
@@ -171,10 +172,12 @@ bool usb_device_out(struct usb_device *device, uint8_t endpoint, const uint8_t *
     }
     if (endpoint == USB_HID_OUT) {
         count = usb_report_length(bytes, count);
-        bytes++;
     }
     if (count == 0) {
         return true;
+    }
+    if (endpoint == USB_HID_OUT) {
+        bytes++; /* behind the length; where no byte came there is none */
     }
     bool is_by_hid = endpoint == USB_HID_OUT;
     if (is_by_hid != device->is_by_hid) {

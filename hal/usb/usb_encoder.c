@@ -4,9 +4,10 @@
 
 enum {
     HEADER_COST = 12, /* eighths of a byte: what one op more costs, roughly; the op is exact */
-    NEVER = 0x3FFFFFFF,
     NO_WAY = 255
 };
+
+#define NEVER UINT32_C(0x3FFFFFFF) /* a cost: an int of 16 bits ends before it */
 
 /* What a way can send, of one pixel or pair. */
 struct pixel_facts {

@@ -23,14 +23,12 @@ enum usb_op {
                                first: red, green, blue; 1: FFh, 0: 00h */
     USB_OP_SAME_FEW = 0x50, /* | count - 1 */
     USB_OP_COPY_FEW = 0x60, /* | count - 1 */
-    USB_OP_PIXELS = 0x80,   /* | mask; count - 1; of each pixel the primaries in the mask */
-    USB_OP_PAIRS = 0x88     /* | mask; count - 1; the same, and each pixel twice */
+    USB_OP_PIXELS = 0x80, /* | mask (1 red, 2 green, 4 blue); count - 1; of each pixel the primaries
+                             in the mask, the others as in the pixel before */
+    USB_OP_PAIRS = 0x88   /* | mask; count - 1; the same, and each pixel twice */
 };
 
 enum {
-    USB_MASK_RED = 1,
-    USB_MASK_GREEN = 2,
-    USB_MASK_BLUE = 4, /* what is not in the mask is as in the pixel before */
     USB_LINE_PIXELS = 640,
     USB_FEW_MOST = 16,
     USB_PIXELS_MOST = 256, /* of one USB_OP_PIXELS */

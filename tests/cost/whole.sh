@@ -16,7 +16,7 @@ symbol=$(sed -n 's/^const struct scene \([a-zA-Z0-9_]*\) = .*/\1/p' "$folder/sce
 $compiler -std=c99 -O2 -ffreestanding -fno-stack-protector -ffp-contract=off -Ifirmware/real/"$(real "$arithmetic" "$target")" \
     -Ifirmware/features/full -Ihal -Ifirmware -DIMAGE=image_"$arithmetic" -DSCENE="$symbol" -DHEIGHT="${size#*x}" \
     -nostdlib -static -Wl,-z,noexecstack -o "$folder/program" \
-    "$folder/scene.c" tests/cost/whole_image.c tests/cost/root.c firmware/*.c "$folder/$start.s" -lgcc
+    "$folder/scene.c" tests/cost/whole_image.c tests/no_ports.c tests/cost/root.c firmware/*.c "$folder/$start.s" -lgcc
 "$superframe" render "$scene" --size "$size" --colour full --arith "$arithmetic" --bus trace:/dev/null --stats - |
     sed -n 's/^ *"\(rays\|shadow_rays\|nodes\|solid_tests\)": \([0-9]*\),/\1 \2/p' | tr '\n' ' '
 echo "$target $arithmetic $scene instructions $(count_instructions)"

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* All rows of a compiled scene, and nothing else: a program whose instructions are counted. */
 #include "image.h"
-#include "outp.h"
 
 /* Built by tests/cost/whole.sh with IMAGE, SCENE and HEIGHT. */
 extern const struct image IMAGE;
@@ -28,27 +27,6 @@ void *memset(void *to, int value, __SIZE_TYPE__ size) {
         __asm__ volatile("" : : : "memory");
     }
     return to;
-}
-
-/* The ports lead nowhere. */
-void outp(uint16_t port, uint8_t value) {
-    (void)port;
-    (void)value;
-}
-
-void outpw(uint16_t port, uint16_t value) {
-    (void)port;
-    (void)value;
-}
-
-uint8_t inp(uint16_t port) {
-    (void)port;
-    return 0xFF;
-}
-
-uint16_t inpw(uint16_t port) {
-    (void)port;
-    return 0xFFFF;
 }
 
 void run(void) {

@@ -29,10 +29,15 @@ for real in fx fx_32 fx_16; do
         fi
     done
 done
-# All of hal/ but the encoder for USB: its table of 50 KB is larger than such a machine's objects.
+# The encoder for USB has a table of 43 KB, larger than an AVR's objects: an MSP430's may be.
 for source in hal/*.c hal/usb/*.c; do
-    [ "$source" = hal/usb/usb_encoder.c ] || avr-gcc -mmcu=atmega2560 -std=c99 -pedantic -Wall -Wextra \
-        -Werror -Os -Ihal -Ihal/usb -c -o "$work/hal.o" "$source" || failures=$((failures + 1))
+    if [ "$source" = hal/usb/usb_encoder.c ]; then
+        clang --target=msp430 -std=c99 -pedantic -Wall -Wextra -Wconversion -Wshadow -Werror \
+            -ffreestanding -Ihal -Ihal/usb -fsyntax-only "$source" || failures=$((failures + 1))
+        continue
+    fi
+    avr-gcc -mmcu=atmega2560 -std=c99 -pedantic -Wall -Wextra -Werror \
+        -Os -Ihal -Ihal/usb -c -o "$work/hal.o" "$source" || failures=$((failures + 1))
 done
 echo "int of 16 bits: $failures wrong"
 [ $failures -eq 0 ]

@@ -9,7 +9,7 @@ enum {
     FEATURE_DEPTH = 255,         /* the largest depth level; the ray stack has room for it */
     FEATURE_WIDTH = 640,         /* the widest picture: a row is kept while it is sent */
     FEATURE_PRIMITIVE_WORDS = 2, /* 32 primitives a word */
-    FEATURE_BOX = 1,
+    FEATURE_BOX = 1,             /* named by scenes that hold one; no code hangs on it */
     FEATURE_BALL = 1,
     FEATURE_POLYHEDRON = 1,
     FEATURE_QUADRIC = 1,

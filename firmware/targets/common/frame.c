@@ -2,11 +2,12 @@
 /* One frame of the scene that a target was built for. */
 #include "frame.h"
 
+#include "board.h"
 #include "image.h"
 #include "port_records.h"
 #include "scene.h"
 
-enum { FACTORY_BASE = 0x00D0, EXPOSURES = 8 };
+enum { EXPOSURES = 8 };
 
 /* The build names both: -DTARGET_IMAGE=image_fx -DTARGET_SCENE=scene_fig3. */
 extern const struct image TARGET_IMAGE;
@@ -17,7 +18,7 @@ void frame_draw(void) {
     uint8_t drawings = TARGET_SCENE.show == SHOW_EXPOSURES ? EXPOSURES : 1;
     for (uint8_t i = 0; i < drawings; i++) {
         const struct drawing drawing = {
-            .base = FACTORY_BASE, .last = TARGET_SCENE.height, .exposure = i};
+            .base = BOARD_BASE, .last = TARGET_SCENE.height, .exposure = i};
         TARGET_IMAGE.draw(&TARGET_SCENE, &drawing);
     }
     port_records_flush();

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /* The picture on a PC-9801: rows, progress on the text screen, Esc, and whether a board is there.
  */
+#include "board.h"
 #include "image.h"
 #include "machine.h"
 #include "outp.h"
 #include "scene.h"
 
-enum { BASE = 0x00D0, RED = 0x8, GREEN = 0xA, BLUE = 0xC, SCREEN_WIDTH = 640 };
+enum { RED = 0x8, GREEN = 0xA, BLUE = 0xC };
 enum { TITLE_ROW = 0, PROGRESS_ROW = 1, MESSAGE_ROW = 2 };
 
 /* The build names them: -DTARGET_IMAGE=image_fx -DTARGET_SCENE=scene_fig3
@@ -33,8 +34,9 @@ static void look_for_board(struct run *run) {
     if (run->answer != ANSWER_UNKNOWN || drawn == 3 * 0xFF) {
         return;
     }
-    bool is_same = inp(BASE + RED) == run->last[0] && inp(BASE + GREEN) == run->last[1] &&
-                   inp(BASE + BLUE) == run->last[2];
+    bool is_same = inp(BOARD_BASE + RED) == run->last[0] &&
+                   inp(BOARD_BASE + GREEN) == run->last[1] &&
+                   inp(BOARD_BASE + BLUE) == run->last[2];
     run->answer = is_same ? ANSWER_RIGHT : ANSWER_WRONG;
     if (!is_same) {
         (void)text_put(MESSAGE_ROW, 0,
@@ -45,8 +47,7 @@ static void look_for_board(struct run *run) {
 /* What the last dot of a line will be: the picture's last pixel, or the black right of it. */
 static void note_last_dot(struct run *run, const uint8_t *rgb) {
     uint16_t width = TARGET_SCENE.width;
-    bool is_full =
-        width == SCREEN_WIDTH || (2 * width == SCREEN_WIDTH && TARGET_SCENE.height <= 200);
+    bool is_full = width == BOARD_WIDTH || (2 * width == BOARD_WIDTH && TARGET_SCENE.height <= 200);
     for (uint8_t i = 0; i < 3; i++) {
         run->last[i] = is_full ? rgb[3 * (width - 1) + i] : 0;
     }
@@ -76,7 +77,7 @@ void pc98_main(void) {
     struct estimate estimate;
     struct run run = {.scene = &scene};
     const struct drawing drawing = {
-        .base = BASE, .last = TARGET_SCENE.height, .source = next_row, .context = &run};
+        .base = BOARD_BASE, .last = TARGET_SCENE.height, .source = next_row, .context = &run};
     text_clear();
     (void)text_put(TITLE_ROW, 0, "superframe: " TARGET_TITLE "; Esc ends it");
     if (FEATURE_ESTIMATE && scene.estimates) {
