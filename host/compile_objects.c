@@ -37,9 +37,14 @@ static bool is_leaf(const struct solid_node *node) {
 bool compile_append(struct compiler *compiler, uint8_t code) {
     struct compiled_scene *scene = compiler->scene;
     struct compiled_object *object = &scene->objects[scene->object_count];
-    if (scene->program_length == COMPILED_PROGRAM_BYTES_MOST || object->length == 255) {
+    if (object->length == 255) {
         return compile_fail(compiler, compiler->line,
                             "an object of more than 128 solids: split it into several objects");
+    }
+    if (scene->program_length == COMPILED_PROGRAM_BYTES_MOST) {
+        return compile_fail(compiler, compiler->line,
+                            "more than %d solids and operations in all objects: leave some out",
+                            COMPILED_PROGRAM_BYTES_MOST);
     }
     scene->programs[scene->program_length++] = code;
     object->length++;

@@ -114,6 +114,39 @@ static void a_patterns_cell_of_no_size_is_refused(void **state) {
     }
 }
 
+/* The union of so many solids, as a part that so many objects are. */
+static void write_unions(char *text, size_t room, int objects, int solids) {
+    int at = snprintf(text, room,
+                      "version = 1; size = [4, 4];\n"
+                      "camera = { eye = (0, -8, 0); look_at = (0, 0, 0); };\n"
+                      "materials = { m = { colour = [9, 9, 9]; }; };\n"
+                      "parts = ( { name = \"row\"; solid = { union = (");
+    for (int i = 0; i < solids; i++) {
+        at += snprintf(text + at, room - (size_t)at,
+                       "%s{ ball = { centre = (%d, 0, 0); radius = 0.%d; }; }", i > 0 ? "," : "",
+                       i % 8, 1 + i / 8 % 7);
+    }
+    at += snprintf(text + at, room - (size_t)at, "); }; } );\nobjects = (");
+    for (int i = 0; i < objects; i++) {
+        at += snprintf(text + at, room - (size_t)at,
+                       "%s{ material = \"m\"; solid = { part = \"row\"; }; }\n", i > 0 ? "," : "");
+    }
+    (void)snprintf(text + at, room - (size_t)at, ");\n");
+}
+
+static void more_solids_than_a_program_holds_are_refused(void **state) {
+    (void)state;
+    static char text[1 << 15];
+    write_unions(text, sizeof text, 1, 128);
+    assert_string_equal(refusal_of(text, "f64"), "");
+    write_unions(text, sizeof text, 1, 129);
+    assert_refused(text, "f64", "test.scene:", "an object of more than 128 solids: split it");
+    write_unions(text, sizeof text, 32, 64);
+    assert_string_equal(refusal_of(text, "f64"), "");
+    write_unions(text, sizeof text, 33, 64);
+    assert_refused(text, "f64", "test.scene:", "more than 4096 solids and operations");
+}
+
 /* Without an end: nothing to be told of its inside. */
 static void unbounded_glass_is_refused(void **state) {
     (void)state;
@@ -177,6 +210,7 @@ int main(void) {
         cmocka_unit_test(each_is_refused_with_its_line_and_what_is_allowed),
         cmocka_unit_test(fx_refuses_what_it_cannot_hold),
         cmocka_unit_test(a_patterns_cell_of_no_size_is_refused),
+        cmocka_unit_test(more_solids_than_a_program_holds_are_refused),
         cmocka_unit_test(unbounded_glass_is_refused),
         cmocka_unit_test(a_floor_beyond_the_world_is_refused),
     };
