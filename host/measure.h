@@ -125,8 +125,15 @@ const struct measure_scene *measure_scene_of(const struct measure *measure, cons
 int measure_show(const struct measure *measure, const struct measure_point *point,
                  const uint8_t *reference, const uint8_t *picture, unsigned width, unsigned height);
 
-/* Writes the line of column names. */
-void measure_write_head(FILE *file);
+/* How a points.csv begins: with the line of column names; with nothing or a part of it, where its
+ * writing was cut off; or otherwise. */
+enum measure_beginning { MEASURE_BEGUN, MEASURE_EMPTY, MEASURE_FOREIGN };
+
+/* Reads that line. */
+enum measure_beginning measure_read_head(FILE *file);
+
+/* Writes it and hands it on. False: it can't be written. */
+bool measure_write_head(FILE *file);
 
 /* Gathers the points of the grid by setting; the caller frees settings. False: memory is out. */
 bool measure_settings(const struct measure *measure, struct measure_settings *settings);

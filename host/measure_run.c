@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "colour_difference.h"
 #include "command.h"
@@ -231,25 +232,29 @@ static unsigned count_rows(const struct measure *measure) {
     return rows;
 }
 
-/* points.csv, to be written on: its head is there already or is written; a line that was cut off is
- * ended. */
+/* Makes points.csv ready to be written on: its head is there already or is written anew; a line
+ * that was cut off is ended. */
+static bool begin_log(FILE *file) {
+    if (measure_read_head(file) != MEASURE_BEGUN) {
+        return ftruncate(fileno(file), 0) == 0 && fseek(file, 0, SEEK_END) == 0 &&
+               measure_write_head(file);
+    }
+    bool is_begun = fseek(file, -1, SEEK_END) == 0;
+    int last = fgetc(file);
+    return is_begun && fseek(file, 0, SEEK_END) == 0 &&
+           (last == '\n' || (fputc('\n', file) != EOF && fflush(file) == 0));
+}
+
 static FILE *open_log(const struct measure *measure) {
     char path[PATH_SIZE];
-    int last = EOF;
     (void)snprintf(path, sizeof path, "%s/points.csv", measure->folder);
     FILE *file = fopen(path, "a+");
-    if (file == NULL) {
+    if (file == NULL || !begin_log(file)) {
         complain("%s: cannot be written: %s", path, strerror(errno));
+        if (file != NULL) {
+            (void)fclose(file);
+        }
         return NULL;
-    }
-    if (fseek(file, -1, SEEK_END) == 0) {
-        last = fgetc(file);
-    }
-    (void)fseek(file, 0, SEEK_END);
-    if (last == EOF) {
-        measure_write_head(file);
-    } else if (last != '\n') {
-        (void)fputc('\n', file);
     }
     return file;
 }

@@ -61,6 +61,16 @@ cp m/points.csv before.csv
 # shellcheck disable=SC2086
 expect 0 '' measure ball.scene $points -o m
 cmp -s m/points.csv before.csv || wrong 'a finished measurement was not left alone'
+
+# Killed before the first point: the head is not there, or a part of it.
+for bytes in 0 1 100; do
+    mkdir early && head -c $bytes before.csv > early/points.csv
+    # shellcheck disable=SC2086
+    expect 0 '' measure ball.scene $points -o early
+    [ "$(head -n 1 early/points.csv)" = "$(head -n 1 before.csv)" ] || wrong "$bytes bytes of points.csv: no head"
+    [ "$(wc -l < early/points.csv)" -eq "$whole" ] || wrong "$bytes bytes of points.csv: points are lacking"
+    rm -r early
+done
 # shellcheck disable=SC2086
 (PATH=/nonexistent && "$program" measure ball.scene $points -o m 2> err.txt) || wrong 'no gnuplot: failed'
 grep -q 'gnuplot is not there' err.txt || wrong "no gnuplot: says \"$(cat err.txt)\""
@@ -98,6 +108,14 @@ expect 2 'two scenes are called' measure ball.scene ./ball.scene -o n
 expect 1 'cannot be written' measure ball.scene -o /dev/null/n
 mkdir -p other && echo 'a,b' > other/points.csv
 expect 2 'does not begin' measure ball.scene -o other
+
+"$program" measure fig3 --size 160x100 --quiet -o begun 2> /dev/null &
+for attempt in $(seq 100); do
+    [ -s begun/points.csv ] && break
+    sleep 0.1
+done
+[ "$(head -n 1 begun/points.csv)" = "$(head -n 1 before.csv)" ] || wrong "no head after $attempt tenths of a second"
+kill -KILL $! && wait $! 2> /dev/null
 
 # Pictures and signatures.
 expect 0 '' render ball.scene -o a.png --signatures a.sig --quiet
