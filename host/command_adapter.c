@@ -227,10 +227,6 @@ static void serve(struct server *server) {
 }
 
 int run_adapter(const struct options *options) {
-    if (options->output != NULL && strcmp(options->output, "-") == 0) {
-        return bad_input("-o -: standard output says where the adapter listens; allowed is a "
-                         "file's name");
-    }
     struct server *server = calloc(1, sizeof *server);
     struct board_desc desc = board_default_desc(options->profile);
     desc.base = options->base;

@@ -47,8 +47,7 @@ static const char *picture_name(struct render_run *run) {
     if (run->options->output != NULL) {
         return run->options->output;
     }
-    scene_short_name(run->scene_name, run->default_name, NAME_SIZE - sizeof ".png");
-    strcat(run->default_name, ".png");
+    scene_picture_name(run->scene_name, run->default_name, NAME_SIZE);
     return run->default_name;
 }
 

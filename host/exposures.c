@@ -9,11 +9,16 @@
 #include <unistd.h>
 
 #include "command.h"
+#include "file_path.h"
 #include "png_file.h"
 
 enum { FULL_EXPOSURE = 255, NEW_FOLDER_MODE = 0777 };
 
-static const char name_format[] = "%s/exposure-%u.png";
+char *exposure_name(const char *folder, unsigned exposure) {
+    char name[32];
+    (void)snprintf(name, sizeof name, "exposure-%u.png", exposure);
+    return path_join(folder, name);
+}
 
 static bool make_folder(struct exposures *exposures, const char *folder) {
     if (mkdir(folder, NEW_FOLDER_MODE) == 0) {
@@ -32,17 +37,15 @@ static bool make_folder(struct exposures *exposures, const char *folder) {
 
 /* Opens all eight before the work begins: a place that can't be written is known at once. */
 static bool open_kept(struct exposures *exposures, const char *folder) {
-    size_t size = strlen(folder) + sizeof name_format;
     if (!make_folder(exposures, folder)) {
         return false;
     }
     for (unsigned i = 0; i < RENDER_EXPOSURES; i++) {
-        exposures->names[i] = malloc(size);
+        exposures->names[i] = exposure_name(folder, i);
         if (exposures->names[i] == NULL) {
             complain("out of memory");
             return false;
         }
-        (void)snprintf(exposures->names[i], size, name_format, folder, i);
         if (!output_open(&exposures->kept[i], exposures->names[i])) {
             return false;
         }

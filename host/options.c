@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "command.h"
+#include "places.h"
 
 enum { ENTRIES_MOST = 48, LETTERS_MOST = 64, LONG_ONLY = 256 };
 
@@ -98,11 +99,6 @@ static void set_defaults(struct options *options) {
     options->share = 99.9;
 }
 
-/* True if both are given, but not the same place. */
-static bool differ(const char *a, const char *b) {
-    return a == NULL || b == NULL || strcmp(a, b) != 0;
-}
-
 /* What a bus other than the emulator can't do, and what real ports ask for. */
 static bool check_bus(const struct options *options, struct options_error *error) {
     bool is_ports = options->bus == BUS_CHOICE_PORTS;
@@ -148,10 +144,6 @@ static bool check_trace(enum command_id command, const struct options *options,
     if (tracing->converts &&
         (options->board.native != NULL || options->board.picture != PICTURE_KIND_SCREEN)) {
         return refuse(error, "--to makes a trace, no picture: not with --native or --picture");
-    }
-    if (options->output != NULL && strcmp(options->output, "-") == 0 &&
-        (tracing->lists || tracing->counts || tracing->judges)) {
-        return refuse(error, "two results can't go to standard output; give -o a file's name");
     }
     return true;
 }
@@ -206,13 +198,6 @@ static bool check_together(enum command_id command, const struct options *option
     }
     if (!check_bus(options, error) || !check_trace(command, options, error)) {
         return false;
-    }
-    if (!differ(options->output, options->stats) || !differ(options->output, options->trace) ||
-        !differ(options->stats, options->trace) || !differ(options->stats, options->bus_file) ||
-        !differ(options->signatures, options->output) ||
-        !differ(options->signatures, options->stats) ||
-        !differ(options->signatures, options->trace)) {
-        return refuse(error, "two results can't go to the same place; give each its own file");
     }
     if (command == COMMAND_MEASURE && options->overrides.has_colour &&
         options->overrides.colour == COLOUR_EXPOSURES) {
@@ -280,7 +265,8 @@ bool options_parse(enum command_id command, int argc, char **argv, struct option
     options->operands = argv + optind;
     options->operand_count = argc - optind;
     return check_operands(&commands[command], options, error) &&
-           check_together(command, options, error) && check_needs(command, options, error);
+           check_together(command, options, error) && check_needs(command, options, error) &&
+           places_are_apart(command, options, error);
 }
 
 void options_print(FILE *out, enum command_id command) {

@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "command.h"
+#include "file_path.h"
 
 enum { NAMES_TRIED = 100, NEW_FOLDER_MODE = 0777 };
 
@@ -18,16 +19,6 @@ static bool fail(struct paper_folder *folder, int error_number) {
     complain("%s: cannot be written: %s", folder->target, strerror(error_number));
     paper_folder_discard(folder);
     return false;
-}
-
-/* folder/name in new memory; NULL: there is none. */
-static char *join(const char *folder, const char *name) {
-    size_t size = strlen(folder) + strlen(name) + 2;
-    char *path = malloc(size);
-    if (path != NULL) {
-        (void)snprintf(path, size, "%s/%s", folder, name);
-    }
-    return path;
 }
 
 /* The folder in which the target is, or is to be. */
@@ -60,7 +51,7 @@ static bool make_temporary(struct paper_folder *folder, const char *place) {
     for (unsigned attempt = 0; attempt < NAMES_TRIED; attempt++) {
         char name[64];
         (void)snprintf(name, sizeof name, ".superframe-%ld-%u.tmp", (long)getpid(), attempt);
-        char *path = join(place, name);
+        char *path = path_join(place, name);
         if (path == NULL) {
             errno = ENOMEM;
             return false;
@@ -115,8 +106,8 @@ static bool empty_temporary(const struct paper_folder *folder, bool moves) {
         if (is_dots(entry->d_name)) {
             continue;
         }
-        char *from = join(folder->temporary, entry->d_name);
-        char *to = join(folder->target, entry->d_name);
+        char *from = path_join(folder->temporary, entry->d_name);
+        char *to = path_join(folder->target, entry->d_name);
         is_done = from != NULL && to != NULL && (moves ? rename(from, to) : unlink(from)) == 0;
         int error_number = errno;
         free(from);

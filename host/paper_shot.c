@@ -7,20 +7,10 @@
 #include <string.h>
 #include <time.h>
 
-#include "builtin_scenes.h"
 #include "command.h"
 #include "interrupt.h"
 #include "load_scene.h"
 #include "stopwatch.h"
-
-bool paper_has_scene(const char *name) {
-    for (size_t i = 0; i < builtin_scene_count; i++) {
-        if (strcmp(builtin_scenes[i].name, name) == 0) {
-            return true;
-        }
-    }
-    return false;
-}
 
 const uint8_t *paper_pixel(const struct paper_photo *photo, unsigned x, unsigned y) {
     return &photo->rgb[((size_t)y * photo->dots * PICTURE_WIDTH + x * photo->dots) * 3];
