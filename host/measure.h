@@ -10,6 +10,7 @@
 
 #include "cost_model.h"
 #include "options.h"
+#include "output.h"
 #include "picture.h"
 #include "progress.h"
 #include "scene_digest.h"
@@ -92,6 +93,7 @@ struct measure_scene {
 struct measure {
     const struct options *options;
     const char *folder;
+    char *points_path; /* FOLDER/points.csv */
     struct measure_scene scenes[MEASURE_SCENES_MOST];
     size_t scene_count;
     struct measure_list points;
@@ -154,11 +156,20 @@ int measure_plot(struct measure *measure);
 /* Writes table.csv, report.md and report.html. */
 int measure_report(struct measure *measure);
 
-/* Opens DIR/name for writing; NULL, with the reason printed, on failure. */
-FILE *measure_create(const struct measure *measure, const char *name);
+/* A file of the folder, on its way to its place. */
+struct measure_file {
+    struct output output;
+    char *path;
+};
 
-/* Closes it: STATUS_DONE if all was written. */
-int measure_close(const struct measure *measure, FILE *file, const char *name);
+/* Opens FOLDER/name for writing. False, with the reason printed, on failure. */
+bool measure_create(struct measure_file *file, const struct measure *measure, const char *name);
+
+/* Puts it into its place, or leaves there what was there before and prints the reason. */
+int measure_close(struct measure_file *file);
+
+/* Gives it up. */
+void measure_discard(struct measure_file *file);
 
 /* What is predicted for a point on a machine, seconds; NaN where the cost table has no entry. */
 double measure_predict(const struct measure *measure, const struct measure_point *point,

@@ -90,10 +90,11 @@ static void write_marks(FILE *file, const struct measure_settings *settings, int
 /* Blocks that gnuplot finds by name: the marks, the curves, for each machine its front (seconds,
  * per cent wrong). */
 static int write_data(const struct measure *measure, const struct measure_settings *settings) {
-    FILE *file = measure_create(measure, "plots.dat");
-    if (file == NULL) {
+    struct measure_file data;
+    if (!measure_create(&data, measure, "plots.dat")) {
         return STATUS_FAILED;
     }
+    FILE *file = data.output.file;
     for (int a = 0; arithmetics[a] != NULL; a++) {
         for (int end = 0; end < ENDS; end++) {
             write_marks(file, settings, a, end);
@@ -112,7 +113,7 @@ static int write_data(const struct measure *measure, const struct measure_settin
         }
         (void)fputs("\n\n", file);
     }
-    return measure_close(measure, file, "plots.dat");
+    return measure_close(&data);
 }
 
 static bool has(const struct measure_settings *settings, int arithmetic, int end, size_t target) {
@@ -230,10 +231,11 @@ static double lowest_shown(const struct measure_settings *settings) {
 }
 
 static int write_script(const struct measure *measure, const struct measure_settings *settings) {
-    FILE *file = measure_create(measure, "plots.gp");
-    if (file == NULL) {
+    struct measure_file script;
+    if (!measure_create(&script, measure, "plots.gp")) {
         return STATUS_FAILED;
     }
+    FILE *file = script.output.file;
     (void)fprintf(
         file,
         "# From plots.dat: gnuplot plots.gp\n"
@@ -247,7 +249,7 @@ static int write_script(const struct measure *measure, const struct measure_sett
         write_curves_by_depth(file, settings);
         write_curves_by_threshold(file, settings);
     }
-    return measure_close(measure, file, "plots.gp");
+    return measure_close(&script);
 }
 
 int measure_plot(struct measure *measure) {

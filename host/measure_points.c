@@ -125,8 +125,8 @@ static const char *take_line(struct measure *measure, const char *line) {
 }
 
 int measure_resume(struct measure *measure) {
-    char path[LINE_SIZE], line[LINE_SIZE];
-    (void)snprintf(path, sizeof path, "%s/points.csv", measure->folder);
+    const char *path = measure->points_path;
+    char line[LINE_SIZE];
     FILE *file = fopen(path, "r");
     if (file == NULL && errno == ENOENT) {
         return STATUS_DONE;

@@ -13,13 +13,7 @@
 #include "measure.h"
 #include "stopwatch.h"
 
-enum {
-    PATH_SIZE = 1024,
-    ORACLE_WIDTH = 48,
-    ORACLE_HEIGHT = 30,
-    ORACLE_DEPTH = 10,
-    TWINS_MOST = 64
-};
+enum { ORACLE_WIDTH = 48, ORACLE_HEIGHT = 30, ORACLE_DEPTH = 10, TWINS_MOST = 64 };
 
 /* A picture in dots. */
 struct dots_picture {
@@ -164,7 +158,7 @@ static int measure_point(struct measure *measure, const struct measure_scene *sc
     point->is_done = true;
     measure_write_point(measure, log, point);
     if (fflush(log) != 0) {
-        complain("%s/points.csv: cannot be written: %s", measure->folder, strerror(errno));
+        complain("%s: cannot be written: %s", measure->points_path, strerror(errno));
         return STATUS_FAILED;
     }
     return STATUS_DONE;
@@ -246,8 +240,7 @@ static bool begin_log(FILE *file) {
 }
 
 static FILE *open_log(const struct measure *measure) {
-    char path[PATH_SIZE];
-    (void)snprintf(path, sizeof path, "%s/points.csv", measure->folder);
+    const char *path = measure->points_path;
     FILE *file = fopen(path, "a+");
     if (file == NULL || !begin_log(file)) {
         complain("%s: cannot be written: %s", path, strerror(errno));
@@ -292,7 +285,7 @@ int measure_run(struct measure *measure) {
     int status = run_all(measure, log);
     progress_end(&measure->progress);
     if (fclose(log) != 0 && status == STATUS_DONE) {
-        complain("%s/points.csv: cannot be written: %s", measure->folder, strerror(errno));
+        complain("%s: cannot be written: %s", measure->points_path, strerror(errno));
         status = STATUS_FAILED;
     }
     if (*interrupt_noted() != 0) {

@@ -6,10 +6,9 @@
 #include "command.h"
 #include "difference_picture.h"
 #include "measure.h"
-#include "output.h"
 #include "png_file.h"
 
-enum { PATH_SIZE = 1024, HALF_WIDTH = 320, GAP = 8, GREY = 128 };
+enum { HALF_WIDTH = 320, GAP = 8, GREY = 128 };
 
 static const char *const files[MEASURE_SHOWN] = {"difference-paper.png",
                                                  "difference-q16-epsilon.png", "difference-fx.png",
@@ -48,20 +47,17 @@ static void place(uint8_t *wide, unsigned wide_width, unsigned x, const uint8_t 
 
 static int write_file(const struct measure *measure, const char *name, const uint8_t *rgb,
                       unsigned width, unsigned height) {
-    char path[PATH_SIZE];
-    struct output output;
+    struct measure_file file;
     struct png_error error;
-    memset(&output, 0, sizeof output);
-    (void)snprintf(path, sizeof path, "%s/%s", measure->folder, name);
-    if (!output_open(&output, path)) {
+    if (!measure_create(&file, measure, name)) {
         return STATUS_FAILED;
     }
-    if (write_png(output.file, rgb, width, height, &error) != PNG_OK) {
-        output_complain(&output, error.message);
-        output_discard(&output);
+    if (write_png(file.output.file, rgb, width, height, &error) != PNG_OK) {
+        output_complain(&file.output, error.message);
+        measure_discard(&file);
         return STATUS_FAILED;
     }
-    return output_commit(&output) ? STATUS_DONE : STATUS_FAILED;
+    return measure_close(&file);
 }
 
 int measure_show(const struct measure *measure, const struct measure_point *point,

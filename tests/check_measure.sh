@@ -75,6 +75,22 @@ done
 (PATH=/nonexistent && "$program" measure ball.scene $points -o m 2> err.txt) || wrong 'no gnuplot: failed'
 grep -q 'gnuplot is not there' err.txt || wrong "no gnuplot: says \"$(cat err.txt)\""
 
+
+# A full disk, half-way: what was there stays whole.
+cp -r m old
+# shellcheck disable=SC2086
+(ulimit -f 1 && trap '' XFSZ && "$program" measure ball.scene $points -o m > out.txt 2> err.txt)
+[ $? -eq 1 ] || wrong 'a full disk: not exit status 1'
+diff -r m old > differences.txt || wrong "a full disk: $(head -n 3 differences.txt)"
+long=$(printf '%0200d' 0)
+long=$long/$long/$long/$long/$long/$long
+mkdir -p "$long"
+# shellcheck disable=SC2086
+expect 0 '' measure ball.scene $points -o "$long"
+for file in $(cd m && ls); do
+    [ -s "$long/$file" ] || wrong "in a folder with a long name: $file is not there"
+done
+
 # What was measured of a scene does not go with what it was changed into.
 sed -i 's/ior = 1.5/ior = 1.6/' ball.scene
 # shellcheck disable=SC2086
@@ -104,6 +120,7 @@ grep -q 'fx|0.7|' e/report.md || wrong 'the report lacks the accuracy asked for'
 expect 2 'measure: -o FOLDER is lacking' measure ball.scene
 expect 2 'exposures is not measured' measure ball.scene --colour exposures -o n
 expect 2 'nothing' measure nothing -o n
+[ ! -e n ] || wrong 'a folder was made for a scene that is not there'
 expect 2 'two scenes are called' measure ball.scene ./ball.scene -o n
 expect 1 'cannot be written' measure ball.scene -o /dev/null/n
 mkdir -p other && echo 'a,b' > other/points.csv
