@@ -76,6 +76,17 @@ done
 grep -q 'gnuplot is not there' err.txt || wrong "no gnuplot: says \"$(cat err.txt)\""
 
 
+# Of few points, or of an arithmetic that some machines have no entry for, there are plots too.
+if command -v gnuplot > few.txt; then
+    for few in '--arith fx --depth 2 --threshold 0 --tail black' '--arith f64 --error 1' '--arith fx --error 1'; do
+        # shellcheck disable=SC2086
+        expect 0 '' measure ball.scene $few --size 16x10 --quiet -o few
+        [ ! -s err.txt ] || wrong "measure $few: says \"$(head -n 1 err.txt)\""
+        [ -s few/pareto-x86_64.png ] || wrong "measure $few: no plots"
+        rm -r few
+    done
+fi
+
 # A full disk, half-way: what was there stays whole.
 cp -r m old
 # shellcheck disable=SC2086
