@@ -29,6 +29,7 @@ static const struct {
      "superframe: e/exposure-0.png: cannot be written: Not a directory"},
     {"superframe adapter --listen nowhere", 2, "superframe: --listen nowhere"},
     {"superframe boot x", 2, "superframe: x: cannot be read: No such file"},
+    {"echo > i; superframe boot i -o x.png", 2, "superframe: i: no 2HD image: less than 1261568"},
     {"superframe compare a", 2, "superframe: compare: B.png is lacking"},
     {"superframe render nothing -o x.png", 2, "superframe: nothing: cannot be read: No such file"},
     {"superframe render . -o x.png", 2, "superframe: .: is a folder"},
