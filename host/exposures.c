@@ -10,6 +10,7 @@
 
 #include "command.h"
 #include "file_path.h"
+#include "interrupt.h"
 #include "png_file.h"
 
 enum { FULL_EXPOSURE = 255, NEW_FOLDER_MODE = 0777 };
@@ -25,6 +26,7 @@ static bool make_folder(struct exposures *exposures, const char *folder) {
         exposures->made_folder = malloc(strlen(folder) + 1);
         if (exposures->made_folder != NULL) {
             strcpy(exposures->made_folder, folder);
+            interrupt_guard(exposures->made_folder);
         }
         return true;
     }
@@ -33,6 +35,12 @@ static bool make_folder(struct exposures *exposures, const char *folder) {
         return false;
     }
     return true;
+}
+
+static void drop_folder(struct exposures *exposures) {
+    interrupt_release(exposures->made_folder);
+    free(exposures->made_folder);
+    exposures->made_folder = NULL;
 }
 
 /* Opens all eight before the work begins: a place that can't be written is known at once. */
@@ -88,8 +96,7 @@ bool exposures_commit(struct exposures *exposures) {
         exposures->failed = exposures->kept[i].file != NULL && !output_commit(&exposures->kept[i]);
     }
     if (!exposures->failed) {
-        free(exposures->made_folder); /* it stays */
-        exposures->made_folder = NULL;
+        drop_folder(exposures); /* it stays */
     }
     return !exposures->failed;
 }
@@ -110,7 +117,7 @@ void exposures_free(struct exposures *exposures) {
     }
     if (exposures->made_folder != NULL) {
         (void)rmdir(exposures->made_folder); /* only if nothing is in it */
-        free(exposures->made_folder);
+        drop_folder(exposures);
     }
     free(exposures);
 }

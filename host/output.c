@@ -11,6 +11,7 @@
 
 #include "command.h"
 #include "file_path.h"
+#include "interrupt.h"
 
 enum { NAMES_TRIED = 100, NEW_FILE_MODE = 0666 };
 
@@ -47,6 +48,7 @@ static bool open_temporary(struct output *output, const struct stat *replaced) {
         output->temporary = NULL;
         return false;
     }
+    interrupt_guard(output->temporary);
     if (replaced != NULL) {
         (void)fchmod(descriptor, replaced->st_mode & 07777); /* best effort */
     }
@@ -85,6 +87,12 @@ bool output_open(struct output *output, const char *path) {
     return true;
 }
 
+static void drop_temporary(struct output *output) {
+    interrupt_release(output->temporary);
+    free(output->temporary);
+    output->temporary = NULL;
+}
+
 bool output_commit(struct output *output) {
     errno = 0;
     if (fflush(output->file) != 0 || ferror(output->file)) {
@@ -107,8 +115,7 @@ bool output_commit(struct output *output) {
     if (output->temporary != NULL && rename(output->temporary, output->target) != 0) {
         return fail(output, errno);
     }
-    free(output->temporary);
-    output->temporary = NULL;
+    drop_temporary(output); /* it is the target now */
     output_discard(output);
     return true;
 }
@@ -120,9 +127,8 @@ void output_discard(struct output *output) {
     if (output->temporary != NULL) {
         (void)unlink(output->temporary);
     }
-    free(output->temporary);
+    drop_temporary(output);
     free(output->target);
     output->file = NULL;
-    output->temporary = NULL;
     output->target = NULL;
 }

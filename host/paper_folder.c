@@ -12,6 +12,7 @@
 
 #include "command.h"
 #include "file_path.h"
+#include "interrupt.h"
 
 enum { NAMES_TRIED = 100, NEW_FOLDER_MODE = 0777 };
 
@@ -58,6 +59,7 @@ static bool make_temporary(struct paper_folder *folder, const char *place) {
         }
         if (mkdir(path, NEW_FOLDER_MODE) == 0) {
             folder->temporary = path;
+            interrupt_guard(path);
             return true;
         }
         int error_number = errno;
@@ -129,6 +131,7 @@ bool paper_folder_commit(struct paper_folder *folder) {
         return fail(folder, errno);
     }
     if (!folder->is_there) {
+        interrupt_release(folder->temporary);
         free(folder->temporary); /* it is the target now */
         folder->temporary = NULL;
     }
@@ -140,6 +143,7 @@ void paper_folder_discard(struct paper_folder *folder) {
     if (folder->temporary != NULL) {
         (void)empty_temporary(folder, false);
         (void)rmdir(folder->temporary);
+        interrupt_release(folder->temporary);
     }
     free(folder->temporary);
     free(folder->target);

@@ -267,6 +267,34 @@ static void an_interrupt_ends_cleanly(void **state) {
     assert_int_equal(leftovers(), 0);
 }
 
+/* Whatever ends the program: it is at work on a trace that goes on, or on a long picture. */
+static void nothing_half_written_is_left_by_a_signal(void **state) {
+    (void)state;
+    static const struct {
+        const char *line;
+        int status;
+    } lines[] = {
+        {"mkfifo f; sleep 3 > f & timeout --foreground --preserve-status -s INT 1 "
+         "superframe replay f -o a.png",
+         130},
+        {"sleep 3 > f & timeout --foreground --preserve-status -s TERM 1 "
+         "superframe trace f --to text -o a.txt",
+         143},
+        {"timeout --foreground --preserve-status -s HUP 2 superframe render fig3 --arith f128 "
+         "--size 640x400 -o b.png",
+         129},
+        {"timeout --foreground --preserve-status -s QUIT 2 superframe render fig3 --arith f128 "
+         "--size 640x400 -o b.png",
+         131},
+    };
+    for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++) {
+        assert_status(lines[i].line, lines[i].status);
+        assert_int_equal(leftovers(), 0);
+    }
+    assert_false(is_there("a.png") || is_there("a.txt"));
+    assert_true(is_there("b.png"));
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         TEST(wrong_input),
@@ -284,6 +312,7 @@ int main(void) {
         TEST(compiling),
         TEST(closed_streams),
         TEST(an_interrupt_ends_cleanly),
+        TEST(nothing_half_written_is_left_by_a_signal),
     };
     return cmocka_run_group_tests(tests, enter_group, leave_group);
 }
