@@ -83,7 +83,7 @@ static int draw(struct measure *measure, const struct compiled_scene *compiled,
     (void)bus_bind(bound);
     measure->before = measure->now;
     if (!is_rendered) {
-        return bad_input("--arith %s: %s", point->arithmetic, error.text);
+        return bad_input("%s (--arith %s)", error.text, point->arithmetic);
     }
     const struct cost_events events = {totals.rays, totals.shadow_rays, totals.nodes,
                                        totals.solid_tests};

@@ -7,6 +7,14 @@
 
 /* ---- Wrong input ---------------------------------------------------------------------------- */
 
+/* A ball that fixed point can't hold. */
+#define SMALL_BALL                                                                                 \
+    "echo 'version = 1; size = [4, 4]; camera = { eye = (0, -8, 0); look_at = (0, 0, 0); };\n"     \
+    "materials = { glass = { colour = [0, 0, 0]; ior = 1.5; }; };\n"                               \
+    "objects = ( { material = \"glass\"; solid = { box = { min = (-8, -8, -8);\n"                  \
+    "max = (8, 8, 8); }; }; },\n"                                                                  \
+    "{ material = \"glass\"; solid = { ball = { radius = 1e-9; }; }; } );' > s; "
+
 /* Each line ends with its status and a message, and writes no x.png. */
 static const struct {
     const char *line;
@@ -74,6 +82,8 @@ static const struct {
     {"superframe compare nothing nothing", 2, "superframe: nothing: cannot be read: No such file"},
     {"echo text > p; superframe compare p p", 2, "superframe: p: "},
     {"superframe check nothing", 2, "superframe: nothing"},
+    {SMALL_BALL "superframe check s", 2, "superframe: s:5: a ball smaller than"},
+    {SMALL_BALL "superframe check s", 2, "(--arith fx)\n"},
     {"superframe compile nothing -o x.png", 2, "superframe: nothing"},
 };
 
@@ -247,6 +257,20 @@ static void compiling(void **state) {
     assert_non_null(strstr(text_of("fig3.c"), "scene_fig3"));
 }
 
+static void names_are_quoted_in_a_graph(void **state) {
+    (void)state;
+    assert_status(
+        "cat > s << 'END'\n"
+        "version = 1; size = [16, 10]; camera = { eye = (0, -6, 1); look_at = (0, 0, 0); };\n"
+        "materials = { glass = { colour = [90, 40, 20]; ior = 1.5; }; };\n"
+        "objects = ( { name = \"a\\\"b\\\\c\"; material = \"glass\";\n"
+        "              solid = { ball = { radius = 1; }; }; } );\n"
+        "END\n"
+        "superframe tree s 8 5 --dot",
+        0);
+    assert_non_null(strstr(text_of("out"), "tooltip=\"air -> a\\\"b\\\\c\"];"));
+}
+
 /* The program with closed standard streams does not write its messages into its results. */
 static void closed_streams(void **state) {
     (void)state;
@@ -310,6 +334,7 @@ int main(void) {
         TEST(strict_checks),
         TEST(comparisons),
         TEST(compiling),
+        TEST(names_are_quoted_in_a_graph),
         TEST(closed_streams),
         TEST(an_interrupt_ends_cleanly),
         TEST(nothing_half_written_is_left_by_a_signal),
