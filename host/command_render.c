@@ -172,7 +172,7 @@ static void explain_adapter(const struct render_run *run) {
 static int write_results(struct render_run *run) {
     enum bus_status bus = port_chain_finish(run->chain);
     if (bus != BUS_OK) {
-        if (run->trace.file != NULL && bus == BUS_IO_ERROR) {
+        if (run->trace.file != NULL && run->chain->recorder.error_number != 0) {
             output_complain(&run->trace, strerror(run->chain->recorder.error_number));
         } else if (run->adapter.usb != NULL) {
             explain_adapter(run);

@@ -98,13 +98,21 @@ static bool is_dots(const char *name) {
     return strcmp(name, ".") == 0 || strcmp(name, "..") == 0;
 }
 
+/* NULL: there is no more, or, with *is_good false and errno set, it can't be read. */
+static struct dirent *next_entry(DIR *entries, bool *is_good) {
+    errno = 0;
+    struct dirent *entry = readdir(entries);
+    *is_good = entry != NULL || errno == 0;
+    return entry;
+}
+
 /* Does something with every file of the temporary folder: moves it into the target or removes it.
  * False with errno set at the first failure. */
 static bool empty_temporary(const struct paper_folder *folder, bool moves) {
     DIR *entries = opendir(folder->temporary);
     bool is_done = entries != NULL;
     struct dirent *entry;
-    while (is_done && (entry = readdir(entries)) != NULL) {
+    while (is_done && (entry = next_entry(entries, &is_done)) != NULL) {
         if (is_dots(entry->d_name)) {
             continue;
         }
