@@ -161,6 +161,18 @@ expect 2 'B.sig is lacking' compare a.png b.png --signatures a.sig
 expect 2 'B.png is lacking' compare a.png
 expect 2 'one too many' compare a.png b.png c.png
 expect 2 'two pictures only' compare --signatures a.sig b.sig --difference e.png
+# Also from pipes, and in any place; a file that is damaged is what is complained about.
+mkfifo pipe.sig pipe.png
+cat b.sig > pipe.sig &
+expect 0 '' compare --signatures a.sig pipe.sig
+cat b.sig > pipe.sig &
+cat a.png > pipe.png &
+expect 0 '' compare pipe.sig pipe.png b.png --signatures a.sig
+echo 'superframe' > damaged.sig
+expect 2 'damaged.sig: is no file of signatures' compare --signatures a.sig damaged.sig
+echo 'other' > damaged.sig
+expect 2 'damaged.sig: is no file of signatures' compare --signatures a.sig damaged.sig
+expect 2 'damaged.sig: is no file of signatures' compare a.png b.png damaged.sig --signatures a.sig
 head -c 100 a.sig > torn.sig
 expect 2 'ends too early' compare --signatures a.sig torn.sig
 expect 2 'is no file of signatures' compare a.png b.png --signatures a.png b.sig
