@@ -196,6 +196,11 @@ static bool check_together(enum command_id command, const struct options *option
                           with);
         }
     }
+    if (options->board.faults.vanish_status != BUS_OK && options->board.faults.vanish_after == 0) {
+        return refuse(error,
+                      "--faults lost says how the board vanishes, not when; allowed is: lost "
+                      "with vanish=N");
+    }
     if (!check_bus(options, error) || !check_trace(command, options, error)) {
         return false;
     }
@@ -222,15 +227,38 @@ static bool check_operands(const struct command *command, const struct options *
     return true;
 }
 
+/* The options that "--s" or "--s=value" may stand for: ", --size, --seed". */
+static void list_meant(const struct getopt_tables *tables, const char *culprit, char *text,
+                       size_t size) {
+    const char *begin = culprit + strspn(culprit, "-");
+    size_t used = 0, length = strcspn(begin, "=");
+    text[0] = '\0';
+    for (const struct option *option = tables->longs; option->name != NULL; option++) {
+        if (strncmp(option->name, begin, length) == 0 && used < size) {
+            used += (size_t)snprintf(text + used, size - used, ", --%s", option->name);
+        }
+    }
+}
+
 /* getopt_long() leaves in optopt the letter of a short option, the value of a long one that takes
- * no argument but got one, or 0. */
-static bool refuse_unknown(const char *command, const char *culprit, struct options_error *error) {
+ * no argument but got one, or 0: there is none of that name, or several begin so. */
+static bool refuse_unknown(const char *command, const struct getopt_tables *tables,
+                           const char *culprit, struct options_error *error) {
+    char meant[300];
     if (optopt >= LONG_ONLY) {
         return refuse(error, "--%s: takes no value", option_table[optopt - LONG_ONLY].name);
+    }
+    if (optopt >= '0' && optopt <= '9') {
+        return refuse(error, "%s: no option -%c, and no number below 0 is allowed", command,
+                      optopt);
     }
     if (optopt != 0) {
         return refuse(error, "%s: no option -%c; try superframe %s --help", command, optopt,
                       command);
+    }
+    list_meant(tables, culprit, meant, sizeof meant);
+    if (meant[0] != '\0') {
+        return refuse(error, "%s: %.100s is ambiguous; allowed are%s", command, culprit, meant + 1);
     }
     return refuse(error, "%s: no option %.100s; try superframe %s --help", command, culprit,
                   command);
@@ -252,7 +280,7 @@ bool options_parse(enum command_id command, int argc, char **argv, struct option
                           culprit, name);
         }
         if (found == '?') {
-            return refuse_unknown(name, culprit, error);
+            return refuse_unknown(name, &tables, culprit, error);
         }
         const struct option_entry *entry = find_entry(command, found);
         if (entry == NULL || !take(entry, optarg, options, error)) {
