@@ -16,7 +16,7 @@
 #include "interrupt.h"
 #include "output.h"
 #include "picture.h"
-#include "screen_output.h"
+#include "png_output.h"
 #include "usbip.h"
 #include "values.h"
 
@@ -139,8 +139,7 @@ static void write_screen(struct server *server) {
         server->status = STATUS_FAILED;
         return;
     }
-    if (!picture_write(&output, server->rgb)) {
-        output_discard(&output);
+    if (!png_output(&output, server->rgb, PICTURE_WIDTH, PICTURE_HEIGHT)) {
         server->status = STATUS_FAILED;
     }
 }

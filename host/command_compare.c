@@ -13,6 +13,8 @@
 #include "difference_picture.h"
 #include "output.h"
 #include "png_file.h"
+#include "png_output.h"
+#include "render.h"
 #include "signatures.h"
 #include "similarity.h"
 
@@ -140,8 +142,7 @@ static unsigned dots_a_pixel(const struct compared *all) {
     const struct signatures *signatures = &all->signatures[0];
     const struct png_image *image = &all->image[0];
     bool is_screen = image->width == BOARD_WIDTH && image->height == BOARD_HEIGHT;
-    bool is_coarse = signatures->width <= BOARD_WIDTH / 2 && signatures->height <= BOARD_HEIGHT / 2;
-    return is_screen && is_coarse ? 2 : 1;
+    return is_screen ? render_dots(signatures->width, signatures->height) : 1;
 }
 
 static int measure_signatures(struct compared *all) {
@@ -266,18 +267,11 @@ static void print_json(const struct compared *all) {
 static int write_difference(struct compared *all) {
     const struct png_image *a = &all->image[0];
     struct output output;
-    struct png_error error;
-    memset(&output, 0, sizeof output);
     if (!output_open(&output, all->options->difference)) {
         return STATUS_FAILED;
     }
     difference_picture(a->rgb, all->image[1].rgb, (size_t)a->width * a->height, a->rgb);
-    if (write_png(output.file, a->rgb, a->width, a->height, &error) != PNG_OK) {
-        output_complain(&output, error.message);
-        output_discard(&output);
-        return STATUS_FAILED;
-    }
-    return output_commit(&output) ? STATUS_DONE : STATUS_FAILED;
+    return png_output(&output, a->rgb, a->width, a->height) ? STATUS_DONE : STATUS_FAILED;
 }
 
 static int judge(const struct compared *all) {

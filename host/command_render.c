@@ -13,10 +13,10 @@
 #include "interrupt.h"
 #include "load_scene.h"
 #include "output.h"
+#include "png_output.h"
 #include "port_chain.h"
 #include "progress.h"
 #include "render.h"
-#include "screen_output.h"
 #include "signatures.h"
 #include "stats.h"
 #include "stopwatch.h"
@@ -156,16 +156,15 @@ static bool write_picture(struct render_run *run) {
                                    run->chain->has_native ? &run->chain->native : NULL,
                                    run->options->board.picture);
     }
-    return picture_write(&run->picture, run->exposures->rgb);
+    return png_output(&run->picture, run->exposures->rgb, PICTURE_WIDTH, PICTURE_HEIGHT);
 }
 
-/* Which rows are there, after a failure. A pixel is two by two dots where the picture fits. */
+/* Which rows are there, after a failure. */
 static void explain_adapter(const struct render_run *run) {
     const struct compiled_scene *compiled = run->compiled;
-    bool is_doubled = compiled->width <= BOARD_WIDTH / 2 && compiled->height <= BOARD_HEIGHT / 2;
     adapter_bus_explain(&run->adapter, run->options->has_rows ? run->options->first_row : 0,
                         run->options->has_rows ? run->options->last_row : compiled->height,
-                        is_doubled ? 2 : 1);
+                        render_dots(compiled->width, compiled->height));
 }
 
 /* Ends the trace, then writes the rest of what was asked for. */

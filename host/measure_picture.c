@@ -17,7 +17,7 @@
 #include "stopwatch.h"
 
 unsigned measure_dots(const struct measure_point *point) {
-    return point->width <= PICTURE_WIDTH / 2 && point->height <= PICTURE_HEIGHT / 2 ? 2 : 1;
+    return render_dots(point->width, point->height);
 }
 
 static struct scene_overrides overrides_of(const struct measure *measure,

@@ -6,7 +6,7 @@
 #include "command.h"
 #include "difference_picture.h"
 #include "measure.h"
-#include "png_file.h"
+#include "png_output.h"
 
 enum { HALF_WIDTH = 320, GAP = 8, GREY = 128 };
 
@@ -48,16 +48,12 @@ static void place(uint8_t *wide, unsigned wide_width, unsigned x, const uint8_t 
 static int write_file(const struct measure *measure, const char *name, const uint8_t *rgb,
                       unsigned width, unsigned height) {
     struct measure_file file;
-    struct png_error error;
     if (!measure_create(&file, measure, name)) {
         return STATUS_FAILED;
     }
-    if (write_png(file.output.file, rgb, width, height, &error) != PNG_OK) {
-        output_complain(&file.output, error.message);
-        measure_discard(&file);
-        return STATUS_FAILED;
-    }
-    return measure_close(&file);
+    bool is_written = png_output(&file.output, rgb, width, height);
+    measure_discard(&file);
+    return is_written ? STATUS_DONE : STATUS_FAILED;
 }
 
 int measure_show(const struct measure *measure, const struct measure_point *point,

@@ -190,8 +190,7 @@ static int shoot(struct paper *paper, const struct compiled_scene *compiled,
     if (status == STATUS_DONE) {
         photo->width = compiled->width;
         photo->height = compiled->height;
-        photo->dots =
-            photo->width <= PICTURE_WIDTH / 2 && photo->height <= PICTURE_HEIGHT / 2 ? 2 : 1;
+        photo->dots = render_dots(photo->width, photo->height);
         port_chain_picture(chain);
         if (exposures != NULL) {
             exposures_develop(exposures);
