@@ -4,8 +4,6 @@
 
 #include <stdlib.h>
 
-#include "abandon.h"
-
 void band_start(struct band *band, const struct arithmetic *arithmetic, const struct scene *scene) {
     band->image = arithmetic->image;
     band->scene = scene;
@@ -24,46 +22,15 @@ void band_start(struct band *band, const struct arithmetic *arithmetic, const st
     band->memory = (char *)band->block + (past == 0 ? 0 : STREAM_ALIGNMENT - past);
 }
 
-/* One piece of the work: by the engine all rows, by the image one. */
-struct piece {
-    struct band *band;
-    const struct band_rows *rows;
-    unsigned row; /* of the image's: counted from the first */
-    bool is_done; /* the engine took them */
-};
-
-static void do_stream(void *context) {
-    struct piece *piece = context;
-    const struct band_rows *rows = piece->rows;
-    piece->is_done =
-        piece->band->engine->rows(piece->band->memory, piece->band->scene, (uint16_t)rows->first,
-                                  (uint16_t)rows->rows, rows->rgb, rows->counts);
-}
-
-static void do_row(void *context) {
-    const struct piece *piece = context;
-    const struct band_rows *rows = piece->rows;
-    piece->band->image->row(piece->band->scene, (uint16_t)(rows->first + piece->row),
-                            rows->rgb + piece->row * rows->row_bytes, rows->counts);
-}
-
-unsigned band_render(struct band *band, const struct band_rows *rows,
-                     const volatile sig_atomic_t *stop) {
-    struct piece piece = {.band = band, .rows = rows};
-    if (band->engine != NULL && !do_until(stop, do_stream, &piece)) {
-        return 0;
+void band_render(struct band *band, unsigned first, unsigned rows, size_t row_bytes, uint8_t *rgb,
+                 struct render_counts *counts) {
+    if (band->engine != NULL && band->engine->rows(band->memory, band->scene, (uint16_t)first,
+                                                   (uint16_t)rows, rgb, counts)) {
+        return;
     }
-    if (piece.is_done) {
-        return rows->rows;
+    for (unsigned i = 0; i < rows; i++) {
+        band->image->row(band->scene, (uint16_t)(first + i), rgb + i * row_bytes, counts);
     }
-    for (; piece.row < rows->rows; piece.row++) {
-        const struct render_counts before = *rows->counts;
-        if (!do_until(stop, do_row, &piece)) {
-            *rows->counts = before;
-            break;
-        }
-    }
-    return piece.row;
 }
 
 void band_end(struct band *band) {

@@ -3,8 +3,6 @@
 #ifndef SUPERFRAME_BAND_H
 #define SUPERFRAME_BAND_H
 
-#include <signal.h>
-
 #include "arithmetic.h"
 #include "stream_engine.h"
 
@@ -22,18 +20,9 @@ struct band {
  * engine is lacking, rows are rendered one by one. */
 void band_start(struct band *band, const struct arithmetic *arithmetic, const struct scene *scene);
 
-/* Rows to be rendered: first .. first + rows - 1, 1 to BAND_ROWS of them, row_bytes each. */
-struct band_rows {
-    unsigned first, rows;
-    size_t row_bytes;
-    uint8_t *rgb;
-    struct render_counts *counts; /* of all of them, added up */
-};
-
-/* Renders them; returns how many there are, from the first on: all of them, unless *stop is no
- * longer zero and what was being computed is given up. stop may be NULL. */
-unsigned band_render(struct band *band, const struct band_rows *rows,
-                     const volatile sig_atomic_t *stop);
+/* Renders rows first .. first + rows - 1, 1 to BAND_ROWS of them, row_bytes each. */
+void band_render(struct band *band, unsigned first, unsigned rows, size_t row_bytes, uint8_t *rgb,
+                 struct render_counts *counts);
 
 void band_end(struct band *band);
 

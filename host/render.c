@@ -7,7 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "abandon.h"
 #include "band.h"
 #include "board.h"
 #include "bus.h"
@@ -17,7 +16,7 @@ enum { BANDS_AHEAD = 3 }; /* of the drawing, for each worker: so that none waits
 
 /* A place for one row of the window. */
 struct row_slot {
-    bool is_ready, is_lost; /* lost: its computing was stopped; neither: it is awaited */
+    bool is_ready;
     struct render_counts counts;
     uint8_t *rgb;
 };
@@ -39,9 +38,8 @@ struct renderer {
     struct row_slot *slots;
     uint8_t *pixels; /* of all slots */
 
-    struct band band;  /* of one job */
-    unsigned computed; /* by it: rows before this one */
-    uint8_t *kept;     /* all rows from job->first_row on, to be drawn again; NULL: drawn once */
+    struct band band; /* of one job */
+    uint8_t *kept;    /* all rows from job->first_row on, to be drawn again; NULL: drawn once */
 };
 
 static void add_row(struct renderer *renderer, const struct render_counts *counts) {
@@ -95,29 +93,14 @@ static bool repeat_row(void *context, uint16_t y, uint8_t *rgb) {
 }
 
 /* How many rows the band has that begins there. */
-static unsigned rows_of_band(const struct renderer *renderer, unsigned first) {
+static unsigned band_rows(const struct renderer *renderer, unsigned first) {
     unsigned left = renderer->job->last_row - first;
     return left < BAND_ROWS ? left : BAND_ROWS;
 }
 
-/* 0 for the first row of a band. A stop is looked at between bands: what is computed of one is
- * drawn.
- */
-static unsigned place_in_band(const struct renderer *renderer, unsigned y) {
-    return (y - renderer->job->first_row) % BAND_ROWS;
-}
-
 /* The place in `pixels` of a row of one job's band. */
 static uint8_t *band_row(const struct renderer *renderer, unsigned y) {
-    return renderer->pixels + place_in_band(renderer, y) * row_bytes(renderer);
-}
-
-/* Renders the band that begins there; returns how many of its rows there are before a stop. */
-static unsigned render_band(const struct renderer *renderer, struct band *band, unsigned first,
-                            uint8_t *rgb, struct render_counts *counts) {
-    const struct band_rows rows = {first, rows_of_band(renderer, first), row_bytes(renderer), rgb,
-                                   counts};
-    return band_render(band, &rows, renderer->job->stop);
+    return renderer->pixels + (y - renderer->job->first_row) % BAND_ROWS * row_bytes(renderer);
 }
 
 /* The row_source of one job: the drawing thread computes, a band when its first row is asked for.
@@ -125,12 +108,12 @@ static unsigned render_band(const struct renderer *renderer, struct band *band, 
 static bool compute_row(void *context, uint16_t y, uint8_t *rgb) {
     struct renderer *renderer = context;
     struct render_counts counts = {0};
-    if (place_in_band(renderer, y) == 0 && !must_stop(renderer)) {
-        renderer->computed =
-            y + render_band(renderer, &renderer->band, y, renderer->pixels, &counts);
-    }
-    if (y >= renderer->computed || bus_bound_status() != BUS_OK) {
+    if (must_stop(renderer)) {
         return false;
+    }
+    if ((y - renderer->job->first_row) % BAND_ROWS == 0) {
+        band_render(&renderer->band, y, band_rows(renderer, y), row_bytes(renderer),
+                    renderer->pixels, &counts);
     }
     memcpy(rgb, band_row(renderer, y), row_bytes(renderer));
     keep_row(renderer, y, rgb);
@@ -142,14 +125,14 @@ static bool compute_row(void *context, uint16_t y, uint8_t *rgb) {
 static bool take_band(struct renderer *renderer, unsigned *first) {
     (void)pthread_mutex_lock(&renderer->mutex);
     while (!renderer->is_over && renderer->next < renderer->job->last_row &&
-           renderer->next + rows_of_band(renderer, renderer->next) >
+           renderer->next + band_rows(renderer, renderer->next) >
                renderer->drawn + renderer->window) {
         (void)pthread_cond_wait(&renderer->window_moved, &renderer->mutex);
     }
     bool has_band = !renderer->is_over && renderer->next < renderer->job->last_row;
     if (has_band) {
         *first = renderer->next;
-        renderer->next += rows_of_band(renderer, renderer->next);
+        renderer->next += band_rows(renderer, renderer->next);
     }
     (void)pthread_mutex_unlock(&renderer->mutex);
     return has_band;
@@ -166,18 +149,16 @@ static void *work(void *context) {
     unsigned first;
     band_start(&band, renderer->job->arithmetic, renderer->scene);
     while (take_band(renderer, &first)) {
-        unsigned rows = rows_of_band(renderer, first);
+        unsigned rows = band_rows(renderer, first);
         struct row_slot *slot = slot_of(renderer, first);
         for (unsigned i = 0; i < rows; i++) {
             memset(&slot[i].counts, 0, sizeof slot[i].counts);
         }
-        unsigned rendered = render_band(renderer, &band, first, slot->rgb, &slot->counts);
+        band_render(&band, first, rows, row_bytes(renderer), slot->rgb, &slot->counts);
         (void)pthread_mutex_lock(&renderer->mutex);
         for (unsigned i = 0; i < rows; i++) {
-            slot[i].is_ready = i < rendered;
-            slot[i].is_lost = i >= rendered;
+            slot[i].is_ready = true;
         }
-        renderer->is_over = renderer->is_over || rendered < rows;
         (void)pthread_cond_signal(&renderer->row_is_ready);
         (void)pthread_mutex_unlock(&renderer->mutex);
     }
@@ -190,25 +171,19 @@ static void *work(void *context) {
 static bool fetch_row(void *context, uint16_t y, uint8_t *rgb) {
     struct renderer *renderer = context;
     struct row_slot *slot = slot_of(renderer, y);
-    if (place_in_band(renderer, y) == 0 ? must_stop(renderer) : bus_bound_status() != BUS_OK) {
+    if (must_stop(renderer)) {
         return false;
     }
     (void)pthread_mutex_lock(&renderer->mutex);
-    while (!slot->is_ready && !slot->is_lost && (y < renderer->next || !renderer->is_over)) {
+    while (!slot->is_ready) {
         (void)pthread_cond_wait(&renderer->row_is_ready, &renderer->mutex);
     }
-    bool is_ready = slot->is_ready;
+    memcpy(rgb, slot->rgb, row_bytes(renderer));
     struct render_counts counts = slot->counts;
-    if (is_ready) {
-        memcpy(rgb, slot->rgb, row_bytes(renderer));
-    }
     slot->is_ready = false;
     renderer->drawn = (unsigned)y + 1;
     (void)pthread_cond_broadcast(&renderer->window_moved);
     (void)pthread_mutex_unlock(&renderer->mutex);
-    if (!is_ready) {
-        return false;
-    }
     keep_row(renderer, y, rgb);
     add_row(renderer, &counts);
     return true;
@@ -315,26 +290,10 @@ static bool make_kept_rows(struct renderer *renderer) {
     return renderer->kept != NULL;
 }
 
-/* What the estimate of cut branches is learned from, and what it takes. */
-struct lesson {
-    const struct arithmetic *arithmetic;
-    struct scene *scene;
-    struct estimate estimate;
-    struct render_counts counts;
-};
-
-static void do_lesson(void *context) {
-    struct lesson *lesson = context;
-    lesson->arithmetic->learn(lesson->scene, &lesson->estimate, &lesson->counts);
-}
-
-/* Where it is stopped, no row is rendered with what was learned. */
 static void learn(struct renderer *renderer, struct scene *scene) {
     struct render_totals *totals = &renderer->totals;
-    struct lesson lesson = {.arithmetic = renderer->job->arithmetic, .scene = scene};
-    (void)do_until(renderer->job->stop, do_lesson, &lesson);
-    const struct render_counts counts = lesson.counts;
-    totals->estimate = lesson.estimate;
+    struct render_counts counts = {0};
+    renderer->job->arithmetic->learn(scene, &totals->estimate, &counts);
     totals->learning_rays = counts.rays;
     totals->rays += counts.rays;
     totals->shadow_rays += counts.shadow_rays;

@@ -30,8 +30,7 @@ struct render_job {
     unsigned first_row, last_row; /* rows first .. last-1, within the scene's height */
     unsigned jobs;                /* threads that compute: 1..256; 1: the caller's own thread */
 
-    /* Not zero: what is being computed is given up, and the render ends when the few rows that were
-     * computed with the row that is being drawn are drawn too. NULL: it can't be stopped. */
+    /* Not zero: the render ends after the row that is being drawn. NULL: it can't be stopped. */
     const volatile sig_atomic_t *stop;
 
     /* Called from the caller's thread after each row; NULL: nobody looks. */

@@ -6,7 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "abandon.h"
 #include "parallel.h"
 
 enum { SIDE_MOST = 16384, HEAD_SIZE = 64, BYTES = 8 };
@@ -40,19 +39,10 @@ struct signing {
     const struct arithmetic *arithmetic;
     const struct scene *scene;
     struct signatures *signatures;
-    const volatile sig_atomic_t *stop;
 };
 
-/* A row to be signed. */
-struct row_signing {
-    const struct signing *signing;
-    unsigned y;
-};
-
-static void sign_pixels(void *context) {
-    const struct row_signing *row = context;
-    const struct signing *signing = row->signing;
-    unsigned y = row->y;
+static void sign_row(void *context, unsigned y) {
+    const struct signing *signing = context;
     unsigned width = signing->signatures->width;
     for (unsigned x = 0; x < width; x++) {
         uint64_t hash = UINT64_C(0xCBF29CE484222325);
@@ -64,12 +54,6 @@ static void sign_pixels(void *context) {
                                    &observer);
         signing->signatures->of_pixel[(size_t)y * width + x] = hash != 0 ? hash : 1;
     }
-}
-
-static void sign_row(void *context, unsigned y) {
-    const struct signing *signing = context;
-    struct row_signing row = {signing, y};
-    (void)do_until(signing->stop, sign_pixels, &row);
 }
 
 bool signatures_make(const struct signature_job *job, struct signatures *signatures,
@@ -87,7 +71,7 @@ bool signatures_make(const struct signature_job *job, struct signatures *signatu
         free(scene);
         return false;
     }
-    struct signing signing = {job->arithmetic, scene, signatures, job->stop};
+    struct signing signing = {job->arithmetic, scene, signatures};
     parallel_for(job->first_row, job->last_row, job->jobs, sign_row, &signing, job->stop);
     free(scene);
     return true;

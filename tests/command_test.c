@@ -291,27 +291,6 @@ static void an_interrupt_ends_cleanly(void **state) {
     assert_int_equal(leftovers(), 0);
 }
 
-/* Within a second or two, wherever the work is: in what is learned before the first row, or in a
- * row that takes for ever. */
-static void an_interrupt_does_not_wait_for_what_is_computed(void **state) {
-    (void)state;
-    static const char *const options[] = {
-        "--error 0.01",
-        "--depth 255 --threshold 0",
-        "--depth 255 --threshold 0 --jobs 2 --signatures a.sig",
-    };
-    for (size_t i = 0; i < sizeof options / sizeof options[0]; i++) {
-        char line[256];
-        (void)snprintf(line, sizeof line,
-                       "timeout --foreground -k 6 --preserve-status -s INT 1 superframe render "
-                       "fig3 --arith f128 --size 640x400 %s -o a.png",
-                       options[i]);
-        assert_status(line, 130);
-        assert_true(is_there("a.png"));
-        assert_int_equal(unlink("a.png") + leftovers(), 0);
-    }
-}
-
 /* Whatever ends the program: it is at work on a trace that goes on, or on a long picture. */
 static void nothing_half_written_is_left_by_a_signal(void **state) {
     (void)state;
@@ -358,7 +337,6 @@ int main(void) {
         TEST(names_are_quoted_in_a_graph),
         TEST(closed_streams),
         TEST(an_interrupt_ends_cleanly),
-        TEST(an_interrupt_does_not_wait_for_what_is_computed),
         TEST(nothing_half_written_is_left_by_a_signal),
     };
     return cmocka_run_group_tests(tests, enter_group, leave_group);

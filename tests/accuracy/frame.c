@@ -69,9 +69,7 @@ static void render_shown(struct frame_work *work, struct band *band, int first, 
                          uint8_t *rgb, struct render_counts *counts) {
     struct frame *frame = work->frame;
     struct frame_pixel *pixels = &frame->pixels[first * frame->width];
-    const struct band_rows wanted = {(unsigned)first, (unsigned)rows, 3 * (size_t)frame->width, rgb,
-                                     counts};
-    (void)band_render(band, &wanted, NULL);
+    band_render(band, (unsigned)first, (unsigned)rows, 3 * (size_t)frame->width, rgb, counts);
     for (int i = 0; i < rows * frame->width; i++) {
         for (int j = 0; j < 3; j++) {
             pixels[i].level[j] = rgb[3 * i + j];
