@@ -71,6 +71,11 @@ static bool names_an_owner(const char *line, uint16_t base, bool *is_hidden, con
            strncmp(*owner, "PCI Bus", sizeof "PCI Bus" - 1) != 0;
 }
 
+static void cant_find_out(const char *owners, int reason, char *message) {
+    (void)snprintf(message, PORTS_LINUX_MESSAGE_SIZE,
+                   "who owns the ports can't be found out: %s: %s", owners, strerror(reason));
+}
+
 /* True if the ports are known to be nobody's. */
 static bool is_free(const char *owners, uint16_t base, char *message) {
     char line[OWNER_LINE];
@@ -78,15 +83,18 @@ static bool is_free(const char *owners, uint16_t base, char *message) {
     bool is_owned = false, is_hidden = false;
     FILE *file = fopen(owners, "r");
     if (file == NULL) {
-        (void)snprintf(message, PORTS_LINUX_MESSAGE_SIZE,
-                       "who owns the ports can't be found out: %s: %s", owners, strerror(errno));
+        cant_find_out(owners, errno, message);
         return false;
     }
     while (!is_owned && fgets(line, sizeof line, file) != NULL) {
         is_owned = names_an_owner(line, base, &is_hidden, &owner);
     }
+    bool is_read = !ferror(file);
+    int reason = errno;
     (void)fclose(file);
-    if (is_owned) {
+    if (!is_read) {
+        cant_find_out(owners, reason, message);
+    } else if (is_owned) {
         (void)snprintf(message, PORTS_LINUX_MESSAGE_SIZE,
                        "ports %04X-%04X belong to %.*s (%s); --base names another address of the "
                        "jumper's",
@@ -97,7 +105,7 @@ static bool is_free(const char *owners, uint16_t base, char *message) {
                        "who owns the ports can't be found out: %s shows no addresses to this user",
                        owners);
     }
-    return !is_owned && !is_hidden;
+    return is_read && !is_owned && !is_hidden;
 }
 
 /* ---- Opening -------------------------------------------------------------------------------- */

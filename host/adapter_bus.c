@@ -159,8 +159,7 @@ static unsigned print_rows(const struct usb_bus *usb, const unsigned rows[2], un
         if (row > begin) {
             count += row - begin;
             if (used > RANGES_SIZE - 32) {
-                text[RANGES_SIZE - 32] = '\0';
-                (void)strcat(text, ", and more");
+                (void)snprintf(text + used, (size_t)(RANGES_SIZE - used), ", and more");
                 continue;
             }
             used += snprintf(text + used, (size_t)(RANGES_SIZE - used),

@@ -10,6 +10,7 @@
 #include "command.h"
 #include "picture.h"
 #include "png_file.h"
+#include "png_output.h"
 
 static bool native_take(struct native_screen *native, const char *path,
                         const struct png_image *image) {
@@ -46,20 +47,11 @@ bool native_read(struct native_screen *native, const char *path) {
     return is_taken;
 }
 
-static bool write_rgb(struct output *output, const uint8_t *rgb, unsigned height) {
-    struct png_error error;
-    if (write_png(output->file, rgb, BOARD_WIDTH, height, &error) != PNG_OK) {
-        output_complain(output, error.message);
-        return false;
-    }
-    return output_commit(output);
-}
-
 static bool write_screen(struct output *output, const struct board *board,
                          const struct native_screen *native) {
     const uint8_t *plain = picture_in_memory(board, native);
     if (plain != NULL) {
-        return write_rgb(output, plain, PICTURE_HEIGHT);
+        return png_output(output, plain, PICTURE_WIDTH, PICTURE_HEIGHT);
     }
     uint8_t *rgb = malloc(PICTURE_BYTES);
     if (rgb == NULL) {
@@ -70,7 +62,7 @@ static bool write_screen(struct output *output, const struct board *board,
     if (state != PICTURE_OK) {
         complain("the picture is black: %s", picture_state_text(state));
     }
-    bool is_written = write_rgb(output, rgb, PICTURE_HEIGHT);
+    bool is_written = png_output(output, rgb, PICTURE_WIDTH, PICTURE_HEIGHT);
     free(rgb);
     return is_written;
 }
@@ -80,6 +72,6 @@ bool board_picture_write(struct output *output, const struct board *board,
     if (kind == PICTURE_KIND_SCREEN) {
         return write_screen(output, board, native);
     }
-    return write_rgb(output, board->memory,
-                     kind == PICTURE_KIND_WHOLE ? BOARD_MEMORY_HEIGHT : BOARD_HEIGHT);
+    return png_output(output, board->memory, BOARD_WIDTH,
+                      kind == PICTURE_KIND_WHOLE ? BOARD_MEMORY_HEIGHT : BOARD_HEIGHT);
 }

@@ -147,8 +147,7 @@ static bool read_faults(struct board_options *options, const char *value) {
             return false;
         }
         if (value[length] == '\0') {
-            /* "lost" says how a board vanishes, and so needs to know when. */
-            return options->faults.vanish_status == BUS_OK || options->faults.vanish_after != 0;
+            return true;
         }
         value += length + 1;
     }

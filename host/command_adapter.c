@@ -16,7 +16,7 @@
 #include "interrupt.h"
 #include "output.h"
 #include "picture.h"
-#include "screen_output.h"
+#include "png_output.h"
 #include "usbip.h"
 #include "values.h"
 
@@ -139,8 +139,7 @@ static void write_screen(struct server *server) {
         server->status = STATUS_FAILED;
         return;
     }
-    if (!picture_write(&output, server->rgb)) {
-        output_discard(&output);
+    if (!png_output(&output, server->rgb, PICTURE_WIDTH, PICTURE_HEIGHT)) {
         server->status = STATUS_FAILED;
     }
 }
@@ -227,10 +226,6 @@ static void serve(struct server *server) {
 }
 
 int run_adapter(const struct options *options) {
-    if (options->output != NULL && strcmp(options->output, "-") == 0) {
-        return bad_input("-o -: standard output says where the adapter listens; allowed is a "
-                         "file's name");
-    }
     struct server *server = calloc(1, sizeof *server);
     struct board_desc desc = board_default_desc(options->profile);
     desc.base = options->base;

@@ -16,6 +16,7 @@
 #include "processor.h"
 #include "stats.h"
 #include "stopwatch.h"
+#include "trace_file.h"
 
 /* One run of the command. */
 struct boot_run {
@@ -48,9 +49,9 @@ static int read_disk(struct boot_run *run) {
         return bad_input("%s: cannot be read: %s", run->path, strerror(reason));
     }
     if (bytes != PC98_DISK_BYTES) {
-        complain("%s: no 2HD image: %s than %d bytes; allowed is a raw image of just so many",
-                 run->path, bytes < PC98_DISK_BYTES ? "less" : "more", PC98_DISK_BYTES);
-        return STATUS_FAILED;
+        return bad_input(
+            "%s: no 2HD image: %s than %d bytes; allowed is a raw image of just so many", run->path,
+            bytes < PC98_DISK_BYTES ? "less" : "more", PC98_DISK_BYTES);
     }
     return STATUS_DONE;
 }
@@ -78,7 +79,7 @@ static int prepare(struct boot_run *run) {
         return STATUS_FAILED;
     }
     if (options->trace != NULL) {
-        port_chain_record(run->chain, run->trace.file, TRACE_BINARY);
+        port_chain_record(run->chain, run->trace.file, trace_file_format(options->trace));
     }
     return STATUS_DONE;
 }

@@ -82,7 +82,7 @@ static int print_arithmetics(const struct compiled_scene *compiled) {
         struct scene_error error;
         struct scene *scene = arithmetic_find(names[i])->load(compiled, &error);
         if (scene == NULL) {
-            status = bad_input("--arith %s: %s", names[i], error.text);
+            status = bad_input("%s (--arith %s)", error.text, names[i]);
         }
         (void)printf("%-11s %s\n", names[i], scene != NULL ? "holds it" : "can't hold it");
         free(scene);

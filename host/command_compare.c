@@ -13,13 +13,23 @@
 #include "difference_picture.h"
 #include "output.h"
 #include "png_file.h"
+#include "png_output.h"
+#include "render.h"
 #include "signatures.h"
 #include "similarity.h"
+
+enum { OPERANDS_MOST = 3 };
+
+/* A file that is read; all NULL: not given. */
+struct operand {
+    const char *path;
+    FILE *file;
+};
 
 /* Two of everything that is compared; all zero where it is not given. */
 struct compared {
     const struct options *options;
-    const char *pictures[2], *signature_files[2]; /* NULL: not given */
+    struct operand pictures[2], signature_files[2];
     struct png_image image[2];
     struct signatures signatures[2];
     struct comparison comparison;
@@ -29,61 +39,74 @@ struct compared {
     bool holds;
 };
 
-static bool read_picture(const char *path, struct png_image *image) {
-    struct png_error error;
-    FILE *file = fopen(path, "rb");
-    if (file == NULL) {
+static bool open_operand(struct operand *operand, const char *path) {
+    operand->path = path;
+    operand->file = fopen(path, "rb");
+    if (operand->file == NULL) {
         complain("%s: cannot be read: %s", path, strerror(errno));
-        return false;
     }
-    enum png_status status = read_png(file, image, &error);
-    (void)fclose(file);
+    return operand->file != NULL;
+}
+
+static void close_operand(struct operand *operand) {
+    if (operand->file != NULL) {
+        (void)fclose(operand->file);
+    }
+    operand->file = NULL;
+}
+
+static bool read_picture(const struct operand *operand, struct png_image *image) {
+    struct png_error error;
+    enum png_status status = read_png(operand->file, image, &error);
     if (status != PNG_OK) {
-        complain("%s: %s; allowed is: a PNG file", path, error.message);
+        complain("%s: %s; allowed is: a PNG file", operand->path, error.message);
     }
     return status == PNG_OK;
 }
 
-static bool read_signatures(const char *path, struct signatures *signatures) {
-    FILE *file = fopen(path, "rb");
-    if (file == NULL) {
-        complain("%s: cannot be read: %s", path, strerror(errno));
-        return false;
-    }
-    const char *wrong = signatures_read(file, signatures);
-    (void)fclose(file);
+static bool read_signatures(const struct operand *operand, struct signatures *signatures) {
+    const char *wrong = signatures_read(operand->file, signatures);
     if (wrong != NULL) {
-        complain("%s: %s", path, wrong);
+        complain("%s: %s", operand->path, wrong);
     }
     return wrong == NULL;
 }
 
+static const char lacks_picture[] =
+    "compare: B.png is lacking; usage: superframe compare A.png B.png";
+
+/* How many operands there are says already that one is lacking or too many. */
+static int check_count(const struct options *options) {
+    if (options->signatures == NULL && options->operand_count == 1) {
+        return bad_input("%s", lacks_picture);
+    }
+    if (options->signatures == NULL && options->operand_count == OPERANDS_MOST) {
+        return bad_input("compare: \"%s\" is one too many; allowed are: A.png B.png, with "
+                         "--signatures A.sig B.sig or without",
+                         options->operands[OPERANDS_MOST - 1]);
+    }
+    return STATUS_DONE;
+}
+
 /* Which operand is what: with --signatures A.sig the other file of signatures stands among the
- * operands, wherever it is. */
-static int sort_operands(struct compared *all) {
-    const struct options *options = all->options;
+ * operands, wherever it is. It is the one that begins so, the only one, or else the third. */
+static int sort_operands(struct compared *all, const struct operand *operands, int count) {
     int pictures = 0;
-    all->signature_files[0] = options->signatures;
-    for (int i = 0; i < options->operand_count; i++) {
-        const char *operand = options->operands[i];
-        if (options->signatures != NULL && all->signature_files[1] == NULL &&
-            (signatures_is_file(operand) || pictures == 2)) {
-            all->signature_files[1] = operand;
-        } else if (pictures < 2) {
-            all->pictures[pictures++] = operand;
+    for (int i = 0; i < count; i++) {
+        if (all->signature_files[0].path != NULL && all->signature_files[1].path == NULL &&
+            (count == 1 || pictures == 2 || signatures_begin(operands[i].file))) {
+            all->signature_files[1] = operands[i];
         } else {
-            return bad_input("compare: \"%s\" is one too many; allowed are: A.png B.png, with "
-                             "--signatures A.sig B.sig or without",
-                             operand);
+            all->pictures[pictures++] = operands[i];
         }
     }
-    if (options->signatures != NULL && all->signature_files[1] == NULL) {
+    if (all->signature_files[0].path != NULL && all->signature_files[1].path == NULL) {
         return bad_input("compare: B.sig is lacking; usage: --signatures A.sig B.sig");
     }
-    if (pictures == 1 || (pictures == 0 && options->signatures == NULL)) {
-        return bad_input("compare: B.png is lacking; usage: superframe compare A.png B.png");
+    if (pictures == 1) {
+        return bad_input("%s", lacks_picture);
     }
-    if (pictures == 0 && options->difference != NULL) {
+    if (pictures == 0 && all->options->difference != NULL) {
         return bad_input("compare: --difference goes with two pictures only");
     }
     return STATUS_DONE;
@@ -91,24 +114,24 @@ static int sort_operands(struct compared *all) {
 
 static int read_all(struct compared *all) {
     for (int i = 0; i < 2; i++) {
-        if ((all->pictures[i] != NULL && !read_picture(all->pictures[i], &all->image[i])) ||
-            (all->signature_files[i] != NULL &&
-             !read_signatures(all->signature_files[i], &all->signatures[i]))) {
+        if ((all->pictures[i].path != NULL && !read_picture(&all->pictures[i], &all->image[i])) ||
+            (all->signature_files[i].path != NULL &&
+             !read_signatures(&all->signature_files[i], &all->signatures[i]))) {
             return STATUS_BAD_INPUT;
         }
     }
     const struct png_image *a = &all->image[0], *b = &all->image[1];
     if (a->width != b->width || a->height != b->height) {
         return bad_input("%s is %u x %u pixels, %s is %u x %u; allowed are: pictures of one size",
-                         all->pictures[0], a->width, a->height, all->pictures[1], b->width,
-                         b->height);
+                         all->pictures[0].path, a->width, a->height, all->pictures[1].path,
+                         b->width, b->height);
     }
     const struct signatures *one = &all->signatures[0], *other = &all->signatures[1];
     if (one->width != other->width || one->height != other->height) {
         return bad_input("%s is of %u x %u pixels, %s of %u x %u; allowed are: signatures of one "
                          "size",
-                         all->signature_files[0], one->width, one->height, all->signature_files[1],
-                         other->width, other->height);
+                         all->signature_files[0].path, one->width, one->height,
+                         all->signature_files[1].path, other->width, other->height);
     }
     return STATUS_DONE;
 }
@@ -119,8 +142,7 @@ static unsigned dots_a_pixel(const struct compared *all) {
     const struct signatures *signatures = &all->signatures[0];
     const struct png_image *image = &all->image[0];
     bool is_screen = image->width == BOARD_WIDTH && image->height == BOARD_HEIGHT;
-    bool is_coarse = signatures->width <= BOARD_WIDTH / 2 && signatures->height <= BOARD_HEIGHT / 2;
-    return is_screen && is_coarse ? 2 : 1;
+    return is_screen ? render_dots(signatures->width, signatures->height) : 1;
 }
 
 static int measure_signatures(struct compared *all) {
@@ -131,8 +153,8 @@ static int measure_signatures(struct compared *all) {
         (signatures->width * dots > image->width || signatures->height * dots > image->height)) {
         return bad_input("%s is of %u x %u pixels, %s has %u x %u; allowed are: signatures of the "
                          "pictures' own pixels",
-                         all->signature_files[0], signatures->width, signatures->height,
-                         all->pictures[0], image->width, image->height);
+                         all->signature_files[0].path, signatures->width, signatures->height,
+                         all->pictures[0].path, image->width, image->height);
     }
     signatures_compare(&all->signatures[0], &all->signatures[1], all->image[0].rgb,
                        all->image[1].rgb, image->width, dots, &all->paths);
@@ -150,7 +172,7 @@ static int measure(struct compared *all) {
         complain("out of memory");
         return STATUS_FAILED;
     }
-    if (all->signature_files[0] != NULL) {
+    if (all->signature_files[0].path != NULL) {
         status = measure_signatures(all);
     }
     if (a->rgb != NULL) {
@@ -171,7 +193,7 @@ static void print_words(const struct compared *all) {
     const struct comparison *comparison = &all->comparison;
     unsigned within = (unsigned)all->options->within;
     uint64_t far = comparison->pixels - comparison_within(comparison, COMPARE_FAR);
-    if (all->pictures[0] != NULL) {
+    if (all->pictures[0].path != NULL) {
         (void)printf("pixels              %" PRIu64 "\n", comparison->pixels);
         (void)printf("largest error       %u LSB\n", comparison_largest(comparison));
         (void)printf("RMSE                %.6f LSB\n", comparison_rmse(comparison));
@@ -188,11 +210,11 @@ static void print_words(const struct compared *all) {
             (void)printf("SSIM                %.6f\n", all->similarity);
         }
     }
-    if (all->signature_files[0] != NULL) {
+    if (all->signature_files[0].path != NULL) {
         (void)printf("flips               %" PRIu64 " of %" PRIu64 " signatures, %.6f %%\n",
                      all->paths.flips, all->paths.pixels, flip_share(all));
     }
-    if (all->signature_files[0] != NULL && all->pictures[0] != NULL) {
+    if (all->signature_files[0].path != NULL && all->pictures[0].path != NULL) {
         (void)printf("error of flips      %u LSB\n", all->paths.flip_error);
         (void)printf("drift               %u LSB, over 1 LSB in %" PRIu64 " pixels\n",
                      all->paths.drift, all->paths.drifted);
@@ -213,7 +235,7 @@ static void print_json(const struct compared *all) {
     unsigned within = (unsigned)all->options->within;
     uint64_t far = comparison->pixels - comparison_within(comparison, COMPARE_FAR);
     (void)printf("{\n");
-    if (all->pictures[0] != NULL) {
+    if (all->pictures[0].path != NULL) {
         (void)printf("  \"width\": %u,\n  \"height\": %u,\n  \"pixels\": %" PRIu64 ",\n",
                      all->image[0].width, all->image[0].height, comparison->pixels);
         (void)printf("  \"max_error\": %u,\n", comparison_largest(comparison));
@@ -227,12 +249,12 @@ static void print_json(const struct compared *all) {
         print_number("delta_e_max", all->colours.largest);
         print_number("ssim", all->similarity);
     }
-    if (all->signature_files[0] != NULL) {
+    if (all->signature_files[0].path != NULL) {
         (void)printf("  \"signatures\": %" PRIu64 ",\n  \"flips\": %" PRIu64 ",\n",
                      all->paths.pixels, all->paths.flips);
         print_number("flip_share", flip_share(all));
     }
-    if (all->signature_files[0] != NULL && all->pictures[0] != NULL) {
+    if (all->signature_files[0].path != NULL && all->pictures[0].path != NULL) {
         (void)printf("  \"flip_error\": %u,\n  \"drift\": %u,\n  \"drifted_over_1\": %" PRIu64
                      ",\n",
                      all->paths.flip_error, all->paths.drift, all->paths.drifted);
@@ -245,25 +267,18 @@ static void print_json(const struct compared *all) {
 static int write_difference(struct compared *all) {
     const struct png_image *a = &all->image[0];
     struct output output;
-    struct png_error error;
-    memset(&output, 0, sizeof output);
     if (!output_open(&output, all->options->difference)) {
         return STATUS_FAILED;
     }
     difference_picture(a->rgb, all->image[1].rgb, (size_t)a->width * a->height, a->rgb);
-    if (write_png(output.file, a->rgb, a->width, a->height, &error) != PNG_OK) {
-        output_complain(&output, error.message);
-        output_discard(&output);
-        return STATUS_FAILED;
-    }
-    return output_commit(&output) ? STATUS_DONE : STATUS_FAILED;
+    return png_output(&output, a->rgb, a->width, a->height) ? STATUS_DONE : STATUS_FAILED;
 }
 
 static int judge(const struct compared *all) {
     if (all->holds) {
         return STATUS_DONE;
     }
-    if (all->pictures[0] != NULL) {
+    if (all->pictures[0].path != NULL) {
         complain("%.6f %% of the pixels are within %d LSB; asked for are %g %%",
                  comparison_share(&all->comparison, (unsigned)all->options->within),
                  all->options->within, all->options->share);
@@ -274,15 +289,40 @@ static int judge(const struct compared *all) {
     return STATUS_NOT_HELD;
 }
 
+/* Opens all files, each once, and reads them. */
+static int take_operands(struct compared *all) {
+    const struct options *options = all->options;
+    struct operand operands[OPERANDS_MOST];
+    int count = 0, status = check_count(options);
+    memset(operands, 0, sizeof operands);
+    if (status == STATUS_DONE && options->signatures != NULL &&
+        !open_operand(&all->signature_files[0], options->signatures)) {
+        status = STATUS_BAD_INPUT;
+    }
+    for (; count < options->operand_count && status == STATUS_DONE; count++) {
+        if (!open_operand(&operands[count], options->operands[count])) {
+            status = STATUS_BAD_INPUT;
+        }
+    }
+    if (status == STATUS_DONE) {
+        status = sort_operands(all, operands, count);
+    }
+    if (status == STATUS_DONE) {
+        status = read_all(all);
+    }
+    for (int i = 0; i < OPERANDS_MOST; i++) {
+        close_operand(&operands[i]);
+    }
+    close_operand(&all->signature_files[0]);
+    return status;
+}
+
 int run_compare(const struct options *options) {
     struct compared all;
     memset(&all, 0, sizeof all);
     all.options = options;
     all.similarity = NAN;
-    int status = sort_operands(&all);
-    if (status == STATUS_DONE) {
-        status = read_all(&all);
-    }
+    int status = take_operands(&all);
     if (status == STATUS_DONE) {
         status = measure(&all);
     }

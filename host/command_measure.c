@@ -6,30 +6,38 @@
 #include <sys/stat.h>
 
 #include "command.h"
+#include "file_path.h"
 #include "load_scene.h"
 #include "measure.h"
 
-enum { PATH_SIZE = 1024, FOLDER_MODE = 0777 };
+enum { FOLDER_MODE = 0777 };
 
 static const char *const default_scenes[] = {"fig3", "fig4a", "fig5"};
 
-FILE *measure_create(const struct measure *measure, const char *name) {
-    char path[PATH_SIZE];
-    (void)snprintf(path, sizeof path, "%s/%s", measure->folder, name);
-    FILE *file = fopen(path, "w");
-    if (file == NULL) {
-        complain("%s: cannot be written: %s", path, strerror(errno));
+bool measure_create(struct measure_file *file, const struct measure *measure, const char *name) {
+    memset(file, 0, sizeof *file);
+    file->path = path_join(measure->folder, name);
+    if (file->path == NULL) {
+        complain("out of memory");
+        return false;
     }
-    return file;
+    if (!output_open(&file->output, file->path)) {
+        measure_discard(file);
+        return false;
+    }
+    return true;
 }
 
-int measure_close(const struct measure *measure, FILE *file, const char *name) {
-    bool is_written = ferror(file) == 0;
-    is_written = fclose(file) == 0 && is_written;
-    if (!is_written) {
-        complain("%s/%s: cannot be written: %s", measure->folder, name, strerror(errno));
-    }
+int measure_close(struct measure_file *file) {
+    bool is_written = output_commit(&file->output);
+    measure_discard(file);
     return is_written ? STATUS_DONE : STATUS_FAILED;
+}
+
+void measure_discard(struct measure_file *file) {
+    output_discard(&file->output);
+    free(file->path);
+    file->path = NULL;
 }
 
 double measure_predict(const struct measure *measure, const struct measure_point *point,
@@ -70,7 +78,12 @@ static int take_scenes(struct measure *measure) {
     return STATUS_DONE;
 }
 
-static int make_folder(const struct measure *measure) {
+static int make_folder(struct measure *measure) {
+    measure->points_path = path_join(measure->folder, "points.csv");
+    if (measure->points_path == NULL) {
+        complain("out of memory");
+        return STATUS_FAILED;
+    }
     if (mkdir(measure->folder, FOLDER_MODE) != 0 && errno != EEXIST) {
         complain("%s: cannot be written: %s", measure->folder, strerror(errno));
         return STATUS_FAILED;
@@ -79,8 +92,9 @@ static int make_folder(const struct measure *measure) {
 }
 
 int run_measure(const struct options *options) {
-    static int (*const steps[])(struct measure *) = {measure_plan, measure_resume, measure_run,
-                                                     measure_plot, measure_report};
+    static int (*const steps[])(struct measure *) = {take_scenes,    measure_plan, make_folder,
+                                                     measure_resume, measure_run,  measure_plot,
+                                                     measure_report};
     struct measure *measure = calloc(1, sizeof *measure);
     if (measure == NULL) {
         complain("out of memory");
@@ -88,14 +102,12 @@ int run_measure(const struct options *options) {
     }
     measure->options = options;
     measure->folder = options->output;
-    int status = take_scenes(measure);
-    if (status == STATUS_DONE) {
-        status = make_folder(measure);
-    }
+    int status = STATUS_DONE;
     for (size_t i = 0; i < sizeof steps / sizeof steps[0] && status == STATUS_DONE; i++) {
         status = steps[i](measure);
     }
     free(measure->points.points);
+    free(measure->points_path);
     free(measure);
     return status;
 }

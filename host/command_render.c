@@ -13,10 +13,10 @@
 #include "interrupt.h"
 #include "load_scene.h"
 #include "output.h"
+#include "png_output.h"
 #include "port_chain.h"
 #include "progress.h"
 #include "render.h"
-#include "screen_output.h"
 #include "signatures.h"
 #include "stats.h"
 #include "stopwatch.h"
@@ -47,8 +47,7 @@ static const char *picture_name(struct render_run *run) {
     if (run->options->output != NULL) {
         return run->options->output;
     }
-    scene_short_name(run->scene_name, run->default_name, NAME_SIZE - sizeof ".png");
-    strcat(run->default_name, ".png");
+    scene_picture_name(run->scene_name, run->default_name, NAME_SIZE);
     return run->default_name;
 }
 
@@ -157,23 +156,22 @@ static bool write_picture(struct render_run *run) {
                                    run->chain->has_native ? &run->chain->native : NULL,
                                    run->options->board.picture);
     }
-    return picture_write(&run->picture, run->exposures->rgb);
+    return png_output(&run->picture, run->exposures->rgb, PICTURE_WIDTH, PICTURE_HEIGHT);
 }
 
-/* Which rows are there, after a failure. A pixel is two by two dots where the picture fits. */
+/* Which rows are there, after a failure. */
 static void explain_adapter(const struct render_run *run) {
     const struct compiled_scene *compiled = run->compiled;
-    bool is_doubled = compiled->width <= BOARD_WIDTH / 2 && compiled->height <= BOARD_HEIGHT / 2;
     adapter_bus_explain(&run->adapter, run->options->has_rows ? run->options->first_row : 0,
                         run->options->has_rows ? run->options->last_row : compiled->height,
-                        is_doubled ? 2 : 1);
+                        render_dots(compiled->width, compiled->height));
 }
 
 /* Ends the trace, then writes the rest of what was asked for. */
 static int write_results(struct render_run *run) {
     enum bus_status bus = port_chain_finish(run->chain);
     if (bus != BUS_OK) {
-        if (run->trace.file != NULL && bus == BUS_IO_ERROR) {
+        if (run->trace.file != NULL && run->chain->recorder.error_number != 0) {
             output_complain(&run->trace, strerror(run->chain->recorder.error_number));
         } else if (run->adapter.usb != NULL) {
             explain_adapter(run);

@@ -9,17 +9,24 @@
 #include <unistd.h>
 
 #include "command.h"
+#include "file_path.h"
+#include "interrupt.h"
 #include "png_file.h"
 
 enum { FULL_EXPOSURE = 255, NEW_FOLDER_MODE = 0777 };
 
-static const char name_format[] = "%s/exposure-%u.png";
+char *exposure_name(const char *folder, unsigned exposure) {
+    char name[32];
+    (void)snprintf(name, sizeof name, "exposure-%u.png", exposure);
+    return path_join(folder, name);
+}
 
 static bool make_folder(struct exposures *exposures, const char *folder) {
     if (mkdir(folder, NEW_FOLDER_MODE) == 0) {
         exposures->made_folder = malloc(strlen(folder) + 1);
         if (exposures->made_folder != NULL) {
             strcpy(exposures->made_folder, folder);
+            interrupt_guard(exposures->made_folder);
         }
         return true;
     }
@@ -30,19 +37,23 @@ static bool make_folder(struct exposures *exposures, const char *folder) {
     return true;
 }
 
+static void drop_folder(struct exposures *exposures) {
+    interrupt_release(exposures->made_folder);
+    free(exposures->made_folder);
+    exposures->made_folder = NULL;
+}
+
 /* Opens all eight before the work begins: a place that can't be written is known at once. */
 static bool open_kept(struct exposures *exposures, const char *folder) {
-    size_t size = strlen(folder) + sizeof name_format;
     if (!make_folder(exposures, folder)) {
         return false;
     }
     for (unsigned i = 0; i < RENDER_EXPOSURES; i++) {
-        exposures->names[i] = malloc(size);
+        exposures->names[i] = exposure_name(folder, i);
         if (exposures->names[i] == NULL) {
             complain("out of memory");
             return false;
         }
-        (void)snprintf(exposures->names[i], size, name_format, folder, i);
         if (!output_open(&exposures->kept[i], exposures->names[i])) {
             return false;
         }
@@ -85,8 +96,7 @@ bool exposures_commit(struct exposures *exposures) {
         exposures->failed = exposures->kept[i].file != NULL && !output_commit(&exposures->kept[i]);
     }
     if (!exposures->failed) {
-        free(exposures->made_folder); /* it stays */
-        exposures->made_folder = NULL;
+        drop_folder(exposures); /* it stays */
     }
     return !exposures->failed;
 }
@@ -107,7 +117,7 @@ void exposures_free(struct exposures *exposures) {
     }
     if (exposures->made_folder != NULL) {
         (void)rmdir(exposures->made_folder); /* only if nothing is in it */
-        free(exposures->made_folder);
+        drop_folder(exposures);
     }
     free(exposures);
 }

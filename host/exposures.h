@@ -23,6 +23,9 @@ struct exposures {
     bool failed;       /* a picture could not be written; the reason is printed */
 };
 
+/* The name of one of the kept pictures, 0..7, in new memory; NULL: there is none. */
+char *exposure_name(const char *folder, unsigned exposure);
+
 /* A camera with a blank film in front of the chain's board. folder: where each picture is kept as
  * exposure-0.png to exposure-7.png; NULL: nowhere. NULL, with the reason printed, if memory is out
  * or the folder can't be written. Give the result to exposures_free(). */

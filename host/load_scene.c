@@ -82,14 +82,24 @@ static struct scene_description *load_file(const char *path, struct scene_error 
     return description;
 }
 
-struct scene_description *load_scene(const char *name_or_path, struct scene_error *error) {
+/* NULL: there is none of that name. */
+static const struct builtin_scene *find_builtin(const char *name) {
     for (size_t i = 0; i < builtin_scene_count; i++) {
-        const struct builtin_scene *scene = &builtin_scenes[i];
-        if (strcmp(scene->name, name_or_path) == 0) {
-            return scene_description_read(scene->name, scene->text, scene->length, error);
+        if (strcmp(builtin_scenes[i].name, name) == 0) {
+            return &builtin_scenes[i];
         }
     }
-    return load_file(name_or_path, error);
+    return NULL;
+}
+
+bool scene_is_builtin(const char *name_or_path) {
+    return find_builtin(name_or_path) != NULL;
+}
+
+struct scene_description *load_scene(const char *name_or_path, struct scene_error *error) {
+    const struct builtin_scene *scene = find_builtin(name_or_path);
+    return scene != NULL ? scene_description_read(scene->name, scene->text, scene->length, error)
+                         : load_file(name_or_path, error);
 }
 
 struct compiled_scene *load_compiled_scene(const char *name_or_path,
@@ -113,4 +123,10 @@ void scene_short_name(const char *name_or_path, char *name, size_t size) {
     if (dot != NULL && dot != name) {
         *dot = '\0';
     }
+}
+
+void scene_picture_name(const char *name_or_path, char *name, size_t size) {
+    static const char ending[] = ".png";
+    scene_short_name(name_or_path, name, size - (sizeof ending - 1));
+    strcat(name, ending);
 }

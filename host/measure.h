@@ -10,6 +10,7 @@
 
 #include "cost_model.h"
 #include "options.h"
+#include "output.h"
 #include "picture.h"
 #include "progress.h"
 #include "scene_digest.h"
@@ -92,6 +93,7 @@ struct measure_scene {
 struct measure {
     const struct options *options;
     const char *folder;
+    char *points_path; /* FOLDER/points.csv */
     struct measure_scene scenes[MEASURE_SCENES_MOST];
     size_t scene_count;
     struct measure_list points;
@@ -125,8 +127,15 @@ const struct measure_scene *measure_scene_of(const struct measure *measure, cons
 int measure_show(const struct measure *measure, const struct measure_point *point,
                  const uint8_t *reference, const uint8_t *picture, unsigned width, unsigned height);
 
-/* Writes the line of column names. */
-void measure_write_head(FILE *file);
+/* How a points.csv begins: with the line of column names; with nothing or a part of it, where its
+ * writing was cut off; or otherwise. */
+enum measure_beginning { MEASURE_BEGUN, MEASURE_EMPTY, MEASURE_FOREIGN };
+
+/* Reads that line. */
+enum measure_beginning measure_read_head(FILE *file);
+
+/* Writes it and hands it on. False: it can't be written. */
+bool measure_write_head(FILE *file);
 
 /* Gathers the points of the grid by setting; the caller frees settings. False: memory is out. */
 bool measure_settings(const struct measure *measure, struct measure_settings *settings);
@@ -147,11 +156,20 @@ int measure_plot(struct measure *measure);
 /* Writes table.csv, report.md and report.html. */
 int measure_report(struct measure *measure);
 
-/* Opens DIR/name for writing; NULL, with the reason printed, on failure. */
-FILE *measure_create(const struct measure *measure, const char *name);
+/* A file of the folder, on its way to its place. */
+struct measure_file {
+    struct output output;
+    char *path;
+};
 
-/* Closes it: STATUS_DONE if all was written. */
-int measure_close(const struct measure *measure, FILE *file, const char *name);
+/* Opens FOLDER/name for writing. False, with the reason printed, on failure. */
+bool measure_create(struct measure_file *file, const struct measure *measure, const char *name);
+
+/* Puts it into its place, or leaves there what was there before and prints the reason. */
+int measure_close(struct measure_file *file);
+
+/* Gives it up. */
+void measure_discard(struct measure_file *file);
 
 /* What is predicted for a point on a machine, seconds; NaN where the cost table has no entry. */
 double measure_predict(const struct measure *measure, const struct measure_point *point,

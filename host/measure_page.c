@@ -5,8 +5,11 @@
 
 #include <math.h>
 #include <stdarg.h>
+#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+
+#include "file_path.h"
 
 void page_begin(const struct report *report, const char *title) {
     if (report->is_html) {
@@ -75,9 +78,10 @@ void page_end_table(const struct report *report) {
 }
 
 void page_picture(const struct report *report, const char *file, const char *caption) {
-    char path[PAGE_TEXT_SIZE];
-    (void)snprintf(path, sizeof path, "%s/%s", report->measure->folder, file);
-    if (access(path, R_OK) != 0) {
+    char *path = path_join(report->measure->folder, file);
+    bool is_there = path != NULL && access(path, R_OK) == 0;
+    free(path);
+    if (!is_there) {
         return;
     }
     if (report->is_html) {

@@ -17,7 +17,7 @@
 #include "stopwatch.h"
 
 unsigned measure_dots(const struct measure_point *point) {
-    return point->width <= PICTURE_WIDTH / 2 && point->height <= PICTURE_HEIGHT / 2 ? 2 : 1;
+    return render_dots(point->width, point->height);
 }
 
 static struct scene_overrides overrides_of(const struct measure *measure,
@@ -83,7 +83,7 @@ static int draw(struct measure *measure, const struct compiled_scene *compiled,
     (void)bus_bind(bound);
     measure->before = measure->now;
     if (!is_rendered) {
-        return bad_input("--arith %s: %s", point->arithmetic, error.text);
+        return bad_input("%s (--arith %s)", error.text, point->arithmetic);
     }
     const struct cost_events events = {totals.rays, totals.shadow_rays, totals.nodes,
                                        totals.solid_tests};

@@ -25,15 +25,22 @@ static double shown(double wrong) {
 static const double thresholds[] = {0, 1.0 / 256, 1.0 / 1024, 1.0 / 4096, 1.0 / 16384};
 enum { CURVES = sizeof thresholds / sizeof thresholds[0], CURVE_DEPTH = 64 };
 
-/* Wrong against depth in the first arithmetic, for each threshold. */
+/* The curves against depth are of the first setting's arithmetic and tail, one for each threshold.
+ */
+static bool is_on_depth_curve(const struct measure_settings *settings,
+                              const struct measure_setting *setting, double threshold) {
+    const struct measure_setting *first = &settings->settings[0];
+    return strcmp(setting->arithmetic, first->arithmetic) == 0 &&
+           strcmp(setting->tail, first->tail) == 0 && !(setting->error > 0) &&
+           fabs(setting->threshold - threshold) < 1e-9;
+}
+
 static void write_depth_curves(FILE *file, const struct measure_settings *settings) {
     for (int t = 0; t < CURVES; t++) {
         (void)fprintf(file, "# [depth-%d]\n", t);
         for (size_t i = 0; i < settings->count; i++) {
             const struct measure_setting *setting = &settings->settings[i];
-            if (strcmp(setting->arithmetic, settings->settings[0].arithmetic) == 0 &&
-                strcmp(setting->tail, settings->settings[0].tail) == 0 && !(setting->error > 0) &&
-                fabs(setting->threshold - thresholds[t]) < 1e-9) {
+            if (is_on_depth_curve(settings, setting, thresholds[t])) {
                 (void)fprintf(file, "%u %.6f\n", setting->depth, shown(setting->wrong));
             }
         }
@@ -90,10 +97,11 @@ static void write_marks(FILE *file, const struct measure_settings *settings, int
 /* Blocks that gnuplot finds by name: the marks, the curves, for each machine its front (seconds,
  * per cent wrong). */
 static int write_data(const struct measure *measure, const struct measure_settings *settings) {
-    FILE *file = measure_create(measure, "plots.dat");
-    if (file == NULL) {
+    struct measure_file data;
+    if (!measure_create(&data, measure, "plots.dat")) {
         return STATUS_FAILED;
     }
+    FILE *file = data.output.file;
     for (int a = 0; arithmetics[a] != NULL; a++) {
         for (int end = 0; end < ENDS; end++) {
             write_marks(file, settings, a, end);
@@ -112,7 +120,7 @@ static int write_data(const struct measure *measure, const struct measure_settin
         }
         (void)fputs("\n\n", file);
     }
-    return measure_close(measure, file, "plots.dat");
+    return measure_close(&data);
 }
 
 static bool has(const struct measure_settings *settings, int arithmetic, int end, size_t target) {
@@ -125,6 +133,21 @@ static bool has(const struct measure_settings *settings, int arithmetic, int end
     return false;
 }
 
+/* The powers of ten between which a machine's seconds lie; false: it has none. */
+static bool find_decades(const struct measure_settings *settings, size_t target, int decades[2]) {
+    double least = INFINITY, most = 0;
+    for (size_t i = 0; i < settings->count; i++) {
+        least = fmin(least, settings->settings[i].seconds[target]); /* of NaN and another, that */
+        most = fmax(most, settings->settings[i].seconds[target]);
+    }
+    if (!(least > 0 && least <= most)) {
+        return false;
+    }
+    decades[0] = (int)floor(log10(least));
+    decades[1] = (int)floor(log10(most)) + 1;
+    return true;
+}
+
 /* A colour for each arithmetic, a shape for each way to end a branch. */
 static void write_fronts(FILE *file, const struct measure_settings *settings) {
     static const int shapes[ENDS] = {7, 9, 5};
@@ -133,8 +156,13 @@ static void write_fronts(FILE *file, const struct measure_settings *settings) {
                 "predicted'\n",
                 file);
     for (size_t j = 0; cost_targets[j].name != NULL; j++) {
-        (void)fprintf(file, "set output 'pareto-%s.png'\nset title '%s'\nplot \\\n",
-                      cost_targets[j].name, cost_targets[j].label);
+        int decades[2];
+        if (!find_decades(settings, j, decades)) {
+            continue;
+        }
+        (void)fprintf(
+            file, "set output 'pareto-%s.png'\nset title '%s'\nset xrange [1e%d:1e%d]\nplot \\\n",
+            cost_targets[j].name, cost_targets[j].label, decades[0], decades[1]);
         for (int i = 0; arithmetics[i / ENDS] != NULL; i++) {
             int a = i / ENDS, end = i % ENDS;
             if (has(settings, a, end, j)) {
@@ -154,7 +182,7 @@ static void write_fronts(FILE *file, const struct measure_settings *settings) {
 
 static bool has_curve(const struct measure_settings *settings, double threshold) {
     for (size_t i = 0; i < settings->count; i++) {
-        if (fabs(settings->settings[i].threshold - threshold) < 1e-9) {
+        if (is_on_depth_curve(settings, &settings->settings[i], threshold)) {
             return true;
         }
     }
@@ -230,10 +258,11 @@ static double lowest_shown(const struct measure_settings *settings) {
 }
 
 static int write_script(const struct measure *measure, const struct measure_settings *settings) {
-    FILE *file = measure_create(measure, "plots.gp");
-    if (file == NULL) {
+    struct measure_file script;
+    if (!measure_create(&script, measure, "plots.gp")) {
         return STATUS_FAILED;
     }
+    FILE *file = script.output.file;
     (void)fprintf(
         file,
         "# From plots.dat: gnuplot plots.gp\n"
@@ -247,7 +276,7 @@ static int write_script(const struct measure *measure, const struct measure_sett
         write_curves_by_depth(file, settings);
         write_curves_by_threshold(file, settings);
     }
-    return measure_close(measure, file, "plots.gp");
+    return measure_close(&script);
 }
 
 int measure_plot(struct measure *measure) {

@@ -55,8 +55,17 @@ static const char head[] =
     "psnr,"
     "delta_e_mean,delta_e_999,scene_digest\n";
 
-void measure_write_head(FILE *file) {
-    (void)fputs(head, file);
+bool measure_write_head(FILE *file) {
+    return fputs(head, file) >= 0 && fflush(file) == 0;
+}
+
+enum measure_beginning measure_read_head(FILE *file) {
+    char line[sizeof head] = "";
+    size_t length = fread(line, 1, sizeof head - 1, file);
+    if (memcmp(line, head, length) != 0) {
+        return MEASURE_FOREIGN;
+    }
+    return length == sizeof head - 1 ? MEASURE_BEGUN : MEASURE_EMPTY;
 }
 
 const struct measure_scene *measure_scene_of(const struct measure *measure, const char *name) {
@@ -116,8 +125,8 @@ static const char *take_line(struct measure *measure, const char *line) {
 }
 
 int measure_resume(struct measure *measure) {
-    char path[LINE_SIZE], line[LINE_SIZE];
-    (void)snprintf(path, sizeof path, "%s/points.csv", measure->folder);
+    const char *path = measure->points_path;
+    char line[LINE_SIZE];
     FILE *file = fopen(path, "r");
     if (file == NULL && errno == ENOENT) {
         return STATUS_DONE;
@@ -126,7 +135,7 @@ int measure_resume(struct measure *measure) {
         complain("%s: cannot be read: %s", path, strerror(errno));
         return STATUS_FAILED;
     }
-    bool is_ours = fgets(line, sizeof line, file) != NULL && strcmp(line, head) == 0;
+    bool is_ours = measure_read_head(file) != MEASURE_FOREIGN;
     const char *changed = NULL;
     while (is_ours && changed == NULL && fgets(line, sizeof line, file) != NULL) {
         changed = take_line(measure, line);

@@ -351,10 +351,11 @@ static void write_machines(const struct report *report) {
 static int write_report(const struct measure *measure, const struct measure_settings *settings,
                         bool is_html) {
     const char *name = is_html ? "report.html" : "report.md";
-    struct report report = {measure, settings, measure_create(measure, name), is_html};
-    if (report.file == NULL) {
+    struct measure_file file;
+    if (!measure_create(&file, measure, name)) {
         return STATUS_FAILED;
     }
+    const struct report report = {measure, settings, file.output.file, is_html};
     page_begin(&report, "Speed against accuracy");
     write_words(&report);
     write_choice_of_arithmetic(&report);
@@ -368,14 +369,15 @@ static int write_report(const struct measure *measure, const struct measure_sett
     write_method(&report);
     write_machines(&report);
     page_end(&report);
-    return measure_close(measure, report.file, name);
+    return measure_close(&file);
 }
 
 static int write_table(const struct measure *measure) {
-    FILE *file = measure_create(measure, "table.csv");
-    if (file == NULL) {
+    struct measure_file table;
+    if (!measure_create(&table, measure, "table.csv")) {
         return STATUS_FAILED;
     }
+    FILE *file = table.output.file;
     (void)fputs(
         "scene,arithmetic,depth,threshold,width,height,colour,model,tail,error,percent_wrong",
         file);
@@ -398,7 +400,7 @@ static int write_table(const struct measure *measure) {
         }
         (void)fputs("\n", file);
     }
-    return measure_close(measure, file, "table.csv");
+    return measure_close(&table);
 }
 
 int measure_report(struct measure *measure) {

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "colour_difference.h"
 #include "command.h"
@@ -12,13 +13,7 @@
 #include "measure.h"
 #include "stopwatch.h"
 
-enum {
-    PATH_SIZE = 1024,
-    ORACLE_WIDTH = 48,
-    ORACLE_HEIGHT = 30,
-    ORACLE_DEPTH = 10,
-    TWINS_MOST = 64
-};
+enum { ORACLE_WIDTH = 48, ORACLE_HEIGHT = 30, ORACLE_DEPTH = 10, TWINS_MOST = 64 };
 
 /* A picture in dots. */
 struct dots_picture {
@@ -163,7 +158,7 @@ static int measure_point(struct measure *measure, const struct measure_scene *sc
     point->is_done = true;
     measure_write_point(measure, log, point);
     if (fflush(log) != 0) {
-        complain("%s/points.csv: cannot be written: %s", measure->folder, strerror(errno));
+        complain("%s: cannot be written: %s", measure->points_path, strerror(errno));
         return STATUS_FAILED;
     }
     return STATUS_DONE;
@@ -231,25 +226,28 @@ static unsigned count_rows(const struct measure *measure) {
     return rows;
 }
 
-/* points.csv, to be written on: its head is there already or is written; a line that was cut off is
- * ended. */
+/* Makes points.csv ready to be written on: its head is there already or is written anew; a line
+ * that was cut off is ended. */
+static bool begin_log(FILE *file) {
+    if (measure_read_head(file) != MEASURE_BEGUN) {
+        return ftruncate(fileno(file), 0) == 0 && fseek(file, 0, SEEK_END) == 0 &&
+               measure_write_head(file);
+    }
+    bool is_begun = fseek(file, -1, SEEK_END) == 0;
+    int last = fgetc(file);
+    return is_begun && fseek(file, 0, SEEK_END) == 0 &&
+           (last == '\n' || (fputc('\n', file) != EOF && fflush(file) == 0));
+}
+
 static FILE *open_log(const struct measure *measure) {
-    char path[PATH_SIZE];
-    int last = EOF;
-    (void)snprintf(path, sizeof path, "%s/points.csv", measure->folder);
+    const char *path = measure->points_path;
     FILE *file = fopen(path, "a+");
-    if (file == NULL) {
+    if (file == NULL || !begin_log(file)) {
         complain("%s: cannot be written: %s", path, strerror(errno));
+        if (file != NULL) {
+            (void)fclose(file);
+        }
         return NULL;
-    }
-    if (fseek(file, -1, SEEK_END) == 0) {
-        last = fgetc(file);
-    }
-    (void)fseek(file, 0, SEEK_END);
-    if (last == EOF) {
-        measure_write_head(file);
-    } else if (last != '\n') {
-        (void)fputc('\n', file);
     }
     return file;
 }
@@ -287,7 +285,7 @@ int measure_run(struct measure *measure) {
     int status = run_all(measure, log);
     progress_end(&measure->progress);
     if (fclose(log) != 0 && status == STATUS_DONE) {
-        complain("%s/points.csv: cannot be written: %s", measure->folder, strerror(errno));
+        complain("%s: cannot be written: %s", measure->points_path, strerror(errno));
         status = STATUS_FAILED;
     }
     if (*interrupt_noted() != 0) {

@@ -6,10 +6,9 @@
 #include "command.h"
 #include "difference_picture.h"
 #include "measure.h"
-#include "output.h"
-#include "png_file.h"
+#include "png_output.h"
 
-enum { PATH_SIZE = 1024, HALF_WIDTH = 320, GAP = 8, GREY = 128 };
+enum { HALF_WIDTH = 320, GAP = 8, GREY = 128 };
 
 static const char *const files[MEASURE_SHOWN] = {"difference-paper.png",
                                                  "difference-q16-epsilon.png", "difference-fx.png",
@@ -48,20 +47,13 @@ static void place(uint8_t *wide, unsigned wide_width, unsigned x, const uint8_t 
 
 static int write_file(const struct measure *measure, const char *name, const uint8_t *rgb,
                       unsigned width, unsigned height) {
-    char path[PATH_SIZE];
-    struct output output;
-    struct png_error error;
-    memset(&output, 0, sizeof output);
-    (void)snprintf(path, sizeof path, "%s/%s", measure->folder, name);
-    if (!output_open(&output, path)) {
+    struct measure_file file;
+    if (!measure_create(&file, measure, name)) {
         return STATUS_FAILED;
     }
-    if (write_png(output.file, rgb, width, height, &error) != PNG_OK) {
-        output_complain(&output, error.message);
-        output_discard(&output);
-        return STATUS_FAILED;
-    }
-    return output_commit(&output) ? STATUS_DONE : STATUS_FAILED;
+    bool is_written = png_output(&file.output, rgb, width, height);
+    measure_discard(&file);
+    return is_written ? STATUS_DONE : STATUS_FAILED;
 }
 
 int measure_show(const struct measure *measure, const struct measure_point *point,

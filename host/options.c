@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "command.h"
+#include "places.h"
 
 enum { ENTRIES_MOST = 48, LETTERS_MOST = 64, LONG_ONLY = 256 };
 
@@ -98,11 +99,6 @@ static void set_defaults(struct options *options) {
     options->share = 99.9;
 }
 
-/* True if both are given, but not the same place. */
-static bool differ(const char *a, const char *b) {
-    return a == NULL || b == NULL || strcmp(a, b) != 0;
-}
-
 /* What a bus other than the emulator can't do, and what real ports ask for. */
 static bool check_bus(const struct options *options, struct options_error *error) {
     bool is_ports = options->bus == BUS_CHOICE_PORTS;
@@ -148,10 +144,6 @@ static bool check_trace(enum command_id command, const struct options *options,
     if (tracing->converts &&
         (options->board.native != NULL || options->board.picture != PICTURE_KIND_SCREEN)) {
         return refuse(error, "--to makes a trace, no picture: not with --native or --picture");
-    }
-    if (options->output != NULL && strcmp(options->output, "-") == 0 &&
-        (tracing->lists || tracing->counts || tracing->judges)) {
-        return refuse(error, "two results can't go to standard output; give -o a file's name");
     }
     return true;
 }
@@ -204,15 +196,13 @@ static bool check_together(enum command_id command, const struct options *option
                           with);
         }
     }
+    if (options->board.faults.vanish_status != BUS_OK && options->board.faults.vanish_after == 0) {
+        return refuse(error,
+                      "--faults lost says how the board vanishes, not when; allowed is: lost "
+                      "with vanish=N");
+    }
     if (!check_bus(options, error) || !check_trace(command, options, error)) {
         return false;
-    }
-    if (!differ(options->output, options->stats) || !differ(options->output, options->trace) ||
-        !differ(options->stats, options->trace) || !differ(options->stats, options->bus_file) ||
-        !differ(options->signatures, options->output) ||
-        !differ(options->signatures, options->stats) ||
-        !differ(options->signatures, options->trace)) {
-        return refuse(error, "two results can't go to the same place; give each its own file");
     }
     if (command == COMMAND_MEASURE && options->overrides.has_colour &&
         options->overrides.colour == COLOUR_EXPOSURES) {
@@ -237,15 +227,38 @@ static bool check_operands(const struct command *command, const struct options *
     return true;
 }
 
+/* The options that "--s" or "--s=value" may stand for: ", --size, --seed". */
+static void list_meant(const struct getopt_tables *tables, const char *culprit, char *text,
+                       size_t size) {
+    const char *begin = culprit + strspn(culprit, "-");
+    size_t used = 0, length = strcspn(begin, "=");
+    text[0] = '\0';
+    for (const struct option *option = tables->longs; option->name != NULL; option++) {
+        if (strncmp(option->name, begin, length) == 0 && used < size) {
+            used += (size_t)snprintf(text + used, size - used, ", --%s", option->name);
+        }
+    }
+}
+
 /* getopt_long() leaves in optopt the letter of a short option, the value of a long one that takes
- * no argument but got one, or 0. */
-static bool refuse_unknown(const char *command, const char *culprit, struct options_error *error) {
+ * no argument but got one, or 0: there is none of that name, or several begin so. */
+static bool refuse_unknown(const char *command, const struct getopt_tables *tables,
+                           const char *culprit, struct options_error *error) {
+    char meant[300];
     if (optopt >= LONG_ONLY) {
         return refuse(error, "--%s: takes no value", option_table[optopt - LONG_ONLY].name);
+    }
+    if (optopt >= '0' && optopt <= '9') {
+        return refuse(error, "%s: no option -%c, and no number below 0 is allowed", command,
+                      optopt);
     }
     if (optopt != 0) {
         return refuse(error, "%s: no option -%c; try superframe %s --help", command, optopt,
                       command);
+    }
+    list_meant(tables, culprit, meant, sizeof meant);
+    if (meant[0] != '\0') {
+        return refuse(error, "%s: %.100s is ambiguous; allowed are%s", command, culprit, meant + 1);
     }
     return refuse(error, "%s: no option %.100s; try superframe %s --help", command, culprit,
                   command);
@@ -267,7 +280,7 @@ bool options_parse(enum command_id command, int argc, char **argv, struct option
                           culprit, name);
         }
         if (found == '?') {
-            return refuse_unknown(name, culprit, error);
+            return refuse_unknown(name, &tables, culprit, error);
         }
         const struct option_entry *entry = find_entry(command, found);
         if (entry == NULL || !take(entry, optarg, options, error)) {
@@ -280,7 +293,8 @@ bool options_parse(enum command_id command, int argc, char **argv, struct option
     options->operands = argv + optind;
     options->operand_count = argc - optind;
     return check_operands(&commands[command], options, error) &&
-           check_together(command, options, error) && check_needs(command, options, error);
+           check_together(command, options, error) && check_needs(command, options, error) &&
+           places_are_apart(command, options, error);
 }
 
 void options_print(FILE *out, enum command_id command) {

@@ -4,15 +4,16 @@
 
 #include <errno.h>
 #include <fcntl.h>
-#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include "command.h"
+#include "file_path.h"
+#include "interrupt.h"
 
-enum { LINKS_MOST = 40, NAMES_TRIED = 100, NEW_FILE_MODE = 0666 };
+enum { NAMES_TRIED = 100, NEW_FILE_MODE = 0666 };
 
 void output_complain(const struct output *output, const char *reason) {
     const char *name = strcmp(output->path, "-") == 0 ? "standard output" : output->path;
@@ -25,47 +26,6 @@ static bool fail(struct output *output, int error_number) {
     return false;
 }
 
-/* Length of the folder's part of a path, its last slash included. */
-static size_t folder_length(const char *path) {
-    const char *slash = strrchr(path, '/');
-    return slash == NULL ? 0 : (size_t)(slash - path) + 1;
-}
-
-/* The folder of one path joined to a name, or the name alone if it starts from the root. */
-static char *beside(const char *path, const char *name) {
-    size_t folder = name[0] == '/' ? 0 : folder_length(path);
-    size_t size = folder + strlen(name) + 1;
-    char *joined = malloc(size);
-    if (joined != NULL) {
-        memcpy(joined, path, folder);
-        memcpy(joined + folder, name, size - folder);
-    }
-    return joined;
-}
-
-/* Follows symbolic links, also to what is not there yet. NULL with errno set on failure. */
-static char *follow_links(const char *path) {
-    char *place = beside("", path);
-    for (int links = 0; place != NULL; links++) {
-        char name[PATH_MAX];
-        ssize_t length = readlink(place, name, sizeof name - 1);
-        if (length < 0) {
-            return place; /* no link: the place itself, there or not */
-        }
-        name[length] = '\0';
-        char *next = beside(place, name);
-        free(place);
-        place = next;
-        if (links == LINKS_MOST) {
-            free(place);
-            errno = ELOOP;
-            return NULL;
-        }
-    }
-    errno = ENOMEM;
-    return NULL;
-}
-
 /* Opens a new file in the target's folder, with the rights of the file that it will replace. */
 static bool open_temporary(struct output *output, const struct stat *replaced) {
     int descriptor = -1;
@@ -73,7 +33,7 @@ static bool open_temporary(struct output *output, const struct stat *replaced) {
         char name[64];
         (void)snprintf(name, sizeof name, ".superframe-%ld-%u.tmp", (long)getpid(), attempt);
         free(output->temporary);
-        output->temporary = beside(output->target, name);
+        output->temporary = path_beside(output->target, name);
         if (output->temporary == NULL) {
             errno = ENOMEM;
             return false;
@@ -88,6 +48,7 @@ static bool open_temporary(struct output *output, const struct stat *replaced) {
         output->temporary = NULL;
         return false;
     }
+    interrupt_guard(output->temporary);
     if (replaced != NULL) {
         (void)fchmod(descriptor, replaced->st_mode & 07777); /* best effort */
     }
@@ -119,11 +80,17 @@ bool output_open(struct output *output, const char *path) {
     if (is_there && access(path, W_OK) != 0) {
         return fail(output, errno);
     }
-    output->target = follow_links(path);
+    output->target = path_follow_links(path);
     if (output->target == NULL || !open_temporary(output, is_there ? &facts : NULL)) {
         return fail(output, errno);
     }
     return true;
+}
+
+static void drop_temporary(struct output *output) {
+    interrupt_release(output->temporary);
+    free(output->temporary);
+    output->temporary = NULL;
 }
 
 bool output_commit(struct output *output) {
@@ -148,8 +115,7 @@ bool output_commit(struct output *output) {
     if (output->temporary != NULL && rename(output->temporary, output->target) != 0) {
         return fail(output, errno);
     }
-    free(output->temporary);
-    output->temporary = NULL;
+    drop_temporary(output); /* it is the target now */
     output_discard(output);
     return true;
 }
@@ -161,9 +127,8 @@ void output_discard(struct output *output) {
     if (output->temporary != NULL) {
         (void)unlink(output->temporary);
     }
-    free(output->temporary);
+    drop_temporary(output);
     free(output->target);
     output->file = NULL;
-    output->temporary = NULL;
     output->target = NULL;
 }

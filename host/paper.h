@@ -120,9 +120,6 @@ int paper_write_report(const struct paper *paper);
 /* The photo of a figure by its file's name; NULL: it was not made. */
 const struct paper_photo *paper_photo_of(const struct paper *paper, const char *file);
 
-/* Whether a scene is built in. */
-bool paper_has_scene(const char *name);
-
 /* Opens a new file of the folder. NULL, with the reason printed, on failure. */
 FILE *paper_create(const struct paper *paper, const char *name);
 

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "command.h"
+#include "load_scene.h"
 
 struct claim_entry {
     const char *title, *says;
@@ -50,7 +51,7 @@ static const struct claim_entry entries[PAPER_CLAIMS] = {
 
 bool paper_claim_has_scenes(struct paper_claim *claim, const char *const *scenes) {
     for (; *scenes != NULL; scenes++) {
-        if (!paper_has_scene(*scenes)) {
+        if (!scene_is_builtin(*scenes)) {
             paper_say(claim->why, "The scene %s is not built in.", *scenes);
             return false;
         }

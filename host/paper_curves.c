@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "command.h"
+#include "load_scene.h"
 
 /* From the lowest curve of the paper's figure to the highest two. */
 static const char *const scenes[PAPER_CURVES][2] = {
@@ -41,7 +42,7 @@ int paper_make_curves(struct paper *paper) {
         struct paper_curve *curve = &paper->curves[i];
         curve->scene = scenes[i][0];
         curve->label = scenes[i][1];
-        curve->is_made = paper_has_scene(curve->scene);
+        curve->is_made = scene_is_builtin(curve->scene);
         if (curve->is_made) {
             status = make_curve(paper, curve);
         }

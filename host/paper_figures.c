@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "command.h"
+#include "load_scene.h"
 
 /* In the paper's order. A scene that is not built in is left out of all results. */
 const struct paper_figure paper_figures[] = {
@@ -63,7 +64,7 @@ const struct paper_figure paper_figures[] = {
 int paper_make_figures(struct paper *paper) {
     int status = STATUS_DONE;
     for (int i = 0; paper_figures[i].file != NULL && status == STATUS_DONE; i++) {
-        if (!paper_has_scene(paper_figures[i].shot.scene)) {
+        if (!scene_is_builtin(paper_figures[i].shot.scene)) {
             continue;
         }
         if (paper->figures[i] == NULL) {

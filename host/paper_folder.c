@@ -11,6 +11,8 @@
 #include <unistd.h>
 
 #include "command.h"
+#include "file_path.h"
+#include "interrupt.h"
 
 enum { NAMES_TRIED = 100, NEW_FOLDER_MODE = 0777 };
 
@@ -18,16 +20,6 @@ static bool fail(struct paper_folder *folder, int error_number) {
     complain("%s: cannot be written: %s", folder->target, strerror(error_number));
     paper_folder_discard(folder);
     return false;
-}
-
-/* folder/name in new memory; NULL: there is none. */
-static char *join(const char *folder, const char *name) {
-    size_t size = strlen(folder) + strlen(name) + 2;
-    char *path = malloc(size);
-    if (path != NULL) {
-        (void)snprintf(path, size, "%s/%s", folder, name);
-    }
-    return path;
 }
 
 /* The folder in which the target is, or is to be. */
@@ -60,13 +52,14 @@ static bool make_temporary(struct paper_folder *folder, const char *place) {
     for (unsigned attempt = 0; attempt < NAMES_TRIED; attempt++) {
         char name[64];
         (void)snprintf(name, sizeof name, ".superframe-%ld-%u.tmp", (long)getpid(), attempt);
-        char *path = join(place, name);
+        char *path = path_join(place, name);
         if (path == NULL) {
             errno = ENOMEM;
             return false;
         }
         if (mkdir(path, NEW_FOLDER_MODE) == 0) {
             folder->temporary = path;
+            interrupt_guard(path);
             return true;
         }
         int error_number = errno;
@@ -105,18 +98,26 @@ static bool is_dots(const char *name) {
     return strcmp(name, ".") == 0 || strcmp(name, "..") == 0;
 }
 
+/* NULL: there is no more, or, with *is_good false and errno set, it can't be read. */
+static struct dirent *next_entry(DIR *entries, bool *is_good) {
+    errno = 0;
+    struct dirent *entry = readdir(entries);
+    *is_good = entry != NULL || errno == 0;
+    return entry;
+}
+
 /* Does something with every file of the temporary folder: moves it into the target or removes it.
  * False with errno set at the first failure. */
 static bool empty_temporary(const struct paper_folder *folder, bool moves) {
     DIR *entries = opendir(folder->temporary);
     bool is_done = entries != NULL;
     struct dirent *entry;
-    while (is_done && (entry = readdir(entries)) != NULL) {
+    while (is_done && (entry = next_entry(entries, &is_done)) != NULL) {
         if (is_dots(entry->d_name)) {
             continue;
         }
-        char *from = join(folder->temporary, entry->d_name);
-        char *to = join(folder->target, entry->d_name);
+        char *from = path_join(folder->temporary, entry->d_name);
+        char *to = path_join(folder->target, entry->d_name);
         is_done = from != NULL && to != NULL && (moves ? rename(from, to) : unlink(from)) == 0;
         int error_number = errno;
         free(from);
@@ -138,6 +139,7 @@ bool paper_folder_commit(struct paper_folder *folder) {
         return fail(folder, errno);
     }
     if (!folder->is_there) {
+        interrupt_release(folder->temporary);
         free(folder->temporary); /* it is the target now */
         folder->temporary = NULL;
     }
@@ -149,6 +151,7 @@ void paper_folder_discard(struct paper_folder *folder) {
     if (folder->temporary != NULL) {
         (void)empty_temporary(folder, false);
         (void)rmdir(folder->temporary);
+        interrupt_release(folder->temporary);
     }
     free(folder->temporary);
     free(folder->target);

@@ -7,20 +7,10 @@
 #include <string.h>
 #include <time.h>
 
-#include "builtin_scenes.h"
 #include "command.h"
 #include "interrupt.h"
 #include "load_scene.h"
 #include "stopwatch.h"
-
-bool paper_has_scene(const char *name) {
-    for (size_t i = 0; i < builtin_scene_count; i++) {
-        if (strcmp(builtin_scenes[i].name, name) == 0) {
-            return true;
-        }
-    }
-    return false;
-}
 
 const uint8_t *paper_pixel(const struct paper_photo *photo, unsigned x, unsigned y) {
     return &photo->rgb[((size_t)y * photo->dots * PICTURE_WIDTH + x * photo->dots) * 3];
@@ -200,8 +190,7 @@ static int shoot(struct paper *paper, const struct compiled_scene *compiled,
     if (status == STATUS_DONE) {
         photo->width = compiled->width;
         photo->height = compiled->height;
-        photo->dots =
-            photo->width <= PICTURE_WIDTH / 2 && photo->height <= PICTURE_HEIGHT / 2 ? 2 : 1;
+        photo->dots = render_dots(photo->width, photo->height);
         port_chain_picture(chain);
         if (exposures != NULL) {
             exposures_develop(exposures);

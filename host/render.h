@@ -45,6 +45,10 @@ struct render_job {
 
 enum { RENDER_EXPOSURES = 8 };
 
+/* The dots of the screen along each side of a pixel, as the firmware draws them: 2 where a picture
+ * of that size fits twice, else 1. */
+unsigned render_dots(unsigned width, unsigned height);
+
 /* Renders. A scene that is shown by exposures is computed once and drawn eight times; where it is
  * stopped, what was computed by then is drawn so. Ends early if it is stopped or the bus fails
  * (bus_bound_status() says so); totals->rows says how far it came. False with *error filled if the

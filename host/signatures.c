@@ -132,15 +132,9 @@ const char *signatures_read(FILE *file, struct signatures *signatures) {
     return fgetc(file) == EOF ? NULL : "goes on behind its last signature";
 }
 
-bool signatures_is_file(const char *path) {
-    char head[sizeof magic - 1];
-    FILE *file = fopen(path, "rb");
-    bool is_one = file != NULL && fread(head, 1, sizeof head, file) == sizeof head &&
-                  memcmp(head, magic, sizeof head) == 0;
-    if (file != NULL) {
-        (void)fclose(file);
-    }
-    return is_one;
+bool signatures_begin(FILE *file) {
+    int first = getc(file);
+    return ungetc(first, file) == magic[0];
 }
 
 void signatures_free(struct signatures *signatures) {

@@ -37,8 +37,9 @@ bool signatures_write(const struct signatures *signatures, FILE *file);
 /* NULL, or what is wrong with the file. */
 const char *signatures_read(FILE *file, struct signatures *signatures);
 
-/* Whether a file begins as signatures do; false too where it can't be read. */
-bool signatures_is_file(const char *path);
+/* Whether a file that was just opened begins as signatures do, by its first byte, which is left to
+ * be read: the file may be a pipe. */
+bool signatures_begin(FILE *file);
 
 /* Harmless on what is all zero. */
 void signatures_free(struct signatures *signatures);

@@ -3,19 +3,49 @@
 #include "stats.h"
 
 #include <inttypes.h>
+#include <stdbool.h>
 
 #include "stats_cost.h"
 #include "stopwatch.h"
 
+/* The bytes of the UTF-8 character that the text begins with; 0: it begins with none. */
+static size_t utf8_length(const char *text) {
+    /* By its first byte, the range of the second one: no surrogates, nothing beyond 10FFFF, nothing
+     * that fewer bytes could say (RFC 3629). */
+    static const struct {
+        unsigned char first, last, low, high;
+        size_t length;
+    } kinds[] = {
+        {0x01, 0x7F, 0, 0xFF, 1},    {0xC2, 0xDF, 0x80, 0xBF, 2}, {0xE0, 0xE0, 0xA0, 0xBF, 3},
+        {0xE1, 0xEC, 0x80, 0xBF, 3}, {0xED, 0xED, 0x80, 0x9F, 3}, {0xEE, 0xEF, 0x80, 0xBF, 3},
+        {0xF0, 0xF0, 0x90, 0xBF, 4}, {0xF1, 0xF3, 0x80, 0xBF, 4}, {0xF4, 0xF4, 0x80, 0x8F, 4}};
+    const unsigned char *bytes = (const unsigned char *)text;
+    for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
+        if (bytes[0] < kinds[i].first || bytes[0] > kinds[i].last) {
+            continue;
+        }
+        bool is_whole = bytes[1] >= kinds[i].low && bytes[1] <= kinds[i].high;
+        for (size_t j = 2; j < kinds[i].length && is_whole; j++) {
+            is_whole = bytes[j] >= 0x80 && bytes[j] <= 0xBF; /* no NUL: no further than the end */
+        }
+        return is_whole ? kinds[i].length : 0;
+    }
+    return 0;
+}
+
 void stats_write_string(FILE *out, const char *text) {
     (void)fputc('"', out);
-    for (; *text != '\0'; text++) {
+    while (*text != '\0') {
+        size_t length = utf8_length(text);
         unsigned letter = (unsigned char)*text;
-        if (letter < 0x20 || letter == '"' || letter == '\\') {
+        if (length == 0) {
+            (void)fputs("\\ufffd", out); /* the mark of what is no character */
+        } else if (letter < 0x20 || letter == '"' || letter == '\\') {
             (void)fprintf(out, "\\u%04x", letter);
         } else {
-            (void)fputc((int)letter, out);
+            (void)fwrite(text, 1, length, out);
         }
+        text += length > 0 ? length : 1;
     }
     (void)fputc('"', out);
 }

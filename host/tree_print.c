@@ -185,18 +185,30 @@ int ray_tree_print(FILE *out, const struct ray_tree *tree, const struct compiled
     return good && !ferror(out) ? 0 : -1;
 }
 
+/* In quotes of Graphviz's, a quote and a backslash are not themselves. */
+static void print_quotable(FILE *out, const char *text) {
+    for (; *text != '\0'; text++) {
+        fprintf(out, *text == '"' || *text == '\\' ? "\\%c" : "%c", *text);
+    }
+}
+
+static void print_dot_node(FILE *out, const struct ray_tree *tree, const struct observed_node *node,
+                           const struct compiled_scene *compiled) {
+    unsigned number = node->number;
+    fprintf(out, "    %u [label=\"%u\", tooltip=\"", number, number);
+    print_quotable(out, object_text(compiled, node->before));
+    fprintf(out, " -> ");
+    print_quotable(out, object_text(compiled, node->after));
+    fprintf(out, "\"];\n    %u -> %u [label=\"%s %.4f\"];\n", number, (unsigned)node->parent,
+            kind_text(node->kind, node->channel), coefficient(tree, node->parent, node->weight));
+}
+
 int ray_tree_print_dot(FILE *out, const struct ray_tree *tree,
                        const struct compiled_scene *compiled) {
     fprintf(out, "digraph rays {\n    node [shape=circle];\n    0 [shape=plaintext, "
                  "label=\"I\"];\n");
     for (size_t i = 0; i < tree->node_count; i++) {
-        const struct observed_node *node = &tree->nodes[i];
-        fprintf(out, "    %u [label=\"%u\", tooltip=\"%s -> %s\"];\n", (unsigned)node->number,
-                (unsigned)node->number, object_text(compiled, node->before),
-                object_text(compiled, node->after));
-        fprintf(out, "    %u -> %u [label=\"%s %.4f\"];\n", (unsigned)node->number,
-                (unsigned)node->parent, kind_text(node->kind, node->channel),
-                coefficient(tree, node->parent, node->weight));
+        print_dot_node(out, tree, &tree->nodes[i], compiled);
     }
     for (size_t i = 0; i < tree->end_count; i++) {
         const struct observed_end *end = &tree->ends[i];

@@ -230,7 +230,7 @@ static void what_cannot_be_served_is_refused_before_anybody_comes(void **state) 
         int status;
         const char *said;
     } cases[] = {{"--listen 127.0.0.1:0 -o /nonexistent/x.png", 1, "cannot be written"},
-                 {"--listen 127.0.0.1:0 -o -", 2, "allowed is a file's name"},
+                 {"--listen 127.0.0.1:0 -o -", 2, "give each its own file"},
                  {"--listen 127.0.0.1:65536", 2, "with a port 0..65535"},
                  {"--listen somewhere", 2, "allowed are an address in numbers and a port"},
                  {"--listen [::1:5", 2, "[ADDRESS]:PORT"},

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* What the statistics say of the cable is what went over it. */
 #include <stdlib.h>
+#include <unistd.h>
 
 #include "usb_fixture.h"
 
@@ -145,11 +146,46 @@ static void verified_and_repaired_pixels_are_counted(void **state) {
     adapter_bus_close(&adapter);
 }
 
+/* Draws one dot of every second line from 100 on. */
+static void draw_every_other_line(void) {
+    for (unsigned y = 100; y < 300; y += 2) {
+        bus_write(&adapter.usb->bus, 0x00D6, (uint16_t)y, BUS_WORD);
+        bus_write(&adapter.usb->bus, 0x00D4, 1, BUS_WORD);
+        bus_write(&adapter.usb->bus, 0x00D8, 1, BUS_BYTE);
+    }
+    assert_int_equal(bus_flush(&adapter.usb->bus), BUS_OK);
+}
+
+static void a_list_of_rows_that_is_too_long_ends_with_a_whole_number(void **state) {
+    const struct cable_faults none = {0};
+    char said[1024] = "";
+    FILE *file = tmpfile();
+    (void)state;
+    plug_in(&none);
+    draw_every_other_line();
+    assert_non_null(file);
+    (void)fflush(stderr);
+    int stream = dup(STDERR_FILENO);
+    assert_true(stream >= 0 && dup2(fileno(file), STDERR_FILENO) >= 0);
+    adapter_bus_explain(&adapter, 100, 300, 1);
+    (void)fflush(stderr);
+    assert_true(dup2(stream, STDERR_FILENO) >= 0);
+    (void)close(stream);
+    rewind(file);
+    said[fread(said, 1, sizeof said - 1, file)] = '\0';
+    (void)fclose(file);
+    assert_non_null(strstr(said, "of 200 rows 100 are known to be on the board: 100, 102, "));
+    assert_non_null(strstr(said, ", 188, 190, and more; missing are 101, "));
+    assert_non_null(strstr(said, ", 189, 191, and more\n"));
+    adapter_bus_close(&adapter);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_good_cable_is_counted_byte_by_byte),
         cmocka_unit_test(what_goes_wrong_shows_in_the_counts),
         cmocka_unit_test(verified_and_repaired_pixels_are_counted),
+        cmocka_unit_test(a_list_of_rows_that_is_too_long_ends_with_a_whole_number),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

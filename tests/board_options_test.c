@@ -56,7 +56,7 @@ static const struct {
     {COMMAND_RENDER, "render a --faults flip-read=", "lose=N"},
     {COMMAND_RENDER, "render a --faults dead=12345", "dead=PORT"},
     {COMMAND_RENDER, "render a --faults vanish=0", "vanish=N"},
-    {COMMAND_RENDER, "render a --faults lost", "vanish=N"},
+    {COMMAND_RENDER, "render a --faults lost", "allowed is: lost with vanish=N"},
     {COMMAND_RENDER, "render a --faults seed=1,,absent", "with commas between"},
     {COMMAND_RENDER, "render a --faults absent,", "with commas between"},
     {COMMAND_RENDER, "render a --faults burning", "with commas between"},
@@ -114,6 +114,10 @@ static void options_about_the_board(void **state) {
     assert_true(parse(COMMAND_RENDER, "render a --bus ports --yes-these-ports-are-mine --base 02D0",
                       &options, &error));
     assert_int_equal(options.bus, BUS_CHOICE_PORTS);
+    assert_true(
+        parse(COMMAND_RENDER, "render a --faults lost --faults vanish=5", &options, &error));
+    assert_true(options.board.faults.vanish_after == 5);
+    assert_int_equal(options.board.faults.vanish_status, BUS_LOST);
 }
 
 static void what_a_trace_is_asked_for(void **state) {

@@ -61,9 +61,46 @@ cp m/points.csv before.csv
 # shellcheck disable=SC2086
 expect 0 '' measure ball.scene $points -o m
 cmp -s m/points.csv before.csv || wrong 'a finished measurement was not left alone'
+
+# Killed before the first point: the head is not there, or a part of it.
+for bytes in 0 1 100; do
+    mkdir early && head -c $bytes before.csv > early/points.csv
+    # shellcheck disable=SC2086
+    expect 0 '' measure ball.scene $points -o early
+    [ "$(head -n 1 early/points.csv)" = "$(head -n 1 before.csv)" ] || wrong "$bytes bytes of points.csv: no head"
+    [ "$(wc -l < early/points.csv)" -eq "$whole" ] || wrong "$bytes bytes of points.csv: points are lacking"
+    rm -r early
+done
 # shellcheck disable=SC2086
 (PATH=/nonexistent && "$program" measure ball.scene $points -o m 2> err.txt) || wrong 'no gnuplot: failed'
 grep -q 'gnuplot is not there' err.txt || wrong "no gnuplot: says \"$(cat err.txt)\""
+
+
+# Of few points, or of an arithmetic that some machines have no entry for, there are plots too.
+if command -v gnuplot > few.txt; then
+    for few in '--arith fx --depth 2 --threshold 0 --tail black' '--arith f64 --error 1' '--arith fx --error 1'; do
+        # shellcheck disable=SC2086
+        expect 0 '' measure ball.scene $few --size 16x10 --quiet -o few
+        [ ! -s err.txt ] || wrong "measure $few: says \"$(head -n 1 err.txt)\""
+        [ -s few/pareto-x86_64.png ] || wrong "measure $few: no plots"
+        rm -r few
+    done
+fi
+
+# A full disk, half-way: what was there stays whole.
+cp -r m old
+# shellcheck disable=SC2086
+(ulimit -f 1 && trap '' XFSZ && "$program" measure ball.scene $points -o m > out.txt 2> err.txt)
+[ $? -eq 1 ] || wrong 'a full disk: not exit status 1'
+diff -r m old > differences.txt || wrong "a full disk: $(head -n 3 differences.txt)"
+long=$(printf '%0200d' 0)
+long=$long/$long/$long/$long/$long/$long
+mkdir -p "$long"
+# shellcheck disable=SC2086
+expect 0 '' measure ball.scene $points -o "$long"
+for file in $(cd m && ls); do
+    [ -s "$long/$file" ] || wrong "in a folder with a long name: $file is not there"
+done
 
 # What was measured of a scene does not go with what it was changed into.
 sed -i 's/ior = 1.5/ior = 1.6/' ball.scene
@@ -94,10 +131,19 @@ grep -q 'fx|0.7|' e/report.md || wrong 'the report lacks the accuracy asked for'
 expect 2 'measure: -o FOLDER is lacking' measure ball.scene
 expect 2 'exposures is not measured' measure ball.scene --colour exposures -o n
 expect 2 'nothing' measure nothing -o n
+[ ! -e n ] || wrong 'a folder was made for a scene that is not there'
 expect 2 'two scenes are called' measure ball.scene ./ball.scene -o n
 expect 1 'cannot be written' measure ball.scene -o /dev/null/n
 mkdir -p other && echo 'a,b' > other/points.csv
 expect 2 'does not begin' measure ball.scene -o other
+
+"$program" measure fig3 --size 160x100 --quiet -o begun 2> /dev/null &
+for attempt in $(seq 100); do
+    [ -s begun/points.csv ] && break
+    sleep 0.1
+done
+[ "$(head -n 1 begun/points.csv)" = "$(head -n 1 before.csv)" ] || wrong "no head after $attempt tenths of a second"
+kill -KILL $! && wait $! 2> /dev/null
 
 # Pictures and signatures.
 expect 0 '' render ball.scene -o a.png --signatures a.sig --quiet
@@ -115,6 +161,18 @@ expect 2 'B.sig is lacking' compare a.png b.png --signatures a.sig
 expect 2 'B.png is lacking' compare a.png
 expect 2 'one too many' compare a.png b.png c.png
 expect 2 'two pictures only' compare --signatures a.sig b.sig --difference e.png
+# Also from pipes, and in any place; a file that is damaged is what is complained about.
+mkfifo pipe.sig pipe.png
+cat b.sig > pipe.sig &
+expect 0 '' compare --signatures a.sig pipe.sig
+cat b.sig > pipe.sig &
+cat a.png > pipe.png &
+expect 0 '' compare pipe.sig pipe.png b.png --signatures a.sig
+echo 'superframe' > damaged.sig
+expect 2 'damaged.sig: is no file of signatures' compare --signatures a.sig damaged.sig
+echo 'other' > damaged.sig
+expect 2 'damaged.sig: is no file of signatures' compare --signatures a.sig damaged.sig
+expect 2 'damaged.sig: is no file of signatures' compare a.png b.png damaged.sig --signatures a.sig
 head -c 100 a.sig > torn.sig
 expect 2 'ends too early' compare --signatures a.sig torn.sig
 expect 2 'is no file of signatures' compare a.png b.png --signatures a.png b.sig

@@ -7,6 +7,14 @@
 
 /* ---- Wrong input ---------------------------------------------------------------------------- */
 
+/* A ball that fixed point can't hold. */
+#define SMALL_BALL                                                                                 \
+    "echo 'version = 1; size = [4, 4]; camera = { eye = (0, -8, 0); look_at = (0, 0, 0); };\n"     \
+    "materials = { glass = { colour = [0, 0, 0]; ior = 1.5; }; };\n"                               \
+    "objects = ( { material = \"glass\"; solid = { box = { min = (-8, -8, -8);\n"                  \
+    "max = (8, 8, 8); }; }; },\n"                                                                  \
+    "{ material = \"glass\"; solid = { ball = { radius = 1e-9; }; }; } );' > s; "
+
 /* Each line ends with its status and a message, and writes no x.png. */
 static const struct {
     const char *line;
@@ -29,6 +37,7 @@ static const struct {
      "superframe: e/exposure-0.png: cannot be written: Not a directory"},
     {"superframe adapter --listen nowhere", 2, "superframe: --listen nowhere"},
     {"superframe boot x", 2, "superframe: x: cannot be read: No such file"},
+    {"echo > i; superframe boot i -o x.png", 2, "superframe: i: no 2HD image: less than 1261568"},
     {"superframe compare a", 2, "superframe: compare: B.png is lacking"},
     {"superframe render nothing -o x.png", 2, "superframe: nothing: cannot be read: No such file"},
     {"superframe render . -o x.png", 2, "superframe: .: is a folder"},
@@ -40,6 +49,12 @@ static const struct {
     {"superframe render fig3 --bus usb -o x.png", 2, "superframe: --output goes with --bus"},
     {"superframe render fig3 --rows 0:300 -o x.png", 2, "superframe: --rows 0:300"},
     {"superframe render fig3 -o - --stats -", 2, "superframe: two results"},
+    {"superframe render fig3 -o - --stats /dev/stdout", 2, "superframe: two results"},
+    {"superframe render fig3 --stats - > fig3.png", 2, "superframe: two results"},
+    {"superframe render fig3 -o - --stats /dev/stdout | cat > x.png; test ! -s x.png && rm x.png",
+     0, "superframe: two results"},
+    {"echo > s; superframe render s -o s", 2, "superframe: s: -o would overwrite"},
+    {"superframe compare a b --difference -", 2, "superframe: two results"},
     {"superframe render " TINY "-o no/x.png", 1,
      "superframe: no/x.png: cannot be written: No such"},
     {"superframe render " TINY "-o .", 1, "superframe: .: cannot be written: Is a directory"},
@@ -67,6 +82,8 @@ static const struct {
     {"superframe compare nothing nothing", 2, "superframe: nothing: cannot be read: No such file"},
     {"echo text > p; superframe compare p p", 2, "superframe: p: "},
     {"superframe check nothing", 2, "superframe: nothing"},
+    {SMALL_BALL "superframe check s", 2, "superframe: s:5: a ball smaller than"},
+    {SMALL_BALL "superframe check s", 2, "(--arith fx)\n"},
     {"superframe compile nothing -o x.png", 2, "superframe: nothing"},
 };
 
@@ -240,6 +257,20 @@ static void compiling(void **state) {
     assert_non_null(strstr(text_of("fig3.c"), "scene_fig3"));
 }
 
+static void names_are_quoted_in_a_graph(void **state) {
+    (void)state;
+    assert_status(
+        "cat > s << 'END'\n"
+        "version = 1; size = [16, 10]; camera = { eye = (0, -6, 1); look_at = (0, 0, 0); };\n"
+        "materials = { glass = { colour = [90, 40, 20]; ior = 1.5; }; };\n"
+        "objects = ( { name = \"a\\\"b\\\\c\"; material = \"glass\";\n"
+        "              solid = { ball = { radius = 1; }; }; } );\n"
+        "END\n"
+        "superframe tree s 8 5 --dot",
+        0);
+    assert_non_null(strstr(text_of("out"), "tooltip=\"air -> a\\\"b\\\\c\"];"));
+}
+
 /* The program with closed standard streams does not write its messages into its results. */
 static void closed_streams(void **state) {
     (void)state;
@@ -260,6 +291,34 @@ static void an_interrupt_ends_cleanly(void **state) {
     assert_int_equal(leftovers(), 0);
 }
 
+/* Whatever ends the program: it is at work on a trace that goes on, or on a long picture. */
+static void nothing_half_written_is_left_by_a_signal(void **state) {
+    (void)state;
+    static const struct {
+        const char *line;
+        int status;
+    } lines[] = {
+        {"mkfifo f; sleep 3 > f & timeout --foreground --preserve-status -s INT 1 "
+         "superframe replay f -o a.png",
+         130},
+        {"sleep 3 > f & timeout --foreground --preserve-status -s TERM 1 "
+         "superframe trace f --to text -o a.txt",
+         143},
+        {"timeout --foreground --preserve-status -s HUP 2 superframe render fig3 --arith f128 "
+         "--size 640x400 -o b.png",
+         129},
+        {"timeout --foreground --preserve-status -s QUIT 2 superframe render fig3 --arith f128 "
+         "--size 640x400 -o b.png",
+         131},
+    };
+    for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++) {
+        assert_status(lines[i].line, lines[i].status);
+        assert_int_equal(leftovers(), 0);
+    }
+    assert_false(is_there("a.png") || is_there("a.txt"));
+    assert_true(is_there("b.png"));
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         TEST(wrong_input),
@@ -275,8 +334,10 @@ int main(void) {
         TEST(strict_checks),
         TEST(comparisons),
         TEST(compiling),
+        TEST(names_are_quoted_in_a_graph),
         TEST(closed_streams),
         TEST(an_interrupt_ends_cleanly),
+        TEST(nothing_half_written_is_left_by_a_signal),
     };
     return cmocka_run_group_tests(tests, enter_group, leave_group);
 }

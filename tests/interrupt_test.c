@@ -1,9 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /* Interruptions, each in a process of its own: noted once, obeyed at once when repeated later. */
+#include <fcntl.h>
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdlib.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -26,6 +30,8 @@ static const struct interruption interruptions[] = {
     {"none", {0}, 0, 0, 0},
     {"one", {SIGINT}, 0, SIGINT, 0},
     {"the other", {SIGTERM}, 0, SIGTERM, 0},
+    {"a terminal that is closed", {SIGHUP}, 0, SIGHUP, 0},
+    {"quit", {SIGQUIT}, 0, SIGQUIT, 0},
     {"twice at once", {SIGINT, SIGINT}, 0, SIGINT, 0},
     {"thrice at once", {SIGTERM, SIGTERM, SIGTERM}, 0, SIGTERM, 0},
     {"both at once: the first counts", {SIGTERM, SIGINT}, 0, SIGTERM, 0},
@@ -98,10 +104,66 @@ static void what_the_caller_ignores_stays_ignored(void **state) {
     assert_int_equal(WEXITSTATUS(status), SIGTERM);
 }
 
+/* ---- Files that lie about ------------------------------------------------------------------- */
+
+/* A file, a folder with a file in it, and a file that is released again. */
+static void guard_files(void) {
+    static const char *const names[] = {"file", "sub/file", "released"};
+    (void)mkdir("sub", 0700);
+    interrupt_guard("sub");
+    for (int i = 0; i < 3; i++) {
+        (void)close(open(names[i], O_CREAT | O_WRONLY, 0600));
+        interrupt_guard(names[i]);
+    }
+    interrupt_release(names[2]);
+}
+
+/* What becomes of a process with guarded files that gets signals, with the first noted or not. */
+static int end_of_guard(bool is_caught, int signal_number, int times) {
+    int status = 0;
+    pid_t child = fork();
+    assert_true(child >= 0);
+    if (child == 0) {
+        guard_files();
+        if (is_caught) {
+            interrupt_catch();
+        }
+        for (int i = 0; i < times; i++) {
+            (void)raise(signal_number);
+            wait_us(LATER_US);
+        }
+        _exit(0);
+    }
+    assert_int_equal(waitpid(child, &status, 0), child);
+    return WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+}
+
+static void what_is_guarded_goes_with_a_program_that_is_ended(void **state) {
+    (void)state;
+    static const int signals[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
+    char folder[] = "/tmp/superframe-interrupt-XXXXXX", before[4096];
+    assert_non_null(getcwd(before, sizeof before));
+    assert_non_null(mkdtemp(folder));
+    assert_int_equal(chdir(folder), 0);
+    for (int i = 0; i < 4; i++) {
+        assert_int_equal(end_of_guard(false, signals[i], 1), signals[i]);
+        assert_int_equal(access("file", F_OK) + access("sub", F_OK), -2);
+        assert_int_equal(unlink("released"), 0);
+    }
+    assert_int_equal(end_of_guard(true, SIGINT, 1), 0);
+    assert_int_equal(access("file", F_OK) + access("sub/file", F_OK), 0);
+    assert_int_equal(end_of_guard(true, SIGINT, 2), SIGINT);
+    assert_int_equal(access("file", F_OK) + access("sub", F_OK), -2);
+    assert_int_equal(unlink("released"), 0);
+    assert_int_equal(chdir(before), 0);
+    assert_int_equal(rmdir(folder), 0);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_repeat_counts_only_later),
         cmocka_unit_test(what_the_caller_ignores_stays_ignored),
+        cmocka_unit_test(what_is_guarded_goes_with_a_program_that_is_ended),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

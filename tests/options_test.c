@@ -159,7 +159,11 @@ static const struct {
     {COMMAND_RENDER, "render a --bus trace:", "emulator, trace:FILE"},
     {COMMAND_RENDER, "render a --bus trace", "emulator, trace:FILE"},
     {COMMAND_RENDER, "render a --frobnicate", "no option --frobnicate"},
+    {COMMAND_RENDER, "render a --s", "--s is ambiguous; allowed are --size, --seed, --stats, "},
+    {COMMAND_RENDER, "render a --siz=3", "--size: \"3\" is not allowed"},
+    {COMMAND_RENDER, "render a --st=3", "--st=3 is ambiguous; allowed are --stats, --strict"},
     {COMMAND_RENDER, "render a -x", "no option -x"},
+    {COMMAND_TREE, "tree fig3 -1 5", "no option -1, and no number below 0 is allowed"},
     {COMMAND_RENDER, "render a --quiet=3", "--quiet: takes no value"},
     {COMMAND_RENDER, "render a --json", "no option --json"},
     /* Known, but not built into this version. */

@@ -192,6 +192,9 @@ static void an_owner_that_can_not_be_found_out_counts_as_one(void **state) {
     elsewhere.owners = "/nowhere/ioports";
     assert_int_equal(ports_linux_open(&ports, 0x02D0, &elsewhere, message), PORTS_LINUX_OWNED);
     assert_non_null(strstr(message, "/nowhere/ioports: No such file"));
+    elsewhere.owners = "/"; /* can be opened, but not read */
+    assert_int_equal(ports_linux_open(&ports, 0x02D0, &elsewhere, message), PORTS_LINUX_OWNED);
+    assert_non_null(strstr(message, "can't be found out: /: Is a directory"));
     assert_string_equal(fake.calls, "");
 }
 

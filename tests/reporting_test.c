@@ -61,6 +61,14 @@ static void strings_in_json(void **state) {
     assert_quoted("", "\"\"");
     assert_quoted("a\"b\\c\nd", "\"a\\u0022b\\u005cc\\u000ad\"");
     assert_quoted("\xC3\xA9", "\"\xC3\xA9\"");
+    assert_quoted("\xE3\x81\x82\xF0\x9F\x98\x80\x7F", "\"\xE3\x81\x82\xF0\x9F\x98\x80\x7F\"");
+    /* Bytes of another character set, a character that is cut off, a surrogate, and what is longer
+     * than it need be or beyond the last character. */
+    assert_quoted("caf\xE9.scene", "\"caf\\ufffd.scene\"");
+    assert_quoted("\xE3\x81", "\"\\ufffd\\ufffd\"");
+    assert_quoted("\xED\xA0\x80", "\"\\ufffd\\ufffd\\ufffd\"");
+    assert_quoted("\xC0\xAF", "\"\\ufffd\\ufffd\"");
+    assert_quoted("\xF4\x90\x80\x80", "\"\\ufffd\\ufffd\\ufffd\\ufffd\"");
 }
 
 static void names_after_scenes(void **state) {

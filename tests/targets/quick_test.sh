@@ -71,9 +71,9 @@ bad_images() {
     # shellcheck disable=SC2086 # a list of words, here and below
     {
         printf 'no image' > "$work/bad.hdm"
-        expect 1 'no 2HD image: less than 1261568 bytes' $run
+        expect 2 'no 2HD image: less than 1261568 bytes' $run
         truncate -s 1261569 "$work/bad.hdm"
-        expect 1 'no 2HD image: more than 1261568 bytes' $run
+        expect 2 'no 2HD image: more than 1261568 bytes' $run
         disk '\017\377' # 0F FF: no opcode
         expect 1 'an opcode that the CPU does not have; at 0001FC00h in real mode' $run
         expect 1 'cs     00001FC0' $run
@@ -92,6 +92,9 @@ bad_images() {
         disk '\372\364' # cli, hlt: a program that stops at once
         expect 0 '' $run
         [ -s "$work/bad.png" ] || wrong 'a run to the end has left no picture'
+        disk '\372\260\000\346\331\364' # cli, mov al 0, out D9h, hlt
+        expect 0 '' $run --trace "$work/bad.txt"
+        grep -q '^out8 00D9 00$' "$work/bad.txt" || wrong 'a trace that is called .txt is no text'
     }
     expect 2 'cannot be read' "$SUPERFRAME" boot "$work/none.hdm" -o "$work/bad.png"
 }

@@ -1,0 +1,155 @@
+/* SPDX-License-Identifier: MIT */
+/* Where results go: no two to one place, however it is spelled, and none over what is read. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#include "file_path.h"
+#include "options.h"
+
+enum { WORDS_MOST = 32, LINE_SIZE = 256 };
+
+/* In a folder with the files a.scene, t, in.png, link -> a.scene, ahead -> new.png, and sub/. */
+static const struct {
+    enum command_id command;
+    const char *line;
+    const char *fragment; /* of the message; NULL: taken */
+} lines[] = {
+    /* The picture that is named after the scene. */
+    {COMMAND_RENDER, "render fig3 --stats fig3.png", "the same place, fig3.png: -o and --stats"},
+    {COMMAND_RENDER, "render fig3 --signatures fig3.png", "-o and --signatures"},
+    {COMMAND_RENDER, "render fig3 --trace ./fig3.png", "-o and --trace"},
+    {COMMAND_RENDER, "render fig3 --bus trace:x --stats fig3.png", NULL},
+    {COMMAND_RENDER, "render fig3 --stats fig3", NULL},
+    {COMMAND_RENDER, "render fig3 -o fig3", NULL},
+    /* Every pair. */
+    {COMMAND_RENDER, "render fig3 --bus trace:x --signatures x", "--bus trace and --signatures"},
+    {COMMAND_RENDER, "render fig3 --bus trace:- --signatures -", "standard output"},
+    {COMMAND_RENDER, "render fig3 -o a --stats b --trace c --signatures d", NULL},
+    {COMMAND_BOOT, "boot a --trace x --stats ./x", "--stats and --trace"},
+    /* Other spellings. */
+    {COMMAND_RENDER, "render fig3 -o x.png --stats ./x.png", "the same place"},
+    {COMMAND_RENDER, "render fig3 -o x.png --stats sub/../x.png", "the same place"},
+    {COMMAND_RENDER, "render fig3 -o in.png --stats .//in.png", "the same place"},
+    {COMMAND_RENDER, "render fig3 -o ahead --stats new.png", "the same place"},
+    {COMMAND_RENDER, "render fig3 -o sub/x --stats x", NULL},
+    {COMMAND_RENDER, "render fig3 -o x --stats sub", NULL},
+    {COMMAND_RENDER, "render fig3 -o - --stats -", "standard output: -o and --stats"},
+    /* Devices. */
+    {COMMAND_RENDER, "render fig3 -o /dev/null --stats /dev/null", NULL},
+    {COMMAND_COMPARE, "compare in.png in.png --difference /dev/null", NULL},
+    /* The pictures of a multiple exposure, in a folder that is not there yet. */
+    {COMMAND_RENDER, "render fig3 --keep-exposures ke -o ke/exposure-0.png", "--keep-exposures"},
+    {COMMAND_RENDER, "render fig3 --keep-exposures ke/ -o ./ke/./exposure-7.png", "the same place"},
+    {COMMAND_RENDER, "render fig3 --keep-exposures ke -o ke/exposure-8.png", NULL},
+    {COMMAND_RENDER, "render fig3 --keep-exposures ke -o exposure-0.png", NULL},
+    /* What a command prints. */
+    {COMMAND_COMPARE, "compare in.png t --difference -", "--difference and the report"},
+    {COMMAND_COMPARE, "compare in.png t --difference d.png", NULL},
+    {COMMAND_TRACE, "trace t -o - --list", "-o and what is told"},
+    {COMMAND_TRACE, "trace t -o -", NULL},
+    {COMMAND_ADAPTER, "adapter -o -", "where the adapter listens"},
+    /* What is read. */
+    {COMMAND_RENDER, "render a.scene -o ./a.scene", "a.scene: -o would overwrite what is read"},
+    {COMMAND_RENDER, "render a.scene --stats link", "--stats would overwrite"},
+    {COMMAND_RENDER, "render sub/../in.png", "-o would overwrite"}, /* in.png is the default */
+    {COMMAND_RENDER, "render fig3 --native in.png -o in.png", "in.png: -o would overwrite"},
+    {COMMAND_REPLAY, "replay a.scene t -o t", "t: -o would overwrite"},
+    {COMMAND_REPLAY, "replay t t -o x", NULL},
+    {COMMAND_REPLAY, "replay - -o -", NULL},
+    {COMMAND_TRACE, "trace t --to text -o t", "would overwrite"},
+    {COMMAND_COMPILE, "compile a.scene -o a.scene", "would overwrite"},
+    {COMMAND_EXPORT, "export a.scene --pov -o link", "would overwrite"},
+    {COMMAND_TREE, "tree a.scene 1 2 -o a.scene", "would overwrite"},
+    {COMMAND_TREE, "tree fig3 1 2 -o 1", NULL},
+    {COMMAND_BOOT, "boot t --trace t", "would overwrite"},
+    {COMMAND_COMPARE, "compare in.png t --difference in.png", "would overwrite"},
+    {COMMAND_COMPARE, "compare a b --signatures t --difference t", "would overwrite"},
+    {COMMAND_COMPARE, "compare in.png in.png --signatures in.png", NULL},
+};
+
+static char before[4096], folder[] = "/tmp/superframe-places-XXXXXX";
+
+static int enter(void **state) {
+    (void)state;
+    if (getcwd(before, sizeof before) == NULL || mkdtemp(folder) == NULL || chdir(folder) != 0) {
+        return -1;
+    }
+    return system("echo > a.scene; echo > t; echo > in.png; mkdir sub; ln -s a.scene link; "
+                  "ln -s new.png ahead");
+}
+
+static int leave(void **state) {
+    (void)state;
+    char line[128];
+    (void)snprintf(line, sizeof line, "rm -r %s", folder);
+    return chdir(before) != 0 || system(line) != 0 ? -1 : 0;
+}
+
+static bool parse(enum command_id command, const char *line, struct options_error *error) {
+    char text[LINE_SIZE], *words[WORDS_MOST + 1];
+    struct options options;
+    int count = 0;
+    (void)snprintf(text, sizeof text, "%s", line);
+    for (char *word = strtok(text, " "); word != NULL && count < WORDS_MOST;
+         word = strtok(NULL, " ")) {
+        words[count++] = word;
+    }
+    words[count] = NULL;
+    error->text[0] = '\0';
+    return options_parse(command, count, words, &options, error);
+}
+
+static void results_that_clash_are_refused(void **state) {
+    (void)state;
+    for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++) {
+        struct options_error error;
+        bool is_taken = parse(lines[i].command, lines[i].line, &error);
+        bool is_right = lines[i].fragment == NULL
+                            ? is_taken
+                            : !is_taken && strstr(error.text, lines[i].fragment) != NULL;
+        if (!is_right) {
+            fail_msg("\"%s\": \"%s\"", lines[i].line, error.text);
+        }
+    }
+}
+
+static void a_path_is_resolved_whether_it_is_there_or_not(void **state) {
+    (void)state;
+    static const struct {
+        const char *path, *resolved; /* in the folder */
+    } paths[] = {{".", ""},
+                 {"t", "/t"},
+                 {"./sub/.././t", "/t"},
+                 {"link", "/a.scene"},
+                 {"ahead", "/new.png"},
+                 {"not", "/not"},
+                 {"sub/../not", "/not"},
+                 {"not/./there//yet/", "/not/there/yet"}};
+    for (size_t i = 0; i < sizeof paths / sizeof paths[0]; i++) {
+        char wanted[256];
+        (void)snprintf(wanted, sizeof wanted, "%s%s", folder, paths[i].resolved);
+        char *resolved = path_resolve(paths[i].path);
+        assert_string_equal(resolved, wanted);
+        free(resolved);
+    }
+    char *root = path_resolve("/not-there/at-all");
+    assert_string_equal(root, "/not-there/at-all");
+    free(root);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(results_that_clash_are_refused),
+        cmocka_unit_test(a_path_is_resolved_whether_it_is_there_or_not),
+    };
+    return cmocka_run_group_tests(tests, enter, leave);
+}
