@@ -82,13 +82,15 @@ static void set_register(struct run *run, int number, uint32_t value) {
 /* Called before each block of code. A block is translated before it runs, so that its length is
  * known to Unicorn; it is asked for once and kept. */
 static void enter_block(uc_engine *engine, uint64_t address, uint32_t size, void *context) {
+    /* As unsigned: UC_CTL_READ_WRITE() shifts a bit into the sign. */
+    const uc_control_type request =
+        (uc_control_type)UC_CTL(UC_CTL_TB_REQUEST_CACHE, 2, (unsigned)UC_CTL_IO_READ_WRITE);
     struct run *run = context;
     struct block_length *block = &run->blocks[(address ^ address >> 12) & (BLOCKS - 1)];
     (void)size;
     if (block->address != (uint32_t)address || block->instructions == 0) {
         uc_tb translated;
-        if (run->unicorn.ctl(engine, UC_CTL_READ_WRITE(UC_CTL_TB_REQUEST_CACHE, 2), address,
-                             &translated) != UC_ERR_OK) {
+        if (run->unicorn.ctl(engine, request, address, &translated) != UC_ERR_OK) {
             end_run(run, PROCESSOR_LOST, "the code there cannot be read");
             return;
         }
