@@ -179,6 +179,9 @@ static void wides(void) {
         int64_t least = (int64_t)1 << bits;
         normalise_wide(least, least + (least - 1));
     }
+    real_unit null[3];
+    unit_normalise_wide(0, 0, 0, &null[0], &null[1], &null[2]);
+    is_value(null[0]);
 }
 
 static void energies(void) {
