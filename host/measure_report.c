@@ -45,9 +45,9 @@ static void write_method(const struct report *report) {
         names, first->width, first->height, MEASURE_CONVERGED_DEPTH);
     page_paragraph(report,
                    "That double is exact enough was checked against 113-bit numbers (f128), 48 x "
-                   "30 pixels of each scene at N = 10: at least %.2f %% of the pixels are the same "
-                   "to the last bit. f128 itself is too slow for the converged pictures.",
-                   oracle);
+                   "30 pixels of each scene at N = 10: %s%.2f %% of the pixels are the same to the "
+                   "last bit. f128 itself is too slow for the converged pictures.",
+                   oracle < 100 ? "at least " : "", floor(100 * oracle) / 100);
     page_paragraph(report,
                    "Seconds are predicted from counted rays, boundaries, tests and port writes, by "
                    "the operations that each takes and the instructions that each operation takes "

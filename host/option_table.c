@@ -15,6 +15,7 @@ enum {
     SCENE_READERS = BIT(RENDER) | BIT(CHECK) | BIT(COMPILE) | BIT(EXPORT) | BIT(TREE),
     BOARD_USERS = BIT(RENDER) | BIT(REPLAY) | BIT(BOOT),
     BOARD_WATCHERS = BOARD_USERS | BIT(TRACE),
+    BOARD_MAKERS = BIT(RENDER) | BIT(BOOT) | BIT(ADAPTER),
     TRACE_READERS = BIT(REPLAY) | BIT(TRACE)
 };
 
@@ -336,6 +337,8 @@ static enum value_verdict set_json(struct options *options, const char *value) {
 #define ERRORS     "a number 0.01..255"
 #define MODELS     "simple, fresnel, wavelength, absorption"
 #define TAILS      "black or estimate"
+#define PROFILES   "1987 or later"
+#define BASES      "00D0, 02D0, 04D0, 06D0, 08D0, 0AD0 or 0CD0"
 
 const struct option_entry option_table[] = {
     {"output", 'o', "FILE",
@@ -390,10 +393,12 @@ const struct option_entry option_table[] = {
      "record every port access as well"},
     {"rows", 0, "A:B", BIT(RENDER), set_rows, "A:B with 0 <= A < B <= 400",
      "only rows A..B-1; the others are not touched"},
-    {"profile", 0, "BOARD", BOARD_WATCHERS | BIT(ADAPTER), set_profile, "1987 or later",
-     "which board (1987)"},
-    {"base", 0, "PORT", BOARD_WATCHERS | BIT(ADAPTER), set_base,
-     "00D0, 02D0, 04D0, 06D0, 08D0, 0AD0 or 0CD0", "the jumper's base address (00D0)"},
+    {"profile", 0, "BOARD", BOARD_MAKERS, set_profile, PROFILES, "which board (1987)"},
+    {"profile", 0, "BOARD", TRACE_READERS, set_profile, PROFILES,
+     "which board (that of the trace; of a text trace 1987)"},
+    {"base", 0, "PORT", BOARD_MAKERS, set_base, BASES, "the jumper's base address (00D0)"},
+    {"base", 0, "PORT", TRACE_READERS, set_base, BASES,
+     "the jumper's base address (that of the trace; of a text trace 00D0)"},
     {"verify", 0, "[=PERCENT]", BIT(RENDER), set_verify, "a whole number 1..100",
      "read back what was drawn over USB or HID, or so many of its lines, and repair it"},
     {"wait", 0, NULL, BIT(RENDER), set_wait, "", "wait for an adapter, and for a lost one"},
