@@ -1,35 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The command line's options about the board and about traces: good values, wrong ones, and what
  * excludes what. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <string.h>
-
-#include <cmocka.h>
-
-#include "options.h"
-
-enum { WORDS_MOST = 32, LINE_SIZE = 256 };
-
-/* Parses a line of words with one blank between each two; its first word is dropped. */
-static bool parse(enum command_id command, const char *line, struct options *options,
-                  struct options_error *error) {
-    static char text[LINE_SIZE]; /* options point into it */
-    static char *words[WORDS_MOST + 1];
-    int count = 0;
-    (void)snprintf(text, sizeof text, "%s", line);
-    for (char *word = strtok(text, " "); word != NULL && count < WORDS_MOST;
-         word = strtok(NULL, " ")) {
-        words[count++] = word;
-    }
-    words[count] = NULL;
-    error->text[0] = '\0';
-    return options_parse(command, count, words, options, error);
-}
+#include "options_fixture.h"
 
 /* Refused, and with a message that holds the fragment. */
 static const struct {

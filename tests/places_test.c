@@ -1,21 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* Where results go: no two to one place, however it is spelled, and none over what is read. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
+#include "options_fixture.h"
+
 #include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
 
-#include <cmocka.h>
-
 #include "file_path.h"
-#include "options.h"
-
-enum { WORDS_MOST = 32, LINE_SIZE = 256 };
 
 /* In a folder with the files a.scene, t, in.png, link -> a.scene, ahead -> new.png, and sub/. */
 static const struct {
@@ -94,25 +84,12 @@ static int leave(void **state) {
     return chdir(before) != 0 || system(line) != 0 ? -1 : 0;
 }
 
-static bool parse(enum command_id command, const char *line, struct options_error *error) {
-    char text[LINE_SIZE], *words[WORDS_MOST + 1];
-    struct options options;
-    int count = 0;
-    (void)snprintf(text, sizeof text, "%s", line);
-    for (char *word = strtok(text, " "); word != NULL && count < WORDS_MOST;
-         word = strtok(NULL, " ")) {
-        words[count++] = word;
-    }
-    words[count] = NULL;
-    error->text[0] = '\0';
-    return options_parse(command, count, words, &options, error);
-}
-
 static void results_that_clash_are_refused(void **state) {
     (void)state;
     for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++) {
+        struct options options;
         struct options_error error;
-        bool is_taken = parse(lines[i].command, lines[i].line, &error);
+        bool is_taken = parse(lines[i].command, lines[i].line, &options, &error);
         bool is_right = lines[i].fragment == NULL
                             ? is_taken
                             : !is_taken && strstr(error.text, lines[i].fragment) != NULL;
