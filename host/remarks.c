@@ -41,10 +41,9 @@ void remarks_complain(const struct compiled_scene *scene, const struct arithmeti
             weld_of(scene), scene->near_count);
     }
     if (eye_is_in_opaque(scene)) {
-        complain("%s:%u: the eye is inside this opaque object, '%s': all that is seen is its inner "
-                 "side; move the eye if that is not meant",
-                 scene->path, scene->objects[scene->camera.object].line,
-                 scene->object_names[scene->camera.object]);
+        complain("%s:%u: the eye is inside this opaque object: all that is seen is its inner side; "
+                 "move the eye if that is not meant",
+                 scene->path, scene->objects[scene->camera.object].line);
     }
 }
 

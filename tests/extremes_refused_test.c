@@ -118,6 +118,10 @@ static void curves_that_lose_their_shape_are_refused(void **state) {
         {"ellipsoid = { radii = (7, 0.0004, 0.0004); };", "fx", "longer for its width"},
         {"ellipsoid = { radii = (7, 0.0004, 0.0004); };", "f32", ""},
         {"ellipsoid = { radii = (7, 0.02, 0.02); };", "fx", ""},
+        {"cone = { from = (0, 0, 0); to = (0, 0.0001, 0.0002); from_radius = 0; to_radius = 7; };",
+         "fx", "longer for its width"},
+        {"cone = { from = (0, 0, 0); to = (0, 0.0001, 0.0002); from_radius = 0; to_radius = 7; };",
+         "f32", ""},
         {"cone = { from = (0, 0, 0); to = (3, 4, 1); from_radius = 1e-6; to_radius = 1; };", "f32",
          ""},
     };

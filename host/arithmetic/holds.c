@@ -158,8 +158,22 @@ static struct compiled_quadric rounded(const struct compiled_quadric *quadric) {
     return moved;
 }
 
-/* A quadric may move by so many scaled units, of the 1,024 of a scene: less than half a pixel. */
-#define STRAY_MOST 0.5
+/* A quadric may move by so many scaled units, of the 1,024 of a scene: less than half a pixel. Its
+ * proportions may change by so much: a cone that is nearly flat opens wider without moving far. */
+#define STRAY_MOST        0.5
+#define SQUARE_STRAY_MOST (1.0 / 64)
+
+static bool keeps_shape(const struct compiled_scene *scene, uint8_t frame,
+                        const struct compiled_quadric *quadric) {
+    struct compiled_quadric moved = rounded(quadric);
+    for (int i = 0; i < 3; i++) {
+        if (fabs(moved.square[i] - quadric->square[i]) >
+            SQUARE_STRAY_MOST * fabs(quadric->square[i])) {
+            return false;
+        }
+    }
+    return compiled_quadric_strays(scene, frame, quadric, &moved) <= STRAY_MOST;
+}
 
 static bool curves_keep_shape(const struct compiled_scene *scene, struct scene_error *error) {
     for (int i = 0; i < scene->primitive_count; i++) {
@@ -175,8 +189,7 @@ static bool curves_keep_shape(const struct compiled_scene *scene, struct scene_e
         if (is_too_small(least_radius(quadric))) {
             return fail(scene, primitive->line, "a solid narrower", "wider", error);
         }
-        struct compiled_quadric moved = rounded(quadric);
-        if (compiled_quadric_strays(scene, primitive->frame, quadric, &moved) > STRAY_MOST) {
+        if (!keeps_shape(scene, primitive->frame, quadric)) {
             return fail(scene, primitive->line, "a solid longer for its width", "shorter", error);
         }
     }
