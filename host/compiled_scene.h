@@ -20,7 +20,8 @@ enum {
     COMPILED_PLANES_MOST = 512,
     COMPILED_OBJECTS_MOST = 128,
     COMPILED_PROGRAM_BYTES_MOST = 4096,
-    COMPILED_MATERIALS_MOST = SCENE_MATERIALS_MOST + 1
+    COMPILED_MATERIALS_MOST = SCENE_MATERIALS_MOST + 1,
+    COMPILED_DEAD_MOST = COMPILED_OBJECTS_MOST + SCENE_LIGHTS_MOST + 6 * SCENE_MATERIALS_MOST + 8
 };
 
 struct compiled_set {
@@ -78,6 +79,7 @@ struct compiled_object {
     bool in_shadow_test;
     struct compiled_set uses;
     unsigned line;          /* of the scene file */
+    uint8_t part;           /* of the file's objects, in the order in which they are taken apart */
     double low[3], high[3]; /* bounds, perhaps infinite; no part of the firmware's tables */
 };
 
@@ -125,6 +127,12 @@ struct compiled_report {
     unsigned hidden;     /* pairs of primitives of which one is not met from within the other */
 };
 
+/* What of the file can't change the picture, and is not in the tables, for people. */
+struct compiled_dead {
+    char what[80];
+    const char *why;
+};
+
 struct compiled_scene {
     uint16_t width, height;
     uint8_t depth;
@@ -168,6 +176,12 @@ struct compiled_scene {
     struct compiled_report report;
     struct compiled_set shadow_primitives;
     bool has_shadows; /* some light casts them; no part of the firmware's tables */
+
+    /* No part of the firmware's tables either. */
+    bool has_branches;   /* paths go on behind some surface, if the depth level lets them */
+    uint8_t depth_asked; /* depth is as much of it as paths can use */
+    struct compiled_dead dead[COMPILED_DEAD_MOST];
+    unsigned dead_count;
 
     uint8_t show, show_bits; /* enum compiled_show */
     uint32_t seed;
