@@ -112,7 +112,7 @@ static void mark_material(struct compiler *compiler, const struct compile_reach 
     const struct compiled_scene *scene = compiler->scene;
     const struct compiled_material *material = &scene->materials[index];
     struct compile_dead *dead = compiler->dead;
-    uint8_t file = compiler->file_material[index];
+    uint8_t file = material->file;
     bool is_used = false, is_kept = false;
     bool is_entered =
         lets_paths_in(scene, reach) || scene->objects[scene->camera.object].material == index;

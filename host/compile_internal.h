@@ -56,10 +56,8 @@ struct compiler {
     struct compiled_scene *scene;
     struct scene_error *error;
     struct compile_dead *dead;
-    int part; /* the number of the next part */
-    uint8_t
-        material_of[SCENE_MATERIALS_MOST]; /* a material of the file: its number in the tables */
-    uint8_t file_material[COMPILED_MATERIALS_MOST]; /* and back */
+    int part;                                  /* the number of the next part */
+    uint8_t material_of[SCENE_MATERIALS_MOST]; /* a material of the file: its number here */
     uint8_t file_light[SCENE_LIGHTS_MOST];
     struct affine scaling;   /* the file's coordinates to scaled ones */
     unsigned line;           /* of the node or object at work */

@@ -146,7 +146,7 @@ bool compile_materials(struct compiler *compiler) {
         uint8_t number = scene->material_count++;
         struct compiled_material *to = &scene->materials[number];
         compiler->material_of[i] = number;
-        compiler->file_material[number] = (uint8_t)i;
+        to->file = (uint8_t)i;
         compile_nothing(to);
         if (compiler->dead->look[i] == NULL && !compile_look(compiler, i, to)) {
             return false;

@@ -100,6 +100,7 @@ struct compiled_material {
     double transmittance;
     double reflects[3], transmits[3], filter[3];
     double absorption[3];
+    uint8_t file; /* its number in the file, from 0; no part of the firmware's tables */
 };
 
 struct compiled_specular_table {
