@@ -240,8 +240,8 @@ static unsigned boundaries_most(const struct compiled_scene *scene) {
     return most;
 }
 
-/* Returns true if no ray comes back from a mirror to the same one: a convex one, with nothing let
- * into it. */
+/* Returns true if no ray comes back from a mirror to the same one: a convex one with nothing let
+ * into it, seen from outside. */
 static bool never_mirrors_itself(const struct compiler *compiler, int index) {
     const struct compiled_scene *scene = compiler->scene;
     const struct compiled_object *object = &scene->objects[index];
@@ -250,7 +250,9 @@ static bool never_mirrors_itself(const struct compiler *compiler, int index) {
             return false;
         }
     }
-    return object->length == 1 && scene->primitives[scene->programs[object->program]].left_for_good;
+    return object->length == 1 &&
+           scene->primitives[scene->programs[object->program]].left_for_good &&
+           !compiled_object_holds(scene, (uint8_t)index, &scene->camera.inside);
 }
 
 /* The most reflections and refractions that a path can have, by what there is to turn it aside. */

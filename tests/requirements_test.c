@@ -25,9 +25,10 @@ enum { TEXT_SIZE = 8192 };
 #define GHOST  "ghost = { colour = [0, 0, 0]; ior = 1; absorption = 0.5; };"
 #define MIRROR "mirror = { colour = [0, 0, 0]; specular = 0.5; };"
 #define DULL   "dull = { colour = [0, 0, 0]; specular = 0.1; };"
-#define TABLE(a)                                                                                   \
-    "shiny = { colour = [0, 0, 0]; specular = (" a ", 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, "              \
-    "0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5); };"
+#define SPECULAR_TABLE(a)                                                                          \
+    "specular = (" a                                                                               \
+    ", 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5); };"
+#define TABLE(a)  "shiny = { colour = [0, 0, 0]; " SPECULAR_TABLE(a)
 #define STRIPED   "pattern = { size = [1, 0, 0]; colour = [9, 9, 8]; }; };"
 #define MATERIALS CLAY OWN GLASS GHOST MIRROR DULL
 
@@ -308,6 +309,9 @@ static void materials_without_an_effect_are_dead(void **state) {
          "dead        highlight of", false},
         {"", "", "lit = { colour = [9, 9, 9]; specular = 0.4; ior = 1.5; };", OF("lit", BALL),
          "dead        highlight of", true},
+        {"", "", GLASS, OF("glass", BALL), "dead        highlight of", false},
+        {"", "", "lit = { colour = [9, 9, 9]; ior = 1.5; " SPECULAR_TABLE("0.4"), OF("lit", BALL),
+         "dead        highlight of", true},
         {"", "", MIRROR, OF("mirror", BALL), "dead        highlight of", false},
     };
     RUN(cases);
@@ -344,6 +348,26 @@ static void absorption_of_glass_never_entered_is_dead(void **state) {
     RUN(cases);
 }
 
+/* An object of several materials is in several parts. */
+static void an_object_is_called_dead_once_for_each_reason(void **state) {
+    (void)state;
+#define TWO(other, x)                                                                              \
+    NAMED("clay", "{ union = ( " BALL_AT(x, "-9", "1",                                             \
+                                         "0.5") ", { ball = { centre = (" x                        \
+                                                ", -9, 3); radius = 0.5; }; material = \"" other   \
+                                                "\"; } ); }")
+    static const struct scene_case scene = {
+        "", LAMP, MATERIALS, TWO("dull", "0") "," TWO("ghost", "2") "," OF("own", BALL), "", true};
+    char text[TEXT_SIZE];
+    struct compiled_scene *compiled = compile_case(&scene, text);
+    unsigned told = 0;
+    for (unsigned i = 0; i < compiled->dead_count; i++) {
+        told += strcmp(compiled->dead[i].what, "object \"it\" (line 6)") == 0;
+    }
+    assert_int_equal(told, 3); /* of the second one, only the clay could throw a shadow */
+    free(compiled);
+}
+
 /* ---- Depth ---------------------------------------------------------------------------------- */
 
 static void depth_is_what_paths_can_use(void **state) {
@@ -356,10 +380,11 @@ static void depth_is_what_paths_can_use(void **state) {
         {"", OF("clay", BALL), false, 0},
         {"", OF("clay", BALL) "," OF("mirror", BEHIND), false, 0},
         {"", OF("clay", BALL), true, 0},
-        /* A ball mirrors no ray to itself; a box, two balls, or one that is hollowed out may. */
+        /* A ball mirrors no ray to itself; a box, two balls, or one that is hollow may. */
         {"threshold = 0;", OF("mirror", BALL), false, 1},
         {"threshold = 0;", OF("mirror", "{ ellipsoid = { radii = (1, 0.5, 0.7); }; }"), false, 1},
         {"threshold = 0;", OF("mirror", BOX), false, 255},
+        {"threshold = 0;", OF("mirror", BALL_AT("0", "-6", "2", "1")), false, 255},
         {"threshold = 0;", OF("mirror", BALL) "," OF("mirror", BESIDE), false, 255},
         {"threshold = 0;", OF("mirror", BALL) "," OF("ghost", BALL_AT("0", "-1", "1", "0.5")),
          false, 255},
@@ -373,6 +398,7 @@ static void depth_is_what_paths_can_use(void **state) {
         /* Straight on, each convex solid is entered and left once, others twice. */
         {"threshold = 0;", OF("ghost", BALL), false, 2},
         {"threshold = 0;", OF("ghost", BOX), false, 2},
+        {"threshold = 0;", OF("ghost", "{ ellipsoid = { radii = (1, 0.5, 0.7); }; }"), false, 2},
         {"threshold = 0;", OF("ghost", BALL) "," OF("ghost", BESIDE), false, 4},
         {"threshold = 0;", OF("ghost", BALL) "," OF("clay", BESIDE), false, 2},
         {"threshold = 0; model = \"simple\";", OF("glass", BALL), false, 2},
@@ -407,6 +433,21 @@ static void depth_is_what_paths_can_use(void **state) {
     }
 }
 
+static void what_ends_paths_is_said(void **state) {
+    (void)state;
+    static const struct scene_case cases[] = {
+        {"", LAMP, MATERIALS, OF("clay", BALL),
+         "dead        depth beyond 0: what is seen neither mirrors nor lets light through", true},
+        {"", LAMP, MATERIALS, OF("ghost", BALL),
+         "dead        depth beyond 2: no path is mirrored or let through more often", true},
+        {"", LAMP, MATERIALS, OF("dull", BOX),
+         "dead        depth beyond 4: the threshold ends every path by then", true},
+        {"", LAMP, MATERIALS, OF("glass", BALL), "dead        depth", false},
+        {"depth = 4;", LAMP, MATERIALS, OF("dull", BOX), "dead        depth", false},
+    };
+    RUN(cases);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_is_out_of_view_is_dead_unless_rays_turn_to_it),
@@ -415,7 +456,9 @@ int main(void) {
         cmocka_unit_test(lights_that_light_nothing_are_dead),
         cmocka_unit_test(materials_without_an_effect_are_dead),
         cmocka_unit_test(absorption_of_glass_never_entered_is_dead),
+        cmocka_unit_test(an_object_is_called_dead_once_for_each_reason),
         cmocka_unit_test(depth_is_what_paths_can_use),
+        cmocka_unit_test(what_ends_paths_is_said),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
