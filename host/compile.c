@@ -66,8 +66,41 @@ bool compile_scaling(struct compiler *compiler) {
     return true;
 }
 
-struct compiled_scene *scene_compile(const struct scene_description *description,
-                                     struct scene_error *error) {
+void compile_show(const struct compiler *compiler, enum compile_step step) {
+    if (compiler->observer != NULL) {
+        compiler->observer->look(compiler->observer->context, step, compiler->scene);
+    }
+}
+
+/* Takes one step and shows the tables where it succeeds. */
+static bool step(struct compiler *compiler, bool (*work)(struct compiler *compiler),
+                 enum compile_step done) {
+    if (!work(compiler)) {
+        return false;
+    }
+    compile_show(compiler, done);
+    return true;
+}
+
+static bool compile_all(struct compiler *compiler) {
+    if (!compile_scaling(compiler) || !compile_materials(compiler) ||
+        !step(compiler, compile_objects, STEP_OBJECTS) ||
+        !step(compiler, compile_optimise, STEP_COMPACT) ||
+        !step(compiler, compile_view, STEP_VIEW) || !compile_colour(compiler)) {
+        return false;
+    }
+    compile_lights(compiler);
+    compile_brightest(compiler);
+    compile_shadows(compiler);
+    compile_show(compiler, STEP_SHADOWS);
+    compile_enclosures(compiler);
+    compile_show(compiler, STEP_ENCLOSURES);
+    return true;
+}
+
+struct compiled_scene *scene_compile_observed(const struct scene_description *description,
+                                              const struct compile_observer *observer,
+                                              struct scene_error *error) {
     struct compiled_scene *scene = calloc(1, sizeof *scene);
     struct compiler *compiler = calloc(1, sizeof *compiler);
     bool good = scene && compiler;
@@ -77,16 +110,9 @@ struct compiled_scene *scene_compile(const struct scene_description *description
         compiler->description = description;
         compiler->scene = scene;
         compiler->error = error;
+        compiler->observer = observer;
         snprintf(scene->path, sizeof scene->path, "%s", description->path);
-        good = compile_scaling(compiler) && compile_materials(compiler) &&
-               compile_objects(compiler) && compile_optimise(compiler) && compile_view(compiler) &&
-               compile_colour(compiler);
-    }
-    if (good) {
-        compile_lights(compiler);
-        compile_brightest(compiler);
-        compile_shadows(compiler);
-        compile_enclosures(compiler);
+        good = compile_all(compiler);
     }
     free(compiler);
     if (!good) {
@@ -94,4 +120,9 @@ struct compiled_scene *scene_compile(const struct scene_description *description
         return NULL;
     }
     return scene;
+}
+
+struct compiled_scene *scene_compile(const struct scene_description *description,
+                                     struct scene_error *error) {
+    return scene_compile_observed(description, NULL, error);
 }

@@ -40,6 +40,7 @@ struct compiler {
     const struct scene_description *description;
     struct compiled_scene *scene;
     struct scene_error *error;
+    const struct compile_observer *observer; /* NULL: none */
     struct affine scaling;   /* the file's coordinates to scaled ones */
     unsigned line;           /* of the node or object at work */
     unsigned lost_line;      /* of a half-space of the object, none of it in the world; 0: no */
@@ -54,6 +55,9 @@ bool compile_fail(struct compiler *compiler, unsigned line, const char *format, 
     __attribute__((format(printf, 3, 4)))
 #endif
     ;
+
+/* Shows the tables to the observer, if there is one. */
+void compile_show(const struct compiler *compiler, enum compile_step step);
 
 /* Centre and scale: from the bounds of what is bounded, the eye and the point lights. */
 bool compile_scaling(struct compiler *compiler);

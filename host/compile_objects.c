@@ -109,6 +109,7 @@ static bool add_object(struct compiler *compiler, const struct instance *instanc
     object->program = scene->program_length;
     object->length = 0;
     object->material = (uint8_t)(instance->material + 1);
+    object->part = scene->object_count;
     struct bounds bounds =
         solid_bounds(compiler->description, instance->node, &instance->placement);
     if (!append_program(compiler, instance->node, &instance->placement, 0)) {

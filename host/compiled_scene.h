@@ -77,6 +77,7 @@ struct compiled_object {
     uint8_t material;
     bool in_shadow_test;
     struct compiled_set uses;
+    uint8_t part;           /* its number before any object was left out */
     unsigned line;          /* of the scene file */
     double low[3], high[3]; /* bounds, perhaps infinite; no part of the firmware's tables */
 };
@@ -192,10 +193,36 @@ enum {
 
 enum compiled_show { COMPILED_FULL, COMPILED_BITS, COMPILED_DITHER, COMPILED_EXPOSURES };
 
+/* The steps of the scene compiler, in their order. After each of them the tables describe the same
+ * scene; simplifying and fusing are three passes. */
+enum compile_step {
+    STEP_OBJECTS,
+    STEP_SIMPLIFY,
+    STEP_FUSE,
+    STEP_SIMPLIFY_FUSED,
+    STEP_BOUND,
+    STEP_COMPACT,
+    STEP_VIEW,
+    STEP_SHADOWS,
+    STEP_ENCLOSURES,
+    STEP_COUNT
+};
+
+/* Looks at the tables after each step. The tables are valid during the call only. */
+struct compile_observer {
+    void (*look)(void *context, enum compile_step step, const struct compiled_scene *scene);
+    void *context;
+};
+
 /* Flattens, centres, scales and analyses a scene. NULL with *error filled where the scene cannot be
  * rendered (the line is that of the culprit). The caller frees the result with free(). */
 struct compiled_scene *scene_compile(const struct scene_description *description,
                                      struct scene_error *error);
+
+/* Compiles as scene_compile() does and shows the tables to an observer, which may be NULL. */
+struct compiled_scene *scene_compile_observed(const struct scene_description *description,
+                                              const struct compile_observer *observer,
+                                              struct scene_error *error);
 
 /* An axis of a frame, or of the world. */
 const double *compiled_axis(const struct compiled_scene *scene, uint8_t frame, int axis);
