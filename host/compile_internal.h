@@ -41,8 +41,8 @@ struct compiler {
     struct compiled_scene *scene;
     struct scene_error *error;
     const struct compile_observer *observer; /* NULL: none */
-    struct affine scaling;   /* the file's coordinates to scaled ones */
-    unsigned line;           /* of the node or object at work */
+    struct affine scaling;                   /* the file's coordinates to scaled ones */
+    unsigned line;                           /* of the node or object at work */
     unsigned lost_line;      /* of a half-space of the object, none of it in the world; 0: no */
     const char *object_name; /* of the object at work */
     struct compile_plane planes[COMPILED_SURFACES_MOST]; /* by surface; normal null: no plane */
