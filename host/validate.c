@@ -10,7 +10,7 @@
 #include "validate_internal.h"
 
 /* How many points are drawn, and how many lines: fewer where there is more to ask of each. */
-enum { POINTS_MOST = 8192, POINTS_LEAST = 512, LINES_MOST = 1024, LINES_LEAST = 128 };
+enum { POINTS_MOST = 4096, POINTS_LEAST = 512, LINES_MOST = 1024, LINES_LEAST = 128 };
 enum { LEAVES_ASKED = 500000, FACES_ASKED = 100000 };
 
 const char *compile_step_name(enum compile_step step) {
@@ -99,7 +99,7 @@ void validate_point(struct validator *validator, const double point[3]) {
     }
     for (int i = 0; i < validator->scene->primitive_count; i++) {
         if (inside[i]) {
-            validate_reach(validator, i, point);
+            validate_reach(validator, i, point, 1);
         }
     }
 }
@@ -185,6 +185,8 @@ static void check_all(struct validator *validator) {
     if (!pair_parts(validator)) {
         return;
     }
+    check_points(validator);
+    check_lines(validator);
     if (validator->step >= STEP_COMPACT) {
         validate_surface_sets(validator);
     }
@@ -194,8 +196,6 @@ static void check_all(struct validator *validator) {
     if (validator->step >= STEP_SHADOWS) {
         validate_shadow_sets(validator);
     }
-    check_points(validator);
-    check_lines(validator);
 }
 
 bool compiled_scene_agrees(const struct scene_description *description,

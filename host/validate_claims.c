@@ -26,26 +26,26 @@ static void check_along(struct validator *validator, int primitive, const double
     }
 }
 
-/* Checks all directions that bounds are taken along: axes of the world and of each frame, and one
- * at random. */
-static void check_directions(struct validator *validator, int primitive, const double point[3]) {
-    const struct compiled_scene *scene = validator->scene;
-    const uint8_t frame = scene->primitives[primitive].frame;
-    double direction[3];
-    for (int i = 0; i < 12; i++) {
-        const double *axis = compiled_axis(scene, i < 6 ? WORLD_FRAME : frame, i % 3);
+/* Chooses a direction that bounds are taken along: an axis of the world or of the primitive's
+ * frame, a face's own, or any. */
+static void choose_direction(struct validator *validator, int primitive, const double point[3],
+                             double direction[3]) {
+    const struct table *table = &validator->table;
+    const uint8_t frame = validator->scene->primitives[primitive].frame;
+    const int choice = dice_below(&validator->dice, 14);
+    if (choice < 12) {
+        const double *axis =
+            compiled_axis(validator->scene, choice < 6 ? WORLD_FRAME : frame, choice % 3);
         for (int j = 0; j < 3; j++) {
-            direction[j] = i / 3 % 2 == 0 ? axis[j] : -axis[j];
+            direction[j] = choice / 3 % 2 == 0 ? axis[j] : -axis[j];
         }
-        check_along(validator, primitive, point, direction);
+        return;
     }
     dice_direction(&validator->dice, direction);
-    check_along(validator, primitive, point, direction);
-    const int face = dice_below(&validator->dice, validator->table.count[primitive]);
-    face_gradient(&validator->table.faces[validator->table.first[primitive] + face], point,
-                  direction);
-    if (vector_normalise(direction)) {
-        check_along(validator, primitive, point, direction);
+    if (choice == 12) {
+        const int face = dice_below(&validator->dice, table->count[primitive]);
+        face_gradient(&table->faces[table->first[primitive] + face], point, direction);
+        vector_normalise(direction);
     }
 }
 
@@ -82,10 +82,10 @@ static void check_quadric(struct validator *validator, int primitive, const doub
     }
 }
 
-void validate_reach(struct validator *validator, int primitive, const double point[3]) {
+void validate_reach(struct validator *validator, int primitive, const double point[3],
+                    int directions) {
     const struct compiled_scene *scene = validator->scene;
     const struct compiled_primitive *entry = &scene->primitives[primitive];
-    check_directions(validator, primitive, point);
     if (entry->kind == KIND_POLYHEDRON &&
         !is_in(scene->polyhedra[entry->index].low, scene->polyhedra[entry->index].high, point)) {
         validate_fault(validator, point, "the polyhedron of line %u goes beyond its bounds",
@@ -93,6 +93,11 @@ void validate_reach(struct validator *validator, int primitive, const double poi
     }
     if (entry->kind == KIND_QUADRIC) {
         check_quadric(validator, primitive, point);
+    }
+    for (int i = 0; i < directions; i++) {
+        double direction[3];
+        choose_direction(validator, primitive, point, direction);
+        check_along(validator, primitive, point, direction);
     }
 }
 
@@ -238,7 +243,7 @@ void validate_crossings(struct validator *validator, const struct sight_line *li
         if (!crossings[i].clean) {
             continue;
         }
-        validate_reach(validator, crossings[i].primitive, crossings[i].point);
+        validate_reach(validator, crossings[i].primitive, crossings[i].point, 8);
         check_surface(validator, line, &crossings[i]);
         if (validator->step >= STEP_COMPACT) {
             check_returns(validator, line, crossings, count, i);

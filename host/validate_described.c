@@ -181,8 +181,11 @@ static enum side round_side(const struct shape *leaf, const long double q[3]) {
         from[i] -= t * axis[i];
         gradient[i] = 2 * from[i] - growth * axis[i];
     }
+    /* The form is worked out from one end: at a tip, that is what its rounding goes by. */
+    const long double ends =
+        (long double)node->radius * node->radius + (long double)node->radius_b * node->radius_b;
     const long double radial = dot(from, from);
-    return least(side, side_of(leaf, radial - square, gradient, radial + fabsl(square)));
+    return least(side, side_of(leaf, radial - square, gradient, radial + fabsl(square) + ends));
 }
 
 static enum side quadric_side(const struct shape *leaf, const long double q[3]) {

@@ -197,8 +197,9 @@ void validate_point(struct validator *validator, const double point[3]);
 void validate_crossings(struct validator *validator, const struct sight_line *ray,
                         const struct table_crossing *crossings, int count);
 
-/* Holds bounds and reach of each primitive that has a point against that point. */
-void validate_reach(struct validator *validator, int primitive, const double point[3]);
+/* Holds a primitive's bounds, and its reach along so many directions, against a point of it. */
+void validate_reach(struct validator *validator, int primitive, const double point[3],
+                    int directions);
 
 /* Holds what the tables say as a whole: the sets of surfaces, the eye, the lights. */
 void validate_surface_sets(struct validator *validator);

@@ -234,7 +234,7 @@ static void surface_point(const struct described *described, struct dice *dice, 
         has_inside = has_inside || holds;
         has_outside = has_outside || !holds;
     }
-    for (int i = 0; i < 48 && has_inside && has_outside; i++) {
+    for (int i = 0; i < 36 && has_inside && has_outside; i++) {
         for (int j = 0; j < 3; j++) {
             point[j] = inside[j] / 2 + outside[j] / 2;
         }
