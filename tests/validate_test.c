@@ -81,6 +81,8 @@ static const char *const scenes[] = {
                                           "40); }")) ",\n" OBJECT("glass", SMALLER),
     BOARD ",\n" OBJECT("glass", BOX) ",\n" OBJECT("air", "{ ball = { radius = 0.5; }; }"),
     BOARD ",\n" OBJECT("smoke", BOX) ",\n" OBJECT("glass", BALL) ",\n" OBJECT("air", EGG),
+    /* Nothing but a body that keeps light off its own far side, as seen from inside of it. */
+    OBJECT("smoke", BOX),
     /* Parts, several materials, and what cuts them. */
     ON("{ part = \"pair\"; rotate = (10, 20, 30); }") ",\n" OBJECT(
         "smoke", "{ part = \"pair\"; translate = (0, 0, 2); }"),
@@ -197,20 +199,33 @@ static void every_step_agrees_with_the_built_in_scenes(void **state) {
 
 /* One scene that has something of each table: solids that lie within one another, apart and in each
  * other's way. */
-static const char
-    damaged_objects[] = BOARD ",\n" OBJECT("glass", LESS(BOX ", { ball = { centre = (0.1, 0, 0); "
-                                                             "radius = 0.3; }; }")) ",\n" OBJECT(
-        "smoke",
-        "{ polyhedron = { " PLANES
-        "}; translate = (3, 0, 0); }") ",\n" OBJECT("board",
-                                                    "{ hyperboloid = { from = (0, 3, -1); to = "
-                                                    "(0.3, 3.2, 1); radius = 1; "
-                                                    "waist = 0.3; }; }") ",\n" OBJECT("glass",
-                                                                                      "{ ball = { "
-                                                                                      "centre = "
-                                                                                      "(3.1, -7.3, "
-                                                                                      "5); radius "
-                                                                                      "= 1; }; }");
+static const char damaged_objects[] = BOARD ",\n" OBJECT(
+    "glass",
+    LESS(BOX
+         ", { ball = { centre = (0.1, 0, 0); "
+         "radius = 0.3; }; }")) ",\n" OBJECT("smoke",
+                                             "{ polyhedron = { " PLANES
+                                             "}; translate = (3, 0, 0); }") ",\n" OBJECT("board",
+                                                                                         "{ "
+                                                                                         "hyperbolo"
+                                                                                         "id = { "
+                                                                                         "from = "
+                                                                                         "(0, 3, "
+                                                                                         "-1); to "
+                                                                                         "= "
+                                                                                         "(0.3, "
+                                                                                         "3.2, 1); "
+                                                                                         "radius = "
+                                                                                         "1; "
+                                                                                         "waist = "
+                                                                                         "0.3; }; "
+                                                                                         "}") ","
+                                                                                              "\n" OBJECT("glass",
+                                                                                                          "{ ball = { "
+                                                                                                          "centre = "
+                                                                                                          "(3.1, -7.3, "
+                                                                                                          "5); radius "
+                                                                                                          "= 1; }; }");
 
 static int find_kind(const struct compiled_scene *scene, int kind) {
     for (int i = 0; i < scene->primitive_count; i++) {
