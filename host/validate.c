@@ -76,10 +76,8 @@ static void check_bounds(struct validator *validator, int part, int object, cons
 
 void validate_point(struct validator *validator, const double point[3]) {
     bool inside[COMPILED_DRAFTS_MOST];
-    for (int i = 0; i < 3; i++) {
-        if (!(fabs(point[i]) < VALIDATE_WORLD)) {
-            return;
-        }
+    if (!validate_is_in_world(point)) {
+        return;
     }
     table_inside(&validator->table, point, inside);
     validator->validation->points++;

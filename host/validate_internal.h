@@ -20,6 +20,11 @@
 /* Samples stay within this: the world ends at 1024, whatever has no end goes on to there. */
 #define VALIDATE_WORLD 1020.0
 
+static inline bool validate_is_in_world(const double point[3]) {
+    return point[0] > -VALIDATE_WORLD && point[0] < VALIDATE_WORLD && point[1] > -VALIDATE_WORLD &&
+           point[1] < VALIDATE_WORLD && point[2] > -VALIDATE_WORLD && point[2] < VALIDATE_WORLD;
+}
+
 /* ---- Random numbers ------------------------------------------------------------------------- */
 
 struct dice {
@@ -159,7 +164,7 @@ struct table_crossing {
     double t, point[3];
     int primitive;
     const struct table_face *face;
-    bool clean; /* neither grazing nor near to an edge */
+    bool clean; /* found exactly, neither grazing nor near to an edge */
 };
 
 enum { TABLE_CROSSINGS_MOST = 1024 };

@@ -93,8 +93,8 @@ static void check_way(struct validator *validator, int light, const struct sight
     for (int i = 0; i <= count && before < distance; i++) {
         const double t = fmin(i < count ? crossings[i].t : HUGE_VAL, distance);
         double point[3];
-        if (t - before > SHORT_WAY) {
-            along(way, before + (t - before) / 2, point);
+        along(way, before + (t - before) / 2, point);
+        if (t - before > SHORT_WAY && validate_is_in_world(point)) {
             check_place(validator, light, point);
         }
         before = fmax(before, t);

@@ -251,7 +251,8 @@ static bool settle(const struct table *table, const struct sight_line *line,
             edge = fmax(edge, face_distance(other, crossing->point));
         }
     }
-    crossing->clean = fabs(slant) > 1e-2 && edge < -VALIDATE_NEAR;
+    crossing->clean = fabs(slant) > 1e-2 && edge < -VALIDATE_NEAR &&
+                      fabs(face_distance(face, crossing->point)) < VALIDATE_STRICTLY;
     return edge < VALIDATE_NEAR;
 }
 
