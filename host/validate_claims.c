@@ -283,13 +283,14 @@ void validate_eye(struct validator *validator) {
                                     : HUGE_VAL;
         if (fabs(distance) > VALIDATE_NEAR &&
             compiled_set_has(&camera->inside, i) != (distance < 0)) {
-            validate_fault(validator, camera->eye, "the eye is %s the solid of line %u",
-                           distance < 0 ? "in" : "not in", validate_line(validator, i));
+            validate_fault(validator, camera->eye,
+                           "the tables have the eye %s the solid of line %u",
+                           distance < 0 ? "outside of" : "in", validate_line(validator, i));
         }
     }
     if (part != -2 && (camera->object >= scene->object_count ||
                        scene->objects[camera->object].part != part + 1)) {
-        validate_fault(validator, camera->eye, "the eye is said to be in object %u",
-                       camera->object);
+        validate_fault(validator, camera->eye,
+                       "the tables have the eye in object %u, which is not there", camera->object);
     }
 }

@@ -223,7 +223,7 @@ static void stray(struct dice *dice, double point[3]) {
 static void surface_point(const struct described *described, struct dice *dice, int leaf,
                           double point[3]) {
     const struct shape *shape = leaf_of(described, leaf);
-    double inside[3], outside[3];
+    double inside[3] = {0, 0, 0}, outside[3] = {0, 0, 0};
     bool has_inside = false, has_outside = false;
     for (int i = 0; i < 12 && !(has_inside && has_outside); i++) {
         described_anchor(described, dice, leaf, point);

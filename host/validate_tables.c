@@ -111,7 +111,7 @@ bool table_read(struct table *table, const struct compiled_scene *scene) {
     for (int i = 1; i < scene->object_count; i++) {
         for (int j = 0; j < scene->objects[i].length; j++) {
             const uint8_t code = scene->programs[scene->objects[i].program + j];
-            if (code < CODE_UNION) {
+            if (code < scene->primitive_count) {
                 table->used[code] = true;
             }
         }
@@ -186,7 +186,7 @@ void table_inside(const struct table *table, const double point[3], bool inside[
 
 bool table_object_holds(const struct table *table, int object, const bool inside[]) {
     const struct compiled_object *entry = &table->scene->objects[object];
-    bool stack[256];
+    bool stack[256] = {false};
     int depth = 0;
     for (int i = 0; i < entry->length; i++) {
         const uint8_t code = table->scene->programs[entry->program + i];
@@ -204,15 +204,15 @@ bool table_object_holds(const struct table *table, int object, const bool inside
 
 /* ---- Crossings ------------------------------------------------------------------------------ */
 
-/* Finds where a line crosses a face: up to two places. The function along the line is a t^2 + 2 b t
- * + c. */
-static int face_roots(const struct table_face *face, const struct sight_line *line,
-                      double roots[2]) {
+/* Finds the two places where a line crosses a face, infinite where there is none. The function
+ * along the line is a t^2 + 2 b t + c. */
+static void face_roots(const struct table_face *face, const struct sight_line *line,
+                       double roots[2]) {
     double steepness[3], a = 0, b = 0;
+    roots[0] = roots[1] = HUGE_VAL;
     if (!face->curved) {
-        const double along = dot(face->normal, line->direction);
-        roots[0] = -face_distance(face, line->origin) / along;
-        return along < 0 || along > 0;
+        roots[0] = -face_distance(face, line->origin) / dot(face->normal, line->direction);
+        return;
     }
     const double c = curve_at(face, line->origin, steepness);
     for (int i = 0; i < 3; i++) {
@@ -221,13 +221,11 @@ static int face_roots(const struct table_face *face, const struct sight_line *li
         b += steepness[i] * along;
     }
     const double square = b * b - a * c;
-    if (!(square > 0)) {
-        return 0;
+    if (square > 0) {
+        const double q = b < 0 ? sqrt(square) - b : -sqrt(square) - b;
+        roots[0] = c / q;
+        roots[1] = q / a;
     }
-    const double q = b < 0 ? sqrt(square) - b : -sqrt(square) - b;
-    roots[0] = c / q;
-    roots[1] = q / a;
-    return a < 0 || a > 0 ? 2 : 1;
 }
 
 /* Moves a crossing by Newton's method onto its face, and tells how it lies there. */
@@ -269,8 +267,8 @@ int table_crossings(const struct table *table, const struct sight_line *line, do
         for (int j = 0; j < table->count[i]; j++) {
             double roots[2];
             const struct table_face *face = &table->faces[table->first[i] + j];
-            const int found = face_roots(face, line, roots);
-            for (int k = 0; k < found && count < TABLE_CROSSINGS_MOST; k++) {
+            face_roots(face, line, roots);
+            for (int k = 0; k < 2 && count < TABLE_CROSSINGS_MOST; k++) {
                 struct table_crossing *crossing = &crossings[count];
                 crossing->t = roots[k];
                 crossing->primitive = i;

@@ -46,6 +46,11 @@ static const char scene_head[] =
 #define COLOURED(material, kind)                                                                   \
     "{ material = \"" material "\"; union = ( " kind " ); translate = (0.3, 0.2, 0.1); }"
 
+#define ENDLESS(squares, constant)                                                                 \
+    "{ quadric = { coefficients = (" squares ", 0, 0, 0, 0, 0, 0, " constant "); }; }"
+#define OFF_X "{ ellipsoid = { centre = (-2, 0, 0); radii = (1.3, 0.8, 1); }; }"
+#define OFF_Y "{ ellipsoid = { centre = (0, 2, 0); radii = (0.8, 1.3, 1); }; }"
+
 /* Each solid kind, each step of the compiler, and each kind of place has its scene. */
 static const char *const scenes[] = {
     ON(BALL),
@@ -74,6 +79,13 @@ static const char *const scenes[] = {
     ON(LESS(BALL ", { ellipsoid = { centre = (0, 0, 3); radii = (8, 8, 2.9); }; }")),
     OBJECT("board", HALF("0, 0, 1")) ",\n" OBJECT("board", HALF("0.1, 1, 0.2")) ",\n" OBJECT(
         "glass", "{ ball = { centre = (1, -1, 2); radius = 1; }; }"),
+    /* Quadrics without an end along an axis, or along two, and about a place off the centre. */
+    OBJECT("board", ENDLESS("1, 2, 0", "-0.4")),
+    OBJECT("board", ENDLESS("0, 1, 2", "-0.4")) ",\n" OBJECT("board", ENDLESS("2, 0, 1", "-0.3")),
+    ON(LESS(BOX ", " ENDLESS("0, 1, 0", "-0.1"))) ",\n" OBJECT("board", ENDLESS("3, 0, 0", "-0.1")),
+    ON(UNION(OFF_X ", { box = { min = (-2.5, -0.3, -0.3); max = (2, 0.3, 0.3); }; }")),
+    ON(UNION(OFF_Y ", { box = { min = (-0.3, -2, -0.3); max = (0.3, 2.5, 0.3); }; }")),
+    ON(LESS(OFF_X ", { ball = { centre = (-2.1, 0.1, 0); radius = 0.5; }; }")),
     /* Enclosures, apart and touching; polyhedra that move when the tables are compacted. */
     ON(LESS(FRUSTUM ", " SMALLER)),
     ON(LESS(EGG ", { ball = { centre = (0.1, 0, 0.2); radius = 0.7; }; }")),
@@ -83,6 +95,9 @@ static const char *const scenes[] = {
     BOARD ",\n" OBJECT("smoke", BOX) ",\n" OBJECT("glass", BALL) ",\n" OBJECT("air", EGG),
     /* Nothing but a body that keeps light off its own far side, as seen from inside of it. */
     OBJECT("smoke", BOX),
+    /* One casts its shadow on the other, which lies beside it. */
+    OBJECT("board", "{ box = { min = (-1, -1, -1); max = (0, 0, 1); }; }") ",\n" OBJECT(
+        "board", "{ box = { min = (-0.9, 0.2, -1); max = (0, 1, 0.5); }; }"),
     /* Parts, several materials, and what cuts them. */
     ON("{ part = \"pair\"; rotate = (10, 20, 30); }") ",\n" OBJECT(
         "smoke", "{ part = \"pair\"; translate = (0, 0, 2); }"),
@@ -201,31 +216,84 @@ static void every_step_agrees_with_the_built_in_scenes(void **state) {
  * other's way. */
 static const char damaged_objects[] = BOARD ",\n" OBJECT(
     "glass",
-    LESS(BOX
-         ", { ball = { centre = (0.1, 0, 0); "
-         "radius = 0.3; }; }")) ",\n" OBJECT("smoke",
-                                             "{ polyhedron = { " PLANES
-                                             "}; translate = (3, 0, 0); }") ",\n" OBJECT("board",
-                                                                                         "{ "
-                                                                                         "hyperbolo"
-                                                                                         "id = { "
-                                                                                         "from = "
-                                                                                         "(0, 3, "
-                                                                                         "-1); to "
-                                                                                         "= "
-                                                                                         "(0.3, "
-                                                                                         "3.2, 1); "
-                                                                                         "radius = "
-                                                                                         "1; "
-                                                                                         "waist = "
-                                                                                         "0.3; }; "
-                                                                                         "}") ","
-                                                                                              "\n" OBJECT("glass",
-                                                                                                          "{ ball = { "
-                                                                                                          "centre = "
-                                                                                                          "(3.1, -7.3, "
-                                                                                                          "5); radius "
-                                                                                                          "= 1; }; }");
+    LESS(
+        BOX
+        ", { ball = { centre = (0.1, 0, 0); "
+        "radius = 0.3; }; }")) ",\n" OBJECT("smoke",
+                                            "{ polyhedron = { " PLANES
+                                            "}; translate = (3, 0, 0); }") ",\n" OBJECT("board",
+                                                                                        "{ "
+                                                                                        "hyperbolo"
+                                                                                        "id = { "
+                                                                                        "from = "
+                                                                                        "(0, 3, "
+                                                                                        "-1); to "
+                                                                                        "= "
+                                                                                        "(0.3, "
+                                                                                        "3.2, 1); "
+                                                                                        "radius = "
+                                                                                        "1; "
+                                                                                        "waist = "
+                                                                                        "0.3; }; "
+                                                                                        "}") ","
+                                                                                             "\n" OBJECT(
+                                                                                                 "g"
+                                                                                                 "l"
+                                                                                                 "a"
+                                                                                                 "s"
+                                                                                                 "s",
+                                                                                                 "{"
+                                                                                                 " "
+                                                                                                 "b"
+                                                                                                 "a"
+                                                                                                 "l"
+                                                                                                 "l"
+                                                                                                 " "
+                                                                                                 "="
+                                                                                                 " "
+                                                                                                 "{"
+                                                                                                 " "
+                                                                                                 "c"
+                                                                                                 "e"
+                                                                                                 "n"
+                                                                                                 "t"
+                                                                                                 "r"
+                                                                                                 "e"
+                                                                                                 " "
+                                                                                                 "="
+                                                                                                 " "
+                                                                                                 "("
+                                                                                                 "3"
+                                                                                                 "."
+                                                                                                 "1"
+                                                                                                 ","
+                                                                                                 " "
+                                                                                                 "-"
+                                                                                                 "7"
+                                                                                                 "."
+                                                                                                 "3"
+                                                                                                 ","
+                                                                                                 " "
+                                                                                                 "5"
+                                                                                                 ")"
+                                                                                                 ";"
+                                                                                                 " "
+                                                                                                 "r"
+                                                                                                 "a"
+                                                                                                 "d"
+                                                                                                 "i"
+                                                                                                 "u"
+                                                                                                 "s"
+                                                                                                 " "
+                                                                                                 "="
+                                                                                                 " "
+                                                                                                 "1"
+                                                                                                 ";"
+                                                                                                 " "
+                                                                                                 "}"
+                                                                                                 ";"
+                                                                                                 " "
+                                                                                                 "}");
 
 static int find_kind(const struct compiled_scene *scene, int kind) {
     for (int i = 0; i < scene->primitive_count; i++) {
@@ -351,8 +419,8 @@ static const struct damage {
     {shadow_primitives, "what keeps it off here is not tried"},
     {shadows_of_a_light, "light 1: what keeps it off"},
     {uses, "uses other solids"},
-    {eye_inside, "the eye is"},
-    {eye_object, "in object 1"},
+    {eye_inside, "the tables have the eye in the solid of line 12"},
+    {eye_object, "the tables have the eye in object 1"},
     {eye_place, "the eye is elsewhere"},
     {frame, "right angles"},
 };
