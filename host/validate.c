@@ -159,27 +159,42 @@ static void check_lines(struct validator *validator) {
 
 /* ---- A step --------------------------------------------------------------------------------- */
 
+/* Checks an object of the tables against the part that it says it is: its material, its name. */
+static bool is_part(const struct validator *validator, int object, int part) {
+    const struct compiled_scene *scene = validator->scene;
+    const struct described *described = &validator->described;
+    if (part >= described->part_count) {
+        return false;
+    }
+    const struct part *entry = &described->parts[part];
+    const char *name = described->description->objects[entry->object].name;
+    return scene->objects[object].material == entry->material + 1 &&
+           strncmp(scene->object_names[object], name, sizeof scene->object_names[0] - 1) == 0;
+}
+
 /* Pairs the file's objects with those of the tables. */
 static bool pair_parts(struct validator *validator) {
     const struct compiled_scene *scene = validator->scene;
-    const struct described *described = &validator->described;
     for (int i = 0; i < COMPILED_OBJECTS_MOST; i++) {
         validator->object_of_part[i] = -1;
     }
     for (int i = 1; i < scene->object_count; i++) {
         const int part = scene->objects[i].part - 1;
-        if (part >= described->part_count || part >= COMPILED_OBJECTS_MOST ||
-            scene->objects[i].material != described->parts[part].material + 1) {
+        if (!is_part(validator, i, part)) {
             validate_fault(validator, NULL, "object '%s' of line %u is none of the file's",
                            scene->object_names[i], scene->objects[i].line);
             return false;
         }
         validator->object_of_part[part] = i;
     }
-    return described->part_count < COMPILED_OBJECTS_MOST;
+    return true;
 }
 
 static void check_all(struct validator *validator) {
+    if (validator->described.part_count >= COMPILED_OBJECTS_MOST) {
+        validate_fault(validator, NULL, "more objects than the tables can hold");
+        return;
+    }
     if (!pair_parts(validator)) {
         return;
     }

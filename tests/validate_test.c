@@ -109,6 +109,7 @@ static const char *const scenes[] = {
     ON("{ union = ( " ROD ", " FRUSTUM ", " EGG " ); scale = (-1, 0.4, 0.8); rotate = (0, 0, 25); "
        "}"),
     OBJECT("glass", "{ union = ( " ROD ", " EGG " ); translate = (1e5, 2e5, -3e5); }"),
+    ON("{ union = ( " BOX ", " EGG " ); rotate = (90, 0, 90); }"),
     ON("{ union = ( " LESS(FRUSTUM ", " ROD) " ); scale = 1e-4; rotate = (40, 50, 60); }"),
     /* The eye in glass. */
     ON("{ ball = { centre = (3, -7, 5); radius = 1; }; }"),
@@ -329,6 +330,9 @@ static void cut(struct compiled_scene *scene) {
 static void material(struct compiled_scene *scene) {
     scene->objects[2].material = scene->objects[1].material;
 }
+static void name(struct compiled_scene *scene) {
+    scene->object_names[2][0] = 'A';
+}
 static void object_bounds(struct compiled_scene *scene) {
     scene->objects[2].low[0] += 0.1;
 }
@@ -403,6 +407,7 @@ static const struct damage {
     {plane, "'a smoke'"},
     {cut, "'a board'"},
     {material, "is none of the file's"},
+    {name, "is none of the file's"},
     {object_bounds, "out of its bounds"},
     {polyhedron_low, "the polyhedron of line"},
     {quadric_reach, "goes beyond the ball about it"},
