@@ -10,6 +10,7 @@
 #include "load_scene.h"
 #include "remarks.h"
 #include "requirements.h"
+#include "validate.h"
 
 static void print_description(const struct scene_description *scene) {
     size_t opaque = 0;
@@ -91,6 +92,38 @@ static int print_arithmetics(const struct compiled_scene *compiled) {
     return status;
 }
 
+/* Prints one line for each step of the compiler: what its tables were held against, and what did
+ * not agree. Returns STATUS_NOT_HELD where something did not. */
+static int print_validations(const struct validations *validations) {
+    int status = STATUS_DONE;
+    for (int i = 0; i < STEP_COUNT; i++) {
+        const struct validation *step = &validations->of[i];
+        (void)printf("validated   %s: %u points", compile_step_name((enum compile_step)i),
+                     step->points);
+        if (step->faults > 0) {
+            status = STATUS_NOT_HELD;
+            (void)printf(", %u disagree: %s\n", step->faults, step->first);
+        } else {
+            (void)printf(" agree\n");
+        }
+    }
+    return status;
+}
+
+static int print_check(const struct scene_description *scene, const struct compiled_scene *compiled,
+                       const struct validations *validations) {
+    print_description(scene);
+    print_scaling(compiled);
+    print_indices(compiled);
+    print_tables(compiled);
+    print_optimisations(compiled);
+    requirements_print(stdout, compiled);
+    remarks_print(stdout, compiled);
+    int held = validations != NULL ? print_validations(validations) : STATUS_DONE;
+    int status = print_arithmetics(compiled);
+    return status != STATUS_DONE ? status : held;
+}
+
 int run_check(const struct options *options) {
     struct scene_error error;
     struct scene_description *scene = load_scene(options->operands[0], &error);
@@ -98,20 +131,13 @@ int run_check(const struct options *options) {
         return bad_input("%s", error.text);
     }
     scene_override(scene, &options->overrides);
-    struct compiled_scene *compiled = scene_compile(scene, &error);
-    int status = STATUS_DONE;
-    if (compiled == NULL) {
-        status = bad_input("%s", error.text);
-    } else {
-        print_description(scene);
-        print_scaling(compiled);
-        print_indices(compiled);
-        print_tables(compiled);
-        print_optimisations(compiled);
-        requirements_print(stdout, compiled);
-        remarks_print(stdout, compiled);
-        status = print_arithmetics(compiled);
-    }
+    struct validations validations = {.description = scene};
+    const struct compile_observer observer = {validations_look, &validations};
+    struct compiled_scene *compiled =
+        scene_compile_observed(scene, options->validates ? &observer : NULL, &error);
+    int status = compiled == NULL
+                     ? bad_input("%s", error.text)
+                     : print_check(scene, compiled, options->validates ? &validations : NULL);
     free(compiled);
     scene_description_free(scene);
     return status;

@@ -118,11 +118,28 @@ bool compile_scaling(struct compiler *compiler) {
     return true;
 }
 
+void compile_show(const struct compiler *compiler, enum compile_step step) {
+    if (compiler->observer != NULL) {
+        compiler->observer->look(compiler->observer->context, step, compiler->scene);
+    }
+}
+
+/* Takes one step and shows the tables where it succeeds. */
+static bool step(struct compiler *compiler, bool (*work)(struct compiler *compiler),
+                 enum compile_step done) {
+    if (!work(compiler)) {
+        return false;
+    }
+    compile_show(compiler, done);
+    return true;
+}
+
 /* Makes the tables of what is not dead so far. */
 static bool compile_tables(struct compiler *compiler) {
-    if (!compile_scaling(compiler) || !compile_materials(compiler) || !compile_objects(compiler) ||
-        !compile_optimise(compiler) || !compile_pattern_faces(compiler) ||
-        !compile_view(compiler) || !compile_colour(compiler)) {
+    if (!compile_scaling(compiler) || !compile_materials(compiler) ||
+        !step(compiler, compile_objects, STEP_OBJECTS) ||
+        !step(compiler, compile_optimise, STEP_COMPACT) || !compile_pattern_faces(compiler) ||
+        !step(compiler, compile_view, STEP_VIEW) || !compile_colour(compiler)) {
         return false;
     }
     compile_lights(compiler);
@@ -134,6 +151,7 @@ static void begin(struct compiler *compiler) {
     const struct compiler fresh = {.description = compiler->description,
                                    .scene = compiler->scene,
                                    .error = compiler->error,
+                                   .observer = compiler->observer,
                                    .dead = compiler->dead,
                                    .directions = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
                                    .direction_count = 3};
@@ -157,13 +175,16 @@ static bool compile_live(struct compiler *compiler) {
     compile_settle(compiler);
     compile_brightest(compiler);
     compile_shadows(compiler);
+    compile_show(compiler, STEP_SHADOWS);
     compile_enclosures(compiler);
+    compile_show(compiler, STEP_ENCLOSURES);
     compile_near(compiler);
     return true;
 }
 
-struct compiled_scene *scene_compile(const struct scene_description *description,
-                                     struct scene_error *error) {
+struct compiled_scene *scene_compile_observed(const struct scene_description *description,
+                                              const struct compile_observer *observer,
+                                              struct scene_error *error) {
     struct compiled_scene *scene = calloc(1, sizeof *scene);
     struct compiler *compiler = calloc(1, sizeof *compiler);
     struct compile_dead *dead = calloc(1, sizeof *dead);
@@ -174,6 +195,7 @@ struct compiled_scene *scene_compile(const struct scene_description *description
         compiler->description = description;
         compiler->scene = scene;
         compiler->error = error;
+        compiler->observer = observer;
         compiler->dead = dead;
         good = compile_live(compiler);
     }
@@ -184,4 +206,9 @@ struct compiled_scene *scene_compile(const struct scene_description *description
         return NULL;
     }
     return scene;
+}
+
+struct compiled_scene *scene_compile(const struct scene_description *description,
+                                     struct scene_error *error) {
+    return scene_compile_observed(description, NULL, error);
 }

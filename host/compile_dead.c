@@ -41,7 +41,7 @@ static bool mark_lights(const struct compiler *compiler, const struct compile_re
         const double *colour = scene->lights[i].colour;
         bool is_black = colour[0] <= 0 && colour[1] <= 0 && colour[2] <= 0;
         is_light = is_light || reach->lights[i];
-        mark(compiler->dead, &compiler->dead->light[compiler->file_light[i]],
+        mark(compiler->dead, &compiler->dead->light[scene->lights[i].file],
              reach->lights[i] ? NULL
              : is_black       ? "it is black"
                               : "nothing that is seen reflects any of it");

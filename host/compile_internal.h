@@ -61,11 +61,11 @@ struct compiler {
     const struct scene_description *description;
     struct compiled_scene *scene;
     struct scene_error *error;
+    const struct compile_observer *observer; /* NULL: none */
     struct compile_dead *dead;
     int part;                                  /* the number of the next part */
     uint8_t material_of[SCENE_MATERIALS_MOST]; /* a material of the file: its number here */
-    uint8_t file_light[SCENE_LIGHTS_MOST];
-    struct affine scaling;   /* the file's coordinates to scaled ones */
+    struct affine scaling;                     /* the file's coordinates to scaled ones */
     double same;             /* lengths that differ by no more are one, in scaled units */
     unsigned line;           /* of the node or object at work */
     unsigned lost_line;      /* of a half-space of the object, none of it in the world; 0: no */
@@ -83,6 +83,9 @@ bool compile_fail(struct compiler *compiler, unsigned line, const char *format, 
     __attribute__((format(printf, 3, 4)))
 #endif
     ;
+
+/* Shows the tables to the observer, if there is one. */
+void compile_show(const struct compiler *compiler, enum compile_step step);
 
 /* Centre and scale: from the bounds of what is bounded, the eye and the point lights. */
 bool compile_scaling(struct compiler *compiler);

@@ -101,6 +101,7 @@ static bool add_object(struct compiler *compiler, const struct instance *instanc
     struct compiled_scene *scene = compiler->scene;
     int part = compiler->part++;
     if (part < compiler->dead->part_count && compiler->dead->part[part] != NULL) {
+        scene->is_left_out[part] = true;
         return true;
     }
     if (scene->object_count == COMPILED_OBJECTS_MOST) {

@@ -26,20 +26,21 @@ static void remove_object(struct compiler *compiler, int object) {
             later * sizeof compiler->object_bounds[0]);
 }
 
-/* Programs only get shorter: they are written over from the front. What is fused may turn out to be
- * the same as something else, or apart from it. */
-static void rewrite_programs(struct optimiser *optimiser) {
+static bool fuse(struct optimiser *optimiser) {
+    optimise_fuse(optimiser);
+    return true;
+}
+
+/* Takes the program of each object through one pass, which returns false where nothing is left of
+ * an object. Programs only get shorter: they are written over from the front. */
+static void rewrite_programs(struct optimiser *optimiser, bool (*pass)(struct optimiser *optimiser),
+                             enum compile_step step) {
     struct compiled_scene *scene = optimiser->compiler->scene;
     uint16_t place = 0;
     int object = 1;
     while (object < scene->object_count) {
         csg_read(scene, &scene->objects[object], &optimiser->tree);
-        bool something = optimise_simplify(optimiser);
-        if (something) {
-            optimise_fuse(optimiser);
-            something = optimise_simplify(optimiser);
-        }
-        if (something) {
+        if (pass(optimiser)) {
             place = csg_write(scene, &scene->objects[object], &optimiser->tree, place);
             object++;
         } else {
@@ -47,6 +48,7 @@ static void rewrite_programs(struct optimiser *optimiser) {
         }
     }
     scene->program_length = place;
+    compile_show(optimiser->compiler, step);
 }
 
 bool compile_optimise(struct compiler *compiler) {
@@ -56,8 +58,12 @@ bool compile_optimise(struct compiler *compiler) {
     }
     optimiser->compiler = compiler;
     count_uses(optimiser);
-    rewrite_programs(optimiser);
+    rewrite_programs(optimiser, optimise_simplify, STEP_SIMPLIFY);
+    rewrite_programs(optimiser, fuse, STEP_FUSE);
+    /* What is fused may turn out to be the same as something else, or apart from it. */
+    rewrite_programs(optimiser, optimise_simplify, STEP_SIMPLIFY_FUSED);
     optimise_bound(optimiser);
     free(optimiser);
+    compile_show(compiler, STEP_BOUND);
     return optimise_compact(compiler);
 }

@@ -36,15 +36,17 @@ static bool is_clear_of(const struct compiler *compiler, int object,
     return true;
 }
 
-/* A convex body throws no shadow on itself, and none on what lies, with the light, before one of
- * its faces. Proved for boxes along the axes: the floors and boards of most scenes. */
+/* Checks whether an object casts no shadow that is seen. An opaque convex body throws none on
+ * itself, and none on what lies, with the light, before one of its faces; a transparent one does,
+ * on its own far side. Proved for boxes along the axes: the floors and boards of most scenes. */
 static bool is_harmless(const struct compiler *compiler, int object,
                         const struct compiled_light *light) {
     const struct compiled_scene *scene = compiler->scene;
     const struct compiled_primitive *primitive =
         &scene->primitives[scene->programs[scene->objects[object].program]];
     if (scene->objects[object].length != 1 || primitive->kind != KIND_BOX ||
-        primitive->frame != WORLD_FRAME) {
+        primitive->frame != WORLD_FRAME ||
+        scene->materials[scene->objects[object].material].transparent) {
         return false;
     }
     const struct compiled_box *box = &scene->boxes[primitive->index];

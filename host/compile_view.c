@@ -216,8 +216,8 @@ void compile_lights(struct compiler *compiler) {
         if (compiler->dead->light[i] != NULL) {
             continue;
         }
-        compiler->file_light[scene->light_count] = (uint8_t)i;
         struct compiled_light *compiled = &scene->lights[scene->light_count++];
+        compiled->file = (uint8_t)i;
         compiled->parallel = light->parallel;
         memcpy(compiled->colour, light->colour, sizeof compiled->colour);
         if (light->parallel) {

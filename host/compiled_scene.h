@@ -116,6 +116,7 @@ struct compiled_specular_table {
 };
 
 struct compiled_light {
+    uint8_t file; /* its number in the file */
     bool parallel, casts_shadows;
     double towards[3], position[3], colour[3];
 };
@@ -189,6 +190,10 @@ struct compiled_scene {
     struct compiled_specular_table specular_tables[COMPILED_MATERIALS_MOST];
     struct compiled_light lights[SCENE_LIGHTS_MOST];
 
+    /* Parts of the file's objects that the picture does not need; no part of the firmware's tables.
+     */
+    bool is_left_out[COMPILED_OBJECTS_MOST];
+
     struct compiled_report report;
     unsigned near_count; /* of all; the first ones are kept */
     struct compiled_near near[COMPILED_NEAR_MOST];
@@ -222,11 +227,36 @@ enum {
 
 enum compiled_show { COMPILED_FULL, COMPILED_BITS, COMPILED_DITHER, COMPILED_EXPOSURES };
 
-/* Flattens, centres, scales and analyses a scene. NULL with *error filled where the scene
- * cannot be rendered (the line is that of the culprit). The caller frees the result with
- * free(). */
+/* The steps of the scene compiler, in their order. After each of them the tables describe the same
+ * scene; simplifying and fusing are three passes. */
+enum compile_step {
+    STEP_OBJECTS,
+    STEP_SIMPLIFY,
+    STEP_FUSE,
+    STEP_SIMPLIFY_FUSED,
+    STEP_BOUND,
+    STEP_COMPACT,
+    STEP_VIEW,
+    STEP_SHADOWS,
+    STEP_ENCLOSURES,
+    STEP_COUNT
+};
+
+/* Looks at the tables after each step. The tables are valid during the call only. */
+struct compile_observer {
+    void (*look)(void *context, enum compile_step step, const struct compiled_scene *scene);
+    void *context;
+};
+
+/* Flattens, centres, scales and analyses a scene. NULL with *error filled where the scene cannot be
+ * rendered (the line is that of the culprit). The caller frees the result with free(). */
 struct compiled_scene *scene_compile(const struct scene_description *description,
                                      struct scene_error *error);
+
+/* Compiles as scene_compile() does and shows the tables to an observer, which may be NULL. */
+struct compiled_scene *scene_compile_observed(const struct scene_description *description,
+                                              const struct compile_observer *observer,
+                                              struct scene_error *error);
 
 /* A plane face of a primitive, in scaled world coordinates: normal . p < offset inside. */
 struct compiled_face {

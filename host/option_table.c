@@ -284,6 +284,12 @@ static enum value_verdict set_escape(struct options *options, const char *value)
     return VALUE_TAKEN;
 }
 
+static enum value_verdict set_validate(struct options *options, const char *value) {
+    (void)value;
+    options->validates = true;
+    return VALUE_TAKEN;
+}
+
 static enum value_verdict set_minimal(struct options *options, const char *value) {
     (void)value;
     options->minimal = true;
@@ -446,6 +452,8 @@ const struct option_entry option_table[] = {
      "a hash of each pixel's path: render writes FILE; compare reads it and one more"},
     {"dot", 0, NULL, BIT(TREE), set_dot, "", "a graph for Graphviz"},
     {"pov", 0, NULL, BIT(EXPORT), set_pov, "", "write source for POV-Ray 3.7"},
+    {"validate", 0, NULL, BIT(CHECK), set_validate, "",
+     "hold the tables against the scene after each step of the compiler; exit status 3 if not"},
     {"minimal", 0, NULL, BIT(COMPILE), set_minimal, "",
      "write the feature_set.h of an image for this scene alone"},
     {"cpu", 0, "CPU", BIT(BOOT), set_cpu, "386", "the CPU that runs the image (386)"},

@@ -77,6 +77,7 @@ struct options {
     bool quiet;
     bool pov;                   /* export writes source for POV-Ray */
     bool dot;                   /* tree writes a graph for Graphviz */
+    bool validates;             /* check holds the compiler's tables against the scene */
     bool minimal;               /* compile writes a feature_set.h instead of the tables */
     uint64_t instructions_most; /* that an emulated CPU may run */
     uint64_t escape_after;      /* Esc when the keyboard has been asked so often; 0: never */

@@ -40,6 +40,25 @@ static void check_says_what_became_of_the_solids(void **state) {
                 "\nhidden      4 pairs of primitives cannot be met one from within the other\n");
 }
 
+static unsigned count_of(const char *text, const char *word) {
+    unsigned count = 0;
+    for (const char *found = text; (found = strstr(found, word)) != NULL; found++) {
+        count++;
+    }
+    return count;
+}
+
+static void check_validates_each_step_on_demand(void **state) {
+    (void)state;
+    write_scene(solids);
+    assert_status("superframe check some.scene", 0);
+    assert_int_equal(count_of(text_of("out"), "\nvalidated "), 0);
+    assert_status("superframe check --validate some.scene", 0);
+    assert_int_equal(count_of(text_of("out"), "\nvalidated "), 9);
+    assert_int_equal(count_of(text_of("out"), " points agree\n"), 9);
+    assert_status("superframe render --validate some.scene", 2);
+}
+
 static void a_compiled_scene_says_the_same(void **state) {
     (void)state;
     write_scene(solids);
@@ -51,6 +70,7 @@ static void a_compiled_scene_says_the_same(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         TEST(check_says_what_became_of_the_solids),
+        TEST(check_validates_each_step_on_demand),
         TEST(a_compiled_scene_says_the_same),
     };
     return cmocka_run_group_tests(tests, enter_group, leave_group);
