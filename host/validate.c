@@ -9,7 +9,7 @@
 
 #include "validate_internal.h"
 
-/* How many points are drawn, and how many lines: fewer where there is more to ask of each. */
+/* The numbers of points and of lines that are drawn: fewer where there is more to ask of each. */
 enum { POINTS_MOST = 2048, POINTS_LEAST = 512, LINES_MOST = 1024, LINES_LEAST = 128 };
 enum { LEAVES_ASKED = 500000, FACES_ASKED = 100000 };
 

@@ -5,7 +5,7 @@
 
 #include "compiled_scene.h"
 
-/* What became of one step. */
+/* The outcome of one step. */
 struct validation {
     unsigned points; /* samples that were held against description and tables */
     unsigned near;   /* samples, object by object, that lay too near to a face to be judged */

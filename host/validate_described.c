@@ -6,10 +6,10 @@
 
 #include "validate_internal.h"
 
-/* What rounding may do to a value, of the sum of its terms' magnitudes. */
+/* The share of its terms' magnitudes by which rounding may change a value. */
 #define ROUNDING 0x1p-48L
 
-/* What rounding of doubles may do to a place, of the magnitudes that it was computed from. */
+/* The share of the magnitudes behind a place by which rounding of doubles may move it. */
 #define PLACE_ROUNDING 0x1p-48L
 
 /* ---- Maps ----------------------------------------------------------------------------------- */
@@ -287,7 +287,7 @@ int described_filler(const struct described *described, const double point[3]) {
 
 /* ---- Unfolding ------------------------------------------------------------------------------ */
 
-/* Where a node stands: the maps of what is around it, and that of magnitudes, for rounding. */
+/* The place of a node: the maps of all around it, and that of magnitudes, for rounding. */
 struct stand {
     struct exact_map to_local, from_local, magnitudes;
 };
@@ -354,13 +354,14 @@ static int add_shape(struct described *described, int node, const struct stand *
     return index;
 }
 
-/* Adds the parts of a node: one, or those of a union of several materials. */
+/* An object that is being unfolded. */
 struct unfolding {
     struct described *described;
     int object;
 };
 
-/* Notes the materials of what fills a node: -1 none yet, -2 several. */
+/* Returns the one material of the leaves that fill a node, or -2 where there are several. `known`
+ * is that of the leaves before it, or -1. */
 static int sole_of(const struct scene_description *description, int index, int inherited,
                    int known) {
     const struct solid_node *node = &description->nodes[index];
@@ -375,6 +376,7 @@ static int sole_of(const struct scene_description *description, int index, int i
     return known;
 }
 
+/* Adds the parts of a node: one, or those of a union of several materials. */
 static void add_parts(struct unfolding *unfolding, int index, const struct stand *outer,
                       int inherited, int trim) {
     struct described *described = unfolding->described;

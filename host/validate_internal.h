@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What the parts of the validator share. */
+/* Shared by the parts of the validator. */
 #ifndef SUPERFRAME_VALIDATE_INTERNAL_H
 #define SUPERFRAME_VALIDATE_INTERNAL_H
 
@@ -14,7 +14,7 @@
 /* Faces nearer than this, in scaled units, are one place to the validator. */
 #define VALIDATE_NEAR 0x1p-26
 
-/* What is strictly within, or apart, is so by more than this. */
+/* The least distance between solids that are strictly within one another, or apart. */
 #define VALIDATE_STRICTLY 0x1p-32
 
 /* Samples stay within this: the world ends at 1024, whatever has no end goes on to there. */
@@ -57,13 +57,13 @@ struct shape {
     int corner, corners; /* of a box or polyhedron: its corners, in its own coordinates */
 };
 
-/* What is cut off a part, or what the part is restricted to. */
+/* A solid that is cut off a part, or that the part is restricted to. */
 struct trim {
     bool outside;
     int shape, next; /* -1: none */
 };
 
-/* What has one material: an object of the file, or a piece of one that has several. Later parts
+/* A solid of one material: an object of the file, or a piece of one that has several. Later parts
  * fill the place of earlier ones. */
 struct part {
     int object, material; /* of the description */
@@ -89,7 +89,7 @@ bool described_unfold(struct described *described, const struct scene_descriptio
                       const double centre[3], int exponent);
 void described_free(struct described *described);
 
-/* Tells on which side of a part, or of a leaf, a point lies. */
+/* Returns on which side of a part, or of a leaf, a point lies. */
 enum side part_side(const struct described *described, int part, const double point[3]);
 enum side leaf_side(const struct shape *leaf, const double point[3]);
 
@@ -108,10 +108,6 @@ void described_measure(struct described *described);
 /* Makes the sample of that number: all over the scene, near each leaf, on both sides of its faces,
  * near corners and edges, far away, along the axes. */
 void described_sample(const struct described *described, struct dice *dice, unsigned number,
-                      double point[3]);
-
-/* Makes a point in or about a leaf. */
-void described_anchor(const struct described *described, struct dice *dice, int leaf,
                       double point[3]);
 
 struct sight_line {
@@ -161,7 +157,7 @@ void table_inside(const struct table *table, const double point[3], bool inside[
 
 bool table_object_holds(const struct table *table, int object, const bool inside[]);
 
-/* Where a ray crosses a primitive. */
+/* A place where a ray crosses a primitive. */
 struct table_crossing {
     double t, point[3];
     int primitive;
@@ -194,7 +190,7 @@ void validate_fault(struct validator *validator, const double place[3], const ch
 #endif
     ;
 
-/* Returns the first line of the file that an object, or a primitive, comes from. */
+/* Returns the line of the file that a primitive comes from; 0 where there is no such primitive. */
 unsigned validate_line(const struct validator *validator, int primitive);
 
 /* Holds one point against description and tables. */

@@ -193,8 +193,9 @@ static const struct shape *leaf_of(const struct described *described, int leaf) 
     return &described->shapes[described->leaves[leaf]];
 }
 
-void described_anchor(const struct described *described, struct dice *dice, int leaf,
-                      double point[3]) {
+/* Makes a point in or about a leaf. */
+static void anchor(const struct described *described, struct dice *dice, int leaf,
+                   double point[3]) {
     const struct shape *shape = leaf_of(described, leaf);
     long double q[3];
     if (!shape->finite) {
@@ -226,7 +227,7 @@ static void surface_point(const struct described *described, struct dice *dice, 
     double inside[3] = {0, 0, 0}, outside[3] = {0, 0, 0};
     bool has_inside = false, has_outside = false;
     for (int i = 0; i < 12 && !(has_inside && has_outside); i++) {
-        described_anchor(described, dice, leaf, point);
+        anchor(described, dice, leaf, point);
         bool holds = leaf_side(shape, point) == SIDE_INSIDE;
         for (int j = 0; j < 3; j++) {
             *(holds ? &inside[j] : &outside[j]) = point[j];
@@ -304,7 +305,7 @@ void described_sample(const struct described *described, struct dice *dice, unsi
         break;
     case 2:
     case 3:
-        described_anchor(described, dice, leaf, point);
+        anchor(described, dice, leaf, point);
         break;
     case 4:
     case 5:
@@ -333,9 +334,9 @@ void described_ray(const struct described *described, struct dice *dice, unsigne
         }
         return;
     }
-    described_anchor(described, dice, leaf, ray->origin);
+    anchor(described, dice, leaf, ray->origin);
     dice_direction(dice, ray->direction);
-    described_anchor(described, dice, dice_below(dice, described->leaf_count), other);
+    anchor(described, dice, dice_below(dice, described->leaf_count), other);
     for (int i = 0; i < 3; i++) {
         other[i] -= ray->origin[i];
     }

@@ -8,7 +8,7 @@
 /* Places nearer together than this, along a way to a light, are not told apart. */
 #define SHORT_WAY 0x1p-16
 
-/* How far before and behind a boundary its objects are asked for. */
+/* The distance before and behind a boundary at which its objects are asked for. */
 #define ASIDE 0x1p-18
 
 static double dot(const double a[3], const double b[3]) {

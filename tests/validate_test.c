@@ -48,8 +48,8 @@ static const char scene_head[] =
 
 #define ENDLESS(squares, constant)                                                                 \
     "{ quadric = { coefficients = (" squares ", 0, 0, 0, 0, 0, 0, " constant "); }; }"
-#define OFF_X "{ ellipsoid = { centre = (-2, 0, 0); radii = (1.3, 0.8, 1); }; }"
-#define OFF_Y "{ ellipsoid = { centre = (0, 2, 0); radii = (0.8, 1.3, 1); }; }"
+#define OFF_X "{ ellipsoid = { centre = (-2, 0, 1.5); radii = (1.3, 0.8, 1); }; }"
+#define OFF_Y "{ ellipsoid = { centre = (0, -2, 1.5); radii = (0.8, 1.3, 1); }; }"
 
 /* Each solid kind, each step of the compiler, and each kind of place has its scene. */
 static const char *const scenes[] = {
@@ -83,9 +83,9 @@ static const char *const scenes[] = {
     OBJECT("board", ENDLESS("1, 2, 0", "-0.4")),
     OBJECT("board", ENDLESS("0, 1, 2", "-0.4")) ",\n" OBJECT("board", ENDLESS("2, 0, 1", "-0.3")),
     ON(LESS(BOX ", " ENDLESS("0, 1, 0", "-0.1"))) ",\n" OBJECT("board", ENDLESS("3, 0, 0", "-0.1")),
-    ON(UNION(OFF_X ", { box = { min = (-2.5, -0.3, -0.3); max = (2, 0.3, 0.3); }; }")),
-    ON(UNION(OFF_Y ", { box = { min = (-0.3, -2, -0.3); max = (0.3, 2.5, 0.3); }; }")),
-    ON(LESS(OFF_X ", { ball = { centre = (-2.1, 0.1, 0); radius = 0.5; }; }")),
+    ON(UNION(OFF_X ", { box = { min = (-2.5, -0.3, 1.2); max = (2, 0.3, 1.8); }; }")),
+    ON(UNION(OFF_Y ", { box = { min = (-0.3, -2.5, 1.2); max = (0.3, 2, 1.8); }; }")),
+    ON(LESS(OFF_X ", { ball = { centre = (-2.1, 0.1, 1.5); radius = 0.5; }; }")),
     /* Enclosures, apart and touching; polyhedra that move when the tables are compacted. */
     ON(LESS(FRUSTUM ", " SMALLER)),
     ON(LESS(EGG ", { ball = { centre = (0.1, 0, 0.2); radius = 0.7; }; }")),
@@ -111,8 +111,13 @@ static const char *const scenes[] = {
     OBJECT("glass", "{ union = ( " ROD ", " EGG " ); translate = (1e5, 2e5, -3e5); }"),
     ON("{ union = ( " BOX ", " EGG " ); rotate = (90, 0, 90); }"),
     ON("{ union = ( " LESS(FRUSTUM ", " ROD) " ); scale = 1e-4; rotate = (40, 50, 60); }"),
+    /* A saddle that nothing cuts: a ray leaves it and comes back. */
+    OBJECT("board", "{ quadric = { coefficients = (1, -0.5, 0.3, 0, 0, 0, 0, 0, 0, -0.2); }; }"),
     /* The eye in glass. */
     ON("{ ball = { centre = (3, -7, 5); radius = 1; }; }"),
+    ON("{ box = { min = (-1, -1, -1); max = (1, 1, 1); }; rotate = (20, 30, 40); translate = (3, "
+       "-7, 5); "
+       "}"),
 };
 enum { SCENES = sizeof scenes / sizeof scenes[0] };
 
