@@ -161,7 +161,7 @@ static void cover(struct coverage *coverage, const struct compiled_scene *scene)
     for (int i = 0; i < scene->quadric_count; i++) {
         coverage->cuts += scene->quadrics[i].cuts != 0;
     }
-    coverage->removed += scene->objects[scene->object_count - 1].part >= scene->object_count;
+    coverage->removed += scene->objects[scene->object_count - 1].part + 1 >= scene->object_count;
 }
 
 static void assert_validates(const struct scene_description *description, const char *what,
