@@ -144,20 +144,17 @@ static void something_behind_the_eye(uint64_t *seed, struct pieces *pieces) {
         is_glass ? "radius = 0.5" : "from_radius = 0.5");
 }
 
+#define IN_THE_BOX                                                                                 \
+    "{ material = \"glass\"; solid = { ball = { centre = (%f, 1.2, 0.5); radius = 0.3; }; }; }"
+
 static void something_within_the_box(uint64_t *seed, struct pieces *pieces) {
     ADD(pieces->materials, " %s", glass);
-    ADD(pieces->objects,
-        ", { material = \"glass\"; solid = { ball = { centre = (%f, 1.2, 0.5); radius = 0.3; }; }; "
-        "}",
-        random_between(seed, -0.3, 0.3));
+    ADD(pieces->objects, ", " IN_THE_BOX, random_between(seed, -0.3, 0.3));
 }
 
 static void something_that_the_box_fills(uint64_t *seed, struct pieces *pieces) {
     ADD(pieces->materials, " %s", glass);
-    ADD(pieces->first,
-        "{ material = \"glass\"; solid = { ball = { centre = (%f, 1.2, 0.5); radius = 0.3; }; }; "
-        "},",
-        random_between(seed, -0.3, 0.3));
+    ADD(pieces->first, IN_THE_BOX ",", random_between(seed, -0.3, 0.3));
 }
 
 static void an_object_without_a_point(uint64_t *seed, struct pieces *pieces) {
@@ -322,14 +319,18 @@ static const char grain[] = "{ material = \"glass\"; solid = { ball = { centre =
 static const char post[] = ", { material = \"own\"; solid = { ball = { centre = (0.0, 5.0, 0.0); "
                            "radius = 0.5; }; }; }";
 
+#define BITTEN                                                                                     \
+    "{ difference = ( { ball = { radius = 1; }; }, { ball = { centre = (0.6, 0, 0); radius = "     \
+    "0.7; "                                                                                        \
+    "}; } ); "
+
 static void add_solid(uint64_t *seed, char *to, size_t size) {
     static const char *const materials[] = {"clay", "striped", "air", "smoke", "mirror", "own"};
     static const char *const kinds[] = {
         "{ ball = { radius = 1; }; ", "{ box = { min = (-1, -1, -1); max = (1, 1, 1); }; ",
         "{ cylinder = { from = (0, 0, -1); to = (0, 0, 1); radius = 0.7; }; ",
         "{ hyperboloid = { from = (0, 0, -1); to = (0, 0, 1); radius = 1; waist = 0.5; }; ",
-        "{ difference = ( { ball = { radius = 1; }; }, { ball = { centre = (0.6, 0, 0); radius = "
-        "0.7; }; } ); "};
+        BITTEN};
     double x = random_between(seed, -5, 5), y = random_between(seed, -12, 5);
     uint32_t which = next_random(seed);
     bool is_mirror = which % 6 == 4 && which / 64 % 4 > 0; /* one of those ends too much of this */
