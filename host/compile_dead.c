@@ -214,7 +214,7 @@ static void tell_marks(struct compiler *compiler) {
 }
 
 /* Returns how often a straight line crosses a primitive, at most. */
-static unsigned crossings_most(const struct compiled_scene *scene, uint8_t index) {
+static unsigned crossings_most(const struct compiled_scene *scene, int index) {
     const struct compiled_primitive *primitive = &scene->primitives[index];
     const double *square = scene->quadrics[primitive->index].square;
     bool is_convex =
@@ -224,18 +224,20 @@ static unsigned crossings_most(const struct compiled_scene *scene, uint8_t index
 
 /* Returns how many boundaries of what lets light through a straight line crosses, at most. */
 static unsigned boundaries_most(const struct compiled_scene *scene) {
-    struct compiled_set counted = {{0}};
+    struct compiled_set transparent = {{0}};
     unsigned most = 0;
     for (int i = 1; i < scene->object_count; i++) {
         const struct compiled_object *object = &scene->objects[i];
         bool counts = scene->materials[object->material].transparent;
         for (int j = 0; j < object->length && counts; j++) {
             uint8_t code = scene->programs[object->program + j];
-            if (code < CODE_UNION && !compiled_set_has(&counted, code)) {
-                compiled_set_include(&counted, code);
-                most += crossings_most(scene, code);
+            if (code < CODE_UNION) {
+                compiled_set_include(&transparent, code);
             }
         }
+    }
+    for (int i = 0; i < scene->primitive_count; i++) {
+        most += compiled_set_has(&transparent, i) ? crossings_most(scene, i) : 0;
     }
     return most;
 }
