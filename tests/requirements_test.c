@@ -2,6 +2,7 @@
 /* `check` calls dead what is, with the reason, and nothing else: each proof with what undoes it. */
 #include "scene_fixture.h"
 
+#include "emit_features.h"
 #include "requirements.h"
 
 enum { TEXT_SIZE = 8192 };
@@ -448,6 +449,48 @@ static void what_ends_paths_is_said(void **state) {
     RUN(cases);
 }
 
+/* ---- The page of an image ------------------------------------------------------------------- */
+
+static void a_page_has_what_paths_need(void **state) {
+    (void)state;
+    static const struct {
+        const char *settings, *objects;
+        bool estimates;
+        const char *written;
+    } cases[] = {
+        {"depth = 0;", OF("glass", BALL), false, "FEATURE_TRANSPARENCY = 0,"},
+        {"depth = 1;", OF("glass", BALL), false, "FEATURE_TRANSPARENCY = 1,"},
+        {"depth = 0;", OF("glass", BALL), true, "FEATURE_TRANSPARENCY = 1,"},
+        {"depth = 9; model = \"simple\";", OF("glass", BALL), false, "FEATURE_SIMPLE = 1,"},
+        {"depth = 0; model = \"simple\";", OF("glass", BALL), false, "FEATURE_SIMPLE = 0,"},
+        {"depth = 9;", OF("clay", BALL), true, "FEATURE_ESTIMATE = 0,"},
+        {"depth = 9;", OF("dull", BALL), true, "FEATURE_ESTIMATE = 1,"},
+        {"depth = 9;", OF("ghost", BALL), false, "FEATURE_DEPTH = 2,"},
+        {"depth = 9;", OF("clay", BALL), false, "FEATURE_DEPTH = 1,"}, /* the least */
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        char text[TEXT_SIZE], page[TEXT_SIZE];
+        (void)snprintf(text, sizeof text,
+                       HEAD "%s\nlights = ( " LAMP " );\nmaterials = { " MATERIALS
+                            " };\nobjects = ( %s );\n",
+                       cases[i].settings, cases[i].objects);
+        struct scene_description *description = read_text(text);
+        description->estimates = cases[i].estimates;
+        struct loaded_scene loaded = load_description(description, "f64");
+        FILE *file = tmpfile();
+        assert_non_null(file);
+        assert_int_equal(features_emit(file, loaded.compiled, "it"), 0);
+        rewind(file);
+        page[fread(page, 1, sizeof page - 1, file)] = '\0';
+        (void)fclose(file);
+        if (strstr(page, cases[i].written) == NULL) {
+            fail_msg("no \"%s\" in\n%s\nof\n%s", cases[i].written, page, text);
+        }
+        scene_description_free(description);
+        unload(&loaded);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_is_out_of_view_is_dead_unless_rays_turn_to_it),
@@ -459,6 +502,7 @@ int main(void) {
         cmocka_unit_test(an_object_is_called_dead_once_for_each_reason),
         cmocka_unit_test(depth_is_what_paths_can_use),
         cmocka_unit_test(what_ends_paths_is_said),
+        cmocka_unit_test(a_page_has_what_paths_need),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
