@@ -75,11 +75,12 @@ static double bounds_half(const struct bounds *bounds) {
     return reach;
 }
 
-/* What is dead counts only where something endless is seen, whose end it decides, or where nothing
- * else has a size. */
+/* Scales by what is not dead. The rest counts where something endless is seen, whose end it
+ * decides, or where nothing else has a size. */
 bool compile_scaling(struct compiler *compiler) {
     struct compiled_scene *scene = compiler->scene;
-    const struct compile_dead *dead = compiler->dead->has_endless ? NULL : compiler->dead;
+    const bool is_whole = compiler->dead->has_endless || compiler->dead->keeps_scale;
+    const struct compile_dead *dead = is_whole ? NULL : compiler->dead;
     struct bounds all = content_bounds(compiler->description, dead);
     if (!(bounds_half(&all) >= REACH_LEAST)) {
         all = content_bounds(compiler->description, NULL);
@@ -161,14 +162,29 @@ static void begin(struct compiler *compiler) {
              compiler->description->path);
 }
 
+/* Makes the tables; by the scale that what is dead had a say in, where what is left refuses its
+ * own.
+ */
+static bool compile_round(struct compiler *compiler) {
+    begin(compiler);
+    if (compile_tables(compiler)) {
+        return true;
+    }
+    if (compiler->dead->count == 0 || compiler->dead->keeps_scale) {
+        return false;
+    }
+    compiler->dead->keeps_scale = true;
+    begin(compiler);
+    return compile_tables(compiler);
+}
+
 /* Makes the tables, and makes them anew as long as they prove something dead: without that, what
  * is left may be scaled otherwise. */
 static bool compile_live(struct compiler *compiler) {
     unsigned known;
     do {
         known = compiler->dead->count;
-        begin(compiler);
-        if (!compile_tables(compiler) || !compile_find_dead(compiler)) {
+        if (!compile_round(compiler) || !compile_find_dead(compiler)) {
             return false;
         }
     } while (compiler->dead->count > known);

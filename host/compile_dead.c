@@ -83,7 +83,8 @@ static const char *table_is_dead(const struct compiled_scene *scene,
                : NULL;
 }
 
-/* An opaque material mirrors by what makes its highlight. */
+/* Returns why a highlight is dead; an opaque material's never is, for it mirrors by the same
+ * number. */
 static const char *highlight_is_dead(const struct compiled_scene *scene,
                                      const struct compiled_material *material, bool is_light) {
     bool has_one = material->specular > 0 || material->specular_table != NO_TABLE;
@@ -193,8 +194,7 @@ static void tell_material(struct compiler *compiler, size_t index) {
     }
 }
 
-/* An object falls apart into one part a material: those that are dead for one reason are told once.
- */
+/* Tells of all that is marked. Parts of one object that are dead for one reason are told once. */
 static void tell_marks(struct compiler *compiler) {
     const struct compile_dead *dead = compiler->dead;
     const struct scene_description *description = compiler->description;
@@ -213,8 +213,8 @@ static void tell_marks(struct compiler *compiler) {
     }
 }
 
-/* How often a straight line crosses a primitive at most. */
-static unsigned crossings_most(const struct compiled_scene *scene, uint8_t index) {
+/* Returns how often a straight line crosses a primitive, at most. */
+static unsigned crossings_most(const struct compiled_scene *scene, int index) {
     const struct compiled_primitive *primitive = &scene->primitives[index];
     const double *square = scene->quadrics[primitive->index].square;
     bool is_convex =
@@ -222,20 +222,22 @@ static unsigned crossings_most(const struct compiled_scene *scene, uint8_t index
     return is_convex ? 2 : 4;
 }
 
-/* The same of all that lets light through. */
+/* Returns how many boundaries of what lets light through a straight line crosses, at most. */
 static unsigned boundaries_most(const struct compiled_scene *scene) {
-    struct compiled_set counted = {{0}};
+    struct compiled_set transparent = {{0}};
     unsigned most = 0;
     for (int i = 1; i < scene->object_count; i++) {
         const struct compiled_object *object = &scene->objects[i];
         bool counts = scene->materials[object->material].transparent;
         for (int j = 0; j < object->length && counts; j++) {
             uint8_t code = scene->programs[object->program + j];
-            if (code < CODE_UNION && !compiled_set_has(&counted, code)) {
-                compiled_set_include(&counted, code);
-                most += crossings_most(scene, code);
+            if (code < CODE_UNION) {
+                compiled_set_include(&transparent, code);
             }
         }
+    }
+    for (int i = 0; i < scene->primitive_count; i++) {
+        most += compiled_set_has(&transparent, i) ? crossings_most(scene, i) : 0;
     }
     return most;
 }
@@ -255,7 +257,7 @@ static bool never_mirrors_itself(const struct compiler *compiler, int index) {
            !compiled_object_holds(scene, (uint8_t)index, &scene->camera.inside);
 }
 
-/* The most reflections and refractions that a path can have, by what there is to turn it aside. */
+/* Returns the most events that a path can have, by what there is to turn it aside. */
 static unsigned events_most(const struct compiler *compiler) {
     const struct compiled_scene *scene = compiler->scene;
     unsigned mirrors = 0;
@@ -271,8 +273,8 @@ static unsigned events_most(const struct compiler *compiler) {
     return boundaries_most(scene) * (mirrors + 1) + mirrors;
 }
 
-/* The same by the threshold, and one more: so the threshold is what ends the path. An estimate
- * looks below it. */
+/* Returns the most events of a path that the threshold lets pass, and one more: so the threshold is
+ * what ends the path. An estimate looks below it. */
 static unsigned events_above_threshold(const struct compiled_scene *scene, double share) {
     if (scene->estimates || share >= 1 || scene->threshold < THRESHOLD_LEAST) {
         return SCENE_DEPTH_MOST;

@@ -54,6 +54,7 @@ struct compile_dead {
     unsigned count; /* of all these */
     size_t object_of_part[COMPILED_OBJECTS_MOST];
     int part_count;
+    bool keeps_scale; /* what is left does not fit the scale that it has by itself */
     bool has_endless; /* something endless can be seen: it ends where the dead ones say, too */
 };
 

@@ -82,7 +82,7 @@ static bool compile_absorption(struct compiler *compiler, const struct scene_mat
     return true;
 }
 
-/* Neither seen nor in the way of light. */
+/* Makes a material that is neither seen nor in the way of light. */
 static void compile_nothing(struct compiled_material *material) {
     material->pattern = NO_PATTERN;
     material->specular_table = NO_TABLE;

@@ -41,7 +41,8 @@ static bool has_specular(const struct compiled_material *material) {
     return material->specular > 0 || material->specular_table != NO_TABLE;
 }
 
-/* What lies between media of one index is crossed straight on, and reflects nothing. */
+/* Returns true if rays bend at the material. Between media of one index they go straight on, and
+ * nothing is reflected. */
 static bool refracts(const struct compiled_scene *scene, const struct compiled_material *material) {
     return material->transparent && !scene->simple &&
            material->optical != scene->materials[0].optical;
@@ -106,8 +107,8 @@ static bool is_behind(const struct search *search, const struct solid *solid, do
                                                  inward) < vector_dot(inward, eye) - COMPILE_GAP;
 }
 
-/* The view is a pyramid: four sides through the picture's edges, half a pixel from the outermost
- * rays, and what lies behind the eye is outside of it. */
+/* Returns true if a solid reaches into the view: a pyramid with four sides through the picture's
+ * edges, half a pixel from the outermost rays. What lies behind the eye is outside of it. */
 static bool is_in_view(const struct search *search, const struct solid *solid) {
     const struct compiled_scene *scene = search->scene;
     const struct compiled_camera *camera = &scene->camera;
@@ -236,7 +237,7 @@ static void find_lights(struct search *search) {
     }
 }
 
-/* What lies on the way from anywhere on a solid to a light. */
+/* Returns bounds of the way from anywhere on a solid to a light. */
 static struct bounds way_to_light(const struct solid *from, const struct compiled_light *light) {
     struct bounds way = from->bounds;
     if (!light->parallel) {

@@ -44,7 +44,7 @@ static void assert_same_picture(const char *less, const char *more, const char *
     }
 }
 
-/* All that an image of the firmware gets: the tables, and the features that they require. */
+/* Writes all that an image of the firmware gets: the tables, and the features that they require. */
 static void write_tables(const char *text, char tables[TABLES_SIZE]) {
     struct loaded_scene loaded = load_text(text, "f64");
     FILE *file = tmpfile();
@@ -97,7 +97,7 @@ enum base { ENDING, TURNING, STRAIGHT, BASES };
 static const char clay_specular[] = "diffuse = 0.7; specular = 0.3;";
 static const char clay_diffuse[] = "diffuse = 0.7;";
 
-/* A box of clay of its own, and a ball before it, of a material that makes the base what it is. */
+/* Makes a box of clay and a ball before it, of a material that makes the base what it is. */
 static void make_base(enum base base, uint64_t *seed, struct pieces *pieces) {
     static const char *const materials[] = {
         "front = { colour = [20, 180, 90]; ambient = 0.8; ambient_is_own = true; };",
@@ -144,20 +144,17 @@ static void something_behind_the_eye(uint64_t *seed, struct pieces *pieces) {
         is_glass ? "radius = 0.5" : "from_radius = 0.5");
 }
 
+#define IN_THE_BOX                                                                                 \
+    "{ material = \"glass\"; solid = { ball = { centre = (%f, 1.2, 0.5); radius = 0.3; }; }; }"
+
 static void something_within_the_box(uint64_t *seed, struct pieces *pieces) {
     ADD(pieces->materials, " %s", glass);
-    ADD(pieces->objects,
-        ", { material = \"glass\"; solid = { ball = { centre = (%f, 1.2, 0.5); radius = 0.3; }; }; "
-        "}",
-        random_between(seed, -0.3, 0.3));
+    ADD(pieces->objects, ", " IN_THE_BOX, random_between(seed, -0.3, 0.3));
 }
 
 static void something_that_the_box_fills(uint64_t *seed, struct pieces *pieces) {
     ADD(pieces->materials, " %s", glass);
-    ADD(pieces->first,
-        "{ material = \"glass\"; solid = { ball = { centre = (%f, 1.2, 0.5); radius = 0.3; }; }; "
-        "},",
-        random_between(seed, -0.3, 0.3));
+    ADD(pieces->first, IN_THE_BOX ",", random_between(seed, -0.3, 0.3));
 }
 
 static void an_object_without_a_point(uint64_t *seed, struct pieces *pieces) {
@@ -184,7 +181,7 @@ static void a_pattern_of_one_colour(uint64_t *seed, struct pieces *pieces) {
         random_between(seed, 0.1, 2));
 }
 
-/* The base's own specular is 0.3 where rays turn aside, else 0. */
+/* Writes the clay's specular as a table: 0.3 where rays turn aside, else 0. */
 static void a_table_of_one_value(uint64_t *seed, struct pieces *pieces) {
     (void)seed;
     bool is_specular = strcmp(pieces->clay, clay_specular) == 0;
@@ -215,7 +212,8 @@ static const struct {
 
 enum { ADDITIONS = sizeof additions / sizeof additions[0] };
 
-/* Some things at once, or one: the tables are those of the scene without them, or they aren't. */
+/* Adds some things and fails unless tables and picture stay, or the tables change where one lives.
+ */
 static void compare_with(enum base base, uint64_t seed, unsigned added) {
     static char tables[2][TABLES_SIZE];
     char with[TEXT_SIZE], without[TEXT_SIZE], names[512] = "";
@@ -266,6 +264,48 @@ static void any_number_of_them_does_neither(void **state) {
     }
 }
 
+/* ---- The scale ------------------------------------------------------------------------------ */
+
+/* Compiles scenes with something far behind the eye: it may be there to say how far an endless
+ * floor reaches, or how large C of C + D may be. */
+static void what_is_dead_keeps_its_say_in_the_scale_where_that_is_asked_for(void **state) {
+    (void)state;
+    static const struct {
+        const char *settings, *objects;
+        int exponent; /* 2^9 scaled units reach 2^(9 - exponent) of the file's */
+    } cases[] = {
+        {"", "{ material = \"clay\"; solid = { ball = { centre = (0, 0, 1); radius = 1; }; }; }",
+         7},
+        {"",
+         "{ material = \"clay\"; solid = { half_space = { normal = [0, 0, 1]; offset = 0; }; }; }",
+         3},
+        {"attenuation = { constant = 99; };",
+         "{ material = \"clay\"; solid = { ball = { centre = (0, 0, 1); radius = 1; }; }; }", 3},
+        {"attenuation = { constant = 4; };",
+         "{ material = \"clay\"; solid = { ball = { centre = (0, 0, 1); radius = 1; }; }; }", 7},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        char text[TEXT_SIZE];
+        struct pieces pieces;
+        memset(&pieces, 0, sizeof pieces);
+        strcpy(pieces.settings, cases[i].settings);
+        strcpy(pieces.lights, "{ direction = (0, 1, -1); }");
+        strcpy(pieces.clay, clay_diffuse);
+        strcpy(pieces.materials, glass);
+        ADD(pieces.objects,
+            "%s, { material = \"glass\"; solid = { ball = { centre = (0, -99, 9); radius = 1; }; "
+            "}; }",
+            cases[i].objects);
+        join(&pieces, text);
+        struct loaded_scene loaded = load_text(text, "f64");
+        if (loaded.compiled->exponent != cases[i].exponent || loaded.compiled->object_count != 2) {
+            fail_msg("2^%d, %d objects of\n%s", loaded.compiled->exponent,
+                     loaded.compiled->object_count, text);
+        }
+        unload(&loaded);
+    }
+}
+
 /* ---- Live things left out ------------------------------------------------------------------- */
 
 /* A grain of glass between the rays of the middle pixels: none meets it, but as far as the compiler
@@ -279,14 +319,18 @@ static const char grain[] = "{ material = \"glass\"; solid = { ball = { centre =
 static const char post[] = ", { material = \"own\"; solid = { ball = { centre = (0.0, 5.0, 0.0); "
                            "radius = 0.5; }; }; }";
 
+#define BITTEN                                                                                     \
+    "{ difference = ( { ball = { radius = 1; }; }, { ball = { centre = (0.6, 0, 0); radius = "     \
+    "0.7; "                                                                                        \
+    "}; } ); "
+
 static void add_solid(uint64_t *seed, char *to, size_t size) {
     static const char *const materials[] = {"clay", "striped", "air", "smoke", "mirror", "own"};
     static const char *const kinds[] = {
         "{ ball = { radius = 1; }; ", "{ box = { min = (-1, -1, -1); max = (1, 1, 1); }; ",
         "{ cylinder = { from = (0, 0, -1); to = (0, 0, 1); radius = 0.7; }; ",
         "{ hyperboloid = { from = (0, 0, -1); to = (0, 0, 1); radius = 1; waist = 0.5; }; ",
-        "{ difference = ( { ball = { radius = 1; }; }, { ball = { centre = (0.6, 0, 0); radius = "
-        "0.7; }; } ); "};
+        BITTEN};
     double x = random_between(seed, -5, 5), y = random_between(seed, -12, 5);
     uint32_t which = next_random(seed);
     bool is_mirror = which % 6 == 4 && which / 64 % 4 > 0; /* one of those ends too much of this */
@@ -354,6 +398,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(dead_things_that_are_added_change_neither_tables_nor_picture),
         cmocka_unit_test(any_number_of_them_does_neither),
+        cmocka_unit_test(what_is_dead_keeps_its_say_in_the_scale_where_that_is_asked_for),
         cmocka_unit_test(what_is_left_out_was_not_to_be_seen),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,85 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* `check` calls dead what is, with the reason, and nothing else: each proof with what undoes it. */
-#include "scene_fixture.h"
-
-#include "requirements.h"
-
-enum { TEXT_SIZE = 8192 };
-
-/* The eye is at (0, -6, 2) and looks at (0, 0, 1): 0.36 of the way to each side, 0.23 up and down.
- */
-#define HEAD                                                                                       \
-    "version = 1; size = [24, 15];\n"                                                              \
-    "camera = { eye = (0, -6, 2); look_at = (0, 0, 1); field_of_view = 40; };\n"
-
-#define LAMP       "{ position = (-4, -6, 9); }"
-#define RED_LAMP   "{ position = (-4, -6, 9); colour = [255, 0, 0]; }"
-#define BLACK_LAMP "{ position = (-4, -6, 9); colour = [0, 0, 0]; }"
-#define DIM_LAMP   "{ position = (-4, -6, 9); colour = [0, 0, 1]; }"
-#define FROM_BACK  "{ direction = (0, 1, 0); }"
-#define FROM_FRONT "{ direction = (0, -1, 0); }"
-
-#define CLAY   "clay = { colour = [200, 90, 40]; diffuse = 0.7; };"
-#define OWN    "own = { colour = [9, 9, 9]; ambient = 1; ambient_is_own = true; };"
-#define GLASS  "glass = { colour = [0, 0, 0]; ior = 1.5; absorption = 0.5; };"
-#define GHOST  "ghost = { colour = [0, 0, 0]; ior = 1; absorption = 0.5; };"
-#define MIRROR "mirror = { colour = [0, 0, 0]; specular = 0.5; };"
-#define DULL   "dull = { colour = [0, 0, 0]; specular = 0.1; };"
-#define SPECULAR_TABLE(a)                                                                          \
-    "specular = (" a                                                                               \
-    ", 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5); };"
-#define TABLE(a)  "shiny = { colour = [0, 0, 0]; " SPECULAR_TABLE(a)
-#define STRIPED   "pattern = { size = [1, 0, 0]; colour = [9, 9, 8]; }; };"
-#define MATERIALS CLAY OWN GLASS GHOST MIRROR DULL
-
-#define OF(material, solid) "{ material = \"" material "\"; solid = " solid "; }"
-#define BALL_AT(x, y, z, radius)                                                                   \
-    "{ ball = { centre = (" x ", " y ", " z "); radius = " radius "; }; }"
-#define BALL                   BALL_AT("0", "0", "1", "1")
-#define BESIDE                 BALL_AT("1.5", "1", "1", "0.4")
-#define BEHIND                 BALL_AT("0", "-9", "1", "0.5")
-#define BOX                    "{ box = { min = (-1, -1, 0); max = (1, 1, 2); }; }"
-#define WITHIN                 BALL_AT("0", "0", "1", "0.5")
-#define NAMED(material, solid) "{ name = \"it\"; material = \"" material "\"; solid = " solid "; }"
-
-struct scene_case {
-    const char *settings, *lights, *materials, *objects, *said;
-    bool is_said;
-};
-
-static struct compiled_scene *compile_case(const struct scene_case *scene, char text[TEXT_SIZE]) {
-    (void)snprintf(text, TEXT_SIZE,
-                   HEAD "%s\nlights = ( %s );\nmaterials = { %s };\nobjects = ( %s );\n",
-                   scene->settings, scene->lights, scene->materials, scene->objects);
-    struct scene_error error = {""};
-    struct scene_description *description = read_text(text);
-    struct compiled_scene *compiled = scene_compile(description, &error);
-    scene_description_free(description);
-    if (compiled == NULL) {
-        fail_msg("not compiled: %s\n%s", error.text, text);
-    }
-    return compiled;
-}
-
-static void run_cases(const struct scene_case *cases, size_t count) {
-    for (size_t i = 0; i < count; i++) {
-        char text[TEXT_SIZE], said[TEXT_SIZE];
-        struct compiled_scene *compiled = compile_case(&cases[i], text);
-        FILE *file = tmpfile();
-        assert_non_null(file);
-        requirements_print(file, compiled);
-        rewind(file);
-        said[fread(said, 1, sizeof said - 1, file)] = '\0';
-        (void)fclose(file);
-        free(compiled);
-        if ((strstr(said, cases[i].said) != NULL) != cases[i].is_said) {
-            fail_msg("\"%s\" %s:\n%s\nof\n%s", cases[i].said,
-                     cases[i].is_said ? "is not said" : "is said", said, text);
-        }
-    }
-}
-
-#define RUN(cases) run_cases(cases, sizeof(cases) / sizeof(cases)[0])
+#include "required_fixture.h"
 
 /* ---- Objects -------------------------------------------------------------------------------- */
 
@@ -368,86 +289,6 @@ static void an_object_is_called_dead_once_for_each_reason(void **state) {
     free(compiled);
 }
 
-/* ---- Depth ---------------------------------------------------------------------------------- */
-
-static void depth_is_what_paths_can_use(void **state) {
-    (void)state;
-    static const struct {
-        const char *settings, *objects;
-        bool estimates;
-        unsigned depth;
-    } cases[] = {
-        {"", OF("clay", BALL), false, 0},
-        {"", OF("clay", BALL) "," OF("mirror", BEHIND), false, 0},
-        {"", OF("clay", BALL), true, 0},
-        /* A ball mirrors no ray to itself; a box, two balls, or one that is hollow may. */
-        {"threshold = 0;", OF("mirror", BALL), false, 1},
-        {"threshold = 0;", OF("mirror", "{ ellipsoid = { radii = (1, 0.5, 0.7); }; }"), false, 1},
-        {"threshold = 0;", OF("mirror", BOX), false, 255},
-        {"threshold = 0;", OF("mirror", BALL_AT("0", "-6", "2", "1")), false, 255},
-        {"threshold = 0;", OF("mirror", BALL) "," OF("mirror", BESIDE), false, 255},
-        {"threshold = 0;", OF("mirror", BALL) "," OF("ghost", BALL_AT("0", "-1", "1", "0.5")),
-         false, 255},
-        {"threshold = 0;", OF("ghost", BALL_AT("0", "-1", "1", "0.5")) "," OF("mirror", BALL),
-         false, 5},
-        {"threshold = 0;", OF("mirror", "{ difference = ( " BALL ", " BESIDE " ); }"), false, 1},
-        {"threshold = 0;",
-         OF("mirror", "{ difference = ( " BALL ", " BALL_AT("0", "-1", "1", "0.5") " ); }"), false,
-         255},
-        {"threshold = 0;", OF("glass", BALL), false, 255},
-        /* Straight on, each convex solid is entered and left once, others twice. */
-        {"threshold = 0;", OF("ghost", BALL), false, 2},
-        {"threshold = 0;", OF("ghost", BOX), false, 2},
-        {"threshold = 0;", OF("ghost", "{ ellipsoid = { radii = (1, 0.5, 0.7); }; }"), false, 2},
-        {"threshold = 0;", OF("ghost", BALL) "," OF("ghost", BESIDE), false, 4},
-        {"threshold = 0;", OF("ghost", BALL) "," OF("clay", BESIDE), false, 2},
-        {"threshold = 0; model = \"simple\";", OF("glass", BALL), false, 2},
-        {"threshold = 0;",
-         OF("ghost", "{ hyperboloid = { from = (0, 0, 0); to = (0, 0, 2); radius = 1; "
-                     "waist = 0.5; }; }"),
-         false, 4},
-        {"threshold = 0;", OF("ghost", BALL) "," OF("mirror", BALL_AT("0", "3", "1", "0.5")), false,
-         5},
-        /* 0.1^3 is above the threshold of 1/4096, 0.1^4 is not; 0.5^12 is just that. */
-        {"", OF("dull", BOX) "," OF("dull", BESIDE), false, 4},
-        {"", OF("dull", BOX) "," OF("dull", BESIDE), true, 255},
-        {"", OF("dull", BOX) "," OF("mirror", BESIDE), false, 13},
-        {"threshold = 0.000001;", OF("dull", BOX), false, 255},
-        {"threshold = 1;", OF("dull", BOX), false, 1},
-        {"", OF("dull", BOX) "," OF("glass", BESIDE), false, 255},
-    };
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        char text[TEXT_SIZE];
-        (void)snprintf(text, sizeof text,
-                       HEAD "depth = 255; %s\nlights = ( " LAMP " );\nmaterials = { " MATERIALS
-                            " };\nobjects = ( %s );\n",
-                       cases[i].settings, cases[i].objects);
-        struct scene_description *description = read_text(text);
-        description->estimates = cases[i].estimates;
-        struct loaded_scene loaded = load_description(description, "f64");
-        if (loaded.compiled->depth != cases[i].depth || loaded.compiled->depth_asked != 255) {
-            fail_msg("depth %u instead of %u of\n%s", loaded.compiled->depth, cases[i].depth, text);
-        }
-        scene_description_free(description);
-        unload(&loaded);
-    }
-}
-
-static void what_ends_paths_is_said(void **state) {
-    (void)state;
-    static const struct scene_case cases[] = {
-        {"", LAMP, MATERIALS, OF("clay", BALL),
-         "dead        depth beyond 0: what is seen neither mirrors nor lets light through", true},
-        {"", LAMP, MATERIALS, OF("ghost", BALL),
-         "dead        depth beyond 2: no path is mirrored or let through more often", true},
-        {"", LAMP, MATERIALS, OF("dull", BOX),
-         "dead        depth beyond 4: the threshold ends every path by then", true},
-        {"", LAMP, MATERIALS, OF("glass", BALL), "dead        depth", false},
-        {"depth = 4;", LAMP, MATERIALS, OF("dull", BOX), "dead        depth", false},
-    };
-    RUN(cases);
-}
-
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_is_out_of_view_is_dead_unless_rays_turn_to_it),
@@ -457,8 +298,6 @@ int main(void) {
         cmocka_unit_test(materials_without_an_effect_are_dead),
         cmocka_unit_test(absorption_of_glass_never_entered_is_dead),
         cmocka_unit_test(an_object_is_called_dead_once_for_each_reason),
-        cmocka_unit_test(depth_is_what_paths_can_use),
-        cmocka_unit_test(what_ends_paths_is_said),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 # Measures what an image with only what a scene requires saves, and writes it into a page: minimal.sh PAGE
 #
-# Every built-in scene is built for a Cortex-M0 in fx twice, with every feature and with the
-# scene's own, and run by QEMU. The page's lines between "<!-- minimal -->" and "<!-- end of minimal
+# Every built-in scene, and each of which much is dead, is built for a Cortex-M0 in fx twice: with every
+# feature and with its own. QEMU runs both. The page's lines between "<!-- minimal -->" and "<!-- end of minimal
 # -->" are replaced. The full image's stack does not fit in 16 KiB: both are given 64 KiB and run
 # on the machine of a Cortex-M3, which runs a Cortex-M0's instructions as they are.
 # Exit status: 0 both images of each scene drew what the native program draws, and fig3's minimal
@@ -22,9 +22,9 @@ mkdir -p "$work"
 
 . "$here/image_bytes.sh"
 
-# image SCENE FEATURES: prints hash, code, constants, data, stack, instructions.
+# image SCENE FEATURES NAME: prints hash, code, constants, data, stack, instructions.
 image() {
-    folder=$work/$1-$2
+    folder=$work/$3-$2
     FIT=any TARGET_RAM=65536 sh firmware/targets/build.sh cortex-m0 fx "$1" $SIZE - "$2" "$folder" >&2
     COUNT=$BUILD/targets/count.so sh "$here/run_target.sh" cortex-m3 "$folder" >&2
     echo "$(sh "$here/trace_hash.sh" "$folder") $(section "$folder/image.elf" .text .ARM.exidx)" \
@@ -34,7 +34,7 @@ image() {
 }
 
 native_hash() {
-    "$SUPERFRAME" render "$1" --size $SIZE --quiet -o "$work/$1.png" --stats - |
+    "$SUPERFRAME" render "$1" --size $SIZE --quiet -o "$work/native.png" --stats - |
         sed -n 's/.*"trace_hash": "\([0-9a-f]*\)".*/\1/p'
 }
 
@@ -42,11 +42,15 @@ native_hash() {
     echo '| scene | image | code | constants | data | stack | 10⁶ instructions | trace_hash |'
     echo '|---|---|---|---|---|---|---|---|'
 } > "$table"
-"$SUPERFRAME" scenes | cut -f 1 > "$work/scenes"
+{
+    "$SUPERFRAME" scenes | cut -f 1
+    ls "$here"/dead_*.scene
+} > "$work/scenes"
 while read -r scene; do
-    echo "$scene native $(native_hash "$scene")"
+    name=$(basename "$scene" .scene)
+    echo "$name native $(native_hash "$scene")"
     for features in full minimal; do
-        echo "$scene $features $(image "$scene" $features)"
+        echo "$name $features $(image "$scene" $features "$name")"
     done
 done < "$work/scenes" > "$work/measured"
 
