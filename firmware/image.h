@@ -45,6 +45,10 @@ struct estimate_level {
 
 enum { ESTIMATE_LEVELS = 20 };
 
+/* Without an accuracy asked for, learning follows a cut branch so many events beyond the scene's
+ * depth level, up to level 255: an image needs room for them. */
+enum { ESTIMATE_EVENTS = 16 };
+
 /* What is learned of a scene. Level 0 is of its own threshold, each next one of half of that; all
  * but level 0 are for an accuracy that is asked for. */
 struct estimate {
