@@ -75,7 +75,7 @@ void growth_finish(struct tree *tree);
 /* The square of the largest of the weights, in steps of 2^-52. */
 int64_t growth_square(struct energies weight);
 
-/* Counts a branch that the threshold cut among the losses. */
-void growth_lose(struct tree *tree, const struct branch *branch);
+/* Counts a branch among the losses: it is not followed any farther. */
+void growth_lose(struct tree *tree, const struct branch *branch, enum branch_end why);
 
 #endif

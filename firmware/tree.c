@@ -245,7 +245,7 @@ static uint8_t refine(struct tree *tree, const struct ray *eye_ray) {
 static void lose_kept(struct tree *tree) {
     struct kept_branches *kept = tree->kept;
     while (kept->count > 0) {
-        growth_lose(tree, &kept->branches[--kept->count]);
+        growth_lose(tree, &kept->branches[--kept->count], END_THRESHOLD);
     }
 }
 
