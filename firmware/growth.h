@@ -54,7 +54,7 @@ struct tree {
     struct lesson *lesson;      /* NULL: nothing is learned */
     struct colours sum;
     real_energy threshold;
-    uint32_t rays_before; /* counts->rays when it began */
+    uint64_t rays_before; /* counts->rays when it began */
     uint32_t ray_budget;  /* it ends so many rays later */
     bool exhausted;       /* it has */
     uint32_t node;        /* the number of the node at work */

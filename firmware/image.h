@@ -11,13 +11,14 @@
 
 struct scene;
 
-/* What a row took, added to whatever is there. */
+/* What a row took, added to whatever is there. One row has up to 640 pixels of a million rays each,
+ * with 128 lights: more than 32 bits hold. */
 struct render_counts {
-    uint32_t rays; /* eye rays, reflected and refracted ones */
-    uint32_t shadow_rays;
-    uint32_t nodes;       /* boundaries shaded */
-    uint32_t solid_tests; /* a ray against a primitive */
-    uint32_t leaked_rays; /* rays that left the scene inside a medium: 0 is the only right value */
+    uint64_t rays; /* eye rays, reflected and refracted ones */
+    uint64_t shadow_rays;
+    uint64_t nodes;       /* boundaries shaded */
+    uint64_t solid_tests; /* a ray against a primitive */
+    uint64_t leaked_rays; /* rays that left the scene inside a medium: 0 is the only right value */
 
     uint32_t exhausted_pixels; /* that their budget of rays ended */
 
