@@ -31,7 +31,7 @@ struct stage {
 };
 
 static struct stage set_up(int width, int height, enum scene_colour colour, int bits,
-                           unsigned long seed) {
+                           uint32_t seed) {
     const struct scene_overrides overrides = {.has_depth = true,
                                               .depth = 2,
                                               .has_size = true,

@@ -50,7 +50,7 @@ static void *fail(const char *what, const char *reason) {
 static struct compiled_scene *load(char **arguments) {
     struct scene_error error;
     struct scene_overrides overrides;
-    unsigned long width, height, depth;
+    uint64_t width, height, depth;
     memset(&overrides, 0, sizeof overrides);
     if (!value_pair(arguments[2], 'x', 1, 640, 400, &width, &height) ||
         !value_whole(arguments[3], 0, SCENE_DEPTH_MOST, &depth) ||
