@@ -61,7 +61,7 @@ static enum value_verdict set_folder(struct options *options, const char *value)
 static enum value_verdict set_arithmetic(struct options *options, const char *value) {
     options->arithmetic = value;
     options->has_arithmetic = true;
-    return verdict(arithmetic_find(value) != NULL);
+    return arithmetic_is_missing(value) ? VALUE_NOT_BUILT : verdict(arithmetic_find(value) != NULL);
 }
 
 static enum value_verdict set_depth(struct options *options, const char *value) {

@@ -48,10 +48,10 @@ static void all_options_of_render(void **state) {
     assert_int_equal(options.profile, BOARD_LATER);
     assert_true(options.strict && options.has_strict_grade && options.quiet);
     assert_int_equal(options.strict_grade, GRADE_ASSUMED);
-    assert_true(parse(COMMAND_RENDER, "render fig3 --highlight blinn --arith f128 --tail black",
+    assert_true(parse(COMMAND_RENDER, "render fig3 --highlight blinn --arith f64 --tail black",
                       &options, &error));
     assert_int_equal(options.overrides.highlight, HIGHLIGHT_BLINN);
-    assert_string_equal(options.arithmetic, "f128");
+    assert_string_equal(options.arithmetic, "f64");
     assert_true(parse(COMMAND_RENDER, "render fig3 --bus trace:a.trace", &options, &error));
     assert_int_equal(options.bus, BUS_CHOICE_TRACE);
     assert_string_equal(options.bus_file, "a.trace");
@@ -98,7 +98,7 @@ static const struct {
     {COMMAND_RENDER, "render a --size 640x401", "1x1..640x400"},
     {COMMAND_RENDER, "render a --size 640", "1x1..640x400"},
     {COMMAND_RENDER, "render a --size 640X400", "1x1..640x400"},
-    {COMMAND_RENDER, "render a --arith f16", "fx, f32, f64 or f128"},
+    {COMMAND_RENDER, "render a --arith f16", "\"f16\" is not allowed; allowed is: fx, f32"},
     {COMMAND_RENDER, "render a --rows 5:5", "A < B"},
     {COMMAND_RENDER, "render a --rows 7:5", "A < B"},
     {COMMAND_RENDER, "render a --rows 0:401", "A < B"},
