@@ -12,7 +12,7 @@ static const char *const scenes[] = {"fig3",  "fig4a",         "fig4b",        "
                                      "fig6b", "fig7-isolated", "fig7-frustum", "figA"};
 enum { SCENES = sizeof scenes / sizeof scenes[0] };
 
-/* How a tree is ended. */
+/* The ways to end a tree. */
 static const struct ending {
     const char *arithmetic;
     bool estimates;
@@ -51,7 +51,7 @@ static struct loaded_scene load_ended(const char *name, const struct ending *end
     return loaded;
 }
 
-/* What a node's branches are, and carry on. */
+/* The branches of a node, and the weight that they carry on. */
 struct outlet {
     unsigned branches;
     double weight;
@@ -80,7 +80,7 @@ static void check_outlets(const struct ray_tree *tree, const struct compiled_sce
     }
 }
 
-/* What is seen of a tree is all of the pixel but what the cut branches are taken to be worth. */
+/* Fails unless what is seen of a tree is all of the pixel but the estimate of the cut branches. */
 static void check_sum(const struct ray_tree *tree, const struct compiled_scene *scene,
                       bool estimates) {
     for (int j = 0; j < 3; j++) {
