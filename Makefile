@@ -18,7 +18,12 @@ DEBUG    ?= -g
 # Golden images: no contraction to fused multiply-add, no excess precision.
 FLOATING := -ffp-contract=off
 
-ARITHMETICS := fx f32 f64 f128
+# f128 takes libquadmath and a compiler with its numbers; QUADMATH=no leaves it out.
+ifndef QUADMATH
+QUADMATH    := $(shell echo 'extern __float128 sqrtq(__float128); int main(int n, char **s) { return s && sqrtq(n) > 9; }' | $(CC) -x c - -o /dev/null -lquadmath 2>/dev/null && echo yes || echo no)
+endif
+ARITHMETICS := fx f32 f64 $(if $(filter yes,$(QUADMATH)),f128)
+MISSING     := $(if $(filter yes,$(QUADMATH)),,f128)
 # For `superframe measure` alone: what fx is measured against.
 EXAMPLES    := q16 q16_epsilon
 
@@ -105,8 +110,9 @@ INCLUDE_tests    := -Ihal -Ihal/usb -Iemulator -Ifirmware -Ihost -Itests
 # Where gcc keeps quadmath.h: clang links gcc's library but does not look among its headers.
 COMPILER_HEADERS = $(dir $(shell $(CC) -print-file-name=include/quadmath.h))
 
-POSIX   := -D_POSIX_C_SOURCE=200809L
-LIBS    := -lpng -lconfig -lxxhash -ldeflate -lquadmath -lm -lpthread $(USB_LIBS) $(BOOT_LIBS)
+# Files of more than 2 GiB where long has 32 bits.
+POSIX   := -D_POSIX_C_SOURCE=200809L -D_FILE_OFFSET_BITS=64
+LIBS    := -lpng -lconfig -lxxhash -ldeflate $(if $(filter yes,$(QUADMATH)),-lquadmath) -lm -lpthread $(USB_LIBS) $(BOOT_LIBS)
 
 .PHONY: all
 all: $(BUILD)/superframe ## Build the program (the default)
@@ -139,7 +145,7 @@ $(1)_HAL      := $$(HAL_SOURCES:%.c=$$(BUILD)/$(1)/%.o)
 $(1)_EMULATOR := $$(EMULATOR_SOURCES:%.c=$$(BUILD)/$(1)/%.o)
 $(1)_HOST     := $$(filter-out %/host/main.o,$$(HOST_SOURCES:%.c=$$(BUILD)/$(1)/%.o))
 $(1)_SCENES   := $$(BUILD)/$(1)/builtin_scenes.o
-$(1)_IMAGES   := $$(patsubst %,$$(BUILD)/$(1)/image_%.o,$$(ARITHMETICS) $$(EXAMPLES))
+$(1)_IMAGES   := $$(patsubst %,$$(BUILD)/$(1)/image_%.o,$$(ARITHMETICS) $$(EXAMPLES)) $$(BUILD)/$(1)/arithmetics.o
 $(1)_STREAMS  := $$(foreach real,$$(STREAM_REALS),$$(STREAM_SETS:%=$$(BUILD)/$(1)/stream_$$(real)_%.o))
 $(1)_LIBRARY  := $$($(1)_STREAMS) $$($(1)_HAL) $$($(1)_EMULATOR) $$($(1)_HOST) $$($(1)_IMAGES) $$($(1)_SCENES)
 
@@ -158,6 +164,10 @@ $$(BUILD)/$(1)/host/%.o: host/%.c $$(BUILD)/flags | setup
 $$(BUILD)/$(1)/builtin_scenes.o: $$(BUILD)/builtin_scenes.c host/builtin_scenes.h $$(BUILD)/flags
 	@mkdir -p $$(@D)
 	$$(CC) $$(WARNINGS) $$(CFLAGS_$(1)) -Ihost -c -o $$@ $$<
+
+$$(BUILD)/$(1)/arithmetics.o $$(BUILD)/$(1)/arithmetics_without_f128.o: $$(BUILD)/$(1)/%.o: $$(BUILD)/%.c $$(BUILD)/flags
+	@mkdir -p $$(@D)
+	$$(CC) $$(WARNINGS) $$(CFLAGS_$(1)) -Ifirmware -Ihost -MMD -MP -c -o $$@ $$<
 
 $$(BUILD)/$(1)/superframe: $$(BUILD)/$(1)/host/main.o $$($(1)_LIBRARY) $$(BUILD)/sources
 	$$(CC) $$(LDFLAGS_$(1)) -o $$@ $$(filter %.o,$$^) $$(LIBS)
@@ -206,6 +216,24 @@ $(BUILD)/builtin_scenes.c: host/embed_scenes.sh $(SCENE_FILES)
 	@mkdir -p $(@D)
 	sh host/embed_scenes.sh $(SCENE_FILES) > $@.tmp && mv $@.tmp $@
 
+# The arithmetics of this build.
+$(BUILD)/arithmetics.c: host/list_arithmetics.sh FORCE
+	@mkdir -p $(@D)
+	@sh host/list_arithmetics.sh $(ARITHMETICS) -- $(MISSING) > $@.new
+	@cmp -s $@.new $@ && rm $@.new || mv $@.new $@
+
+# ---- Without libquadmath: f128 is left out ----------------------------------------------------
+
+$(BUILD)/arithmetics_without_f128.c: host/list_arithmetics.sh
+	@mkdir -p $(@D)
+	sh host/list_arithmetics.sh $(filter-out f128,$(ARITHMETICS)) -- f128 > $@
+
+WITHOUT_F128 := $(filter-out %/arithmetics.o %/image_f128.o,$(release_LIBRARY)) $(BUILD)/release/host/main.o \
+                $(BUILD)/release/arithmetics_without_f128.o
+
+$(BUILD)/superframe_without_f128: $(WITHOUT_F128) $(BUILD)/sources
+	$(CC) $(LDFLAGS_release) -o $@ $(filter %.o,$^) $(filter-out -lquadmath,$(LIBS))
+
 # ---- The library, and what is measured of it ------------------------------------------------
 
 include install.mk
@@ -233,6 +261,13 @@ paper: $(BUILD)/superframe ## Make every figure of the paper, and measure its cl
 
 # ---- Testing --------------------------------------------------------------------------------
 
+# The suites that hold something against f128; those of tests/real/ are held against libquadmath.
+SUITES_OF_F128 := $(patsubst %,tests/%_test.c,accuracy command extremes_optics extremes_place extremes_shapes extremes_walls leak optics_laws tail worked_example)
+ifneq ($(QUADMATH),yes)
+TEST_SKIPPED := $(SUITES_OF_F128) $(REAL_TEST_SOURCES)
+TEST_SOURCES := $(filter-out $(TEST_SKIPPED),$(TEST_SOURCES))
+REAL_TEST_SOURCES :=
+endif
 TEST_PROGRAMS := $(TEST_SOURCES:tests/%.c=$(BUILD)/sanitized/tests/%)
 REAL_TEST_PROGRAMS := $(foreach arithmetic,$(ARITHMETICS),$(REAL_TEST_SOURCES:tests/real/%.c=$(BUILD)/sanitized/tests/real/%_$(arithmetic)))
 
@@ -262,10 +297,11 @@ endef
 $(foreach arithmetic,$(ARITHMETICS),$(eval $(call real_test_rules,$(arithmetic))))
 
 FIRMWARE_IMAGES := $(BUILD)/release/firmware_fx.o $(BUILD)/release/firmware_f32.o $(BUILD)/release/firmware_f64.o
-TEST_SCRIPTS := tests/float_matrix.sh tests/trace_hash_matrix.sh tests/check_includes.sh tests/check_symbols.sh tests/check_recursion.sh tests/check_adapter.sh tests/check_usb_fuzz.sh tests/check_usb_bytes.sh tests/check_without_usb.sh tests/check_install.sh tests/check_measure.sh tests/targets/quick_test.sh tests/targets/probe_test.sh tests/check_porting.sh tests/check_bench.sh tests/check_manual.sh
+TEST_SCRIPTS := tests/float_matrix.sh tests/trace_hash_matrix.sh tests/check_includes.sh tests/check_symbols.sh tests/check_recursion.sh tests/check_adapter.sh tests/check_usb_fuzz.sh tests/check_usb_bytes.sh tests/check_without_usb.sh tests/check_without_f128.sh tests/check_install.sh tests/check_measure.sh tests/targets/quick_test.sh tests/targets/minimal_test.sh tests/targets/probe_test.sh tests/check_porting.sh tests/check_32_bits.sh tests/check_bench.sh tests/check_manual.sh
 
 .PHONY: test
-test: $(TEST_PROGRAMS) $(REAL_TEST_PROGRAMS) $(BUILD)/superframe $(BUILD)/sanitized/superframe $(FIRMWARE_IMAGES) strict fresh-prefix $(BUILD)/usb_bytes $(BUILD)/superframe_without_usb $(USB_TEST_PROGRAMS) $(BENCH_TOOLS) ## Run every test (under the address and undefined-behaviour sanitizers)
+test: $(TEST_PROGRAMS) $(REAL_TEST_PROGRAMS) $(BUILD)/superframe $(BUILD)/sanitized/superframe $(FIRMWARE_IMAGES) strict fresh-prefix $(BUILD)/usb_bytes $(BUILD)/superframe_without_usb $(BUILD)/superframe_without_f128 $(USB_TEST_PROGRAMS) $(BENCH_TOOLS) ## Run every test (under the address and undefined-behaviour sanitizers)
+	@$(if $(TEST_SKIPPED),echo 'skipped without libquadmath: $(TEST_SKIPPED)')
 	@sh tests/run.sh $(BUILD) $(TEST_SCRIPTS) $(TEST_PROGRAMS) $(REAL_TEST_PROGRAMS) $(USB_TEST_PROGRAMS)
 
 # ---- Measuring ------------------------------------------------------------------------------

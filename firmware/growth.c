@@ -17,11 +17,17 @@ struct node {
 
 static const struct energies no_energy = {REAL_ENERGY(0.0), REAL_ENERGY(0.0), REAL_ENERGY(0.0)};
 
-static void report_end(const struct tree *tree, enum branch_kind kind, uint8_t channel,
-                       struct energies weight, enum branch_end why) {
+static void report_end(const struct tree *tree, uint32_t parent, enum branch_kind kind,
+                       uint8_t channel, struct energies weight, enum branch_end why) {
     if (FEATURE_OBSERVER && tree->observer) {
-        tree->observer->end(tree->observer->context, tree->node, kind, channel, weight, why);
+        tree->observer->end(tree->observer->context, parent, kind, channel, weight, why);
     }
+}
+
+static void report_branch_end(const struct tree *tree, const struct branch *branch,
+                              enum branch_end why) {
+    report_end(tree, branch->noted.parent, (enum branch_kind)branch->kind, branch->channel,
+               branch->weight, why);
 }
 
 /* Parts are rounded to steps of 2^-16 level before they are added: their order does not matter
@@ -56,8 +62,9 @@ int64_t growth_square(struct energies weight) {
     return steps * steps;
 }
 
-static void lose(struct tree *tree, const struct branch *branch, enum branch_end why) {
+void growth_lose(struct tree *tree, const struct branch *branch, enum branch_end why) {
     struct losses *losses = &tree->kept->losses;
+    report_branch_end(tree, branch, why);
     if (why == END_DEPTH) {
         add_weight(losses->ended, branch->weight);
         return;
@@ -66,10 +73,6 @@ static void lose(struct tree *tree, const struct branch *branch, enum branch_end
     losses->depth += steps * (tree->scene->depth - branch->events + 1);
     add_weight(losses->weight[way_of(tree->scene, &branch->ray.direction)], branch->weight);
     losses->squares += growth_square(branch->weight);
-}
-
-void growth_lose(struct tree *tree, const struct branch *branch) {
-    lose(tree, branch, END_THRESHOLD);
 }
 
 /* What a threshold or the depth level cut is kept for a lower threshold. When half of the places
@@ -85,7 +88,7 @@ static void keep(struct tree *tree, const struct branch *branch, enum branch_end
     if (has_place && why == END_THRESHOLD) {
         kept->branches[kept->count++] = *branch;
     } else {
-        lose(tree, branch, why);
+        growth_lose(tree, branch, why);
     }
 }
 
@@ -148,10 +151,10 @@ static bool learn_of(struct tree *tree, struct branch *branch, uint8_t events) {
 
 /* What becomes of a branch that threshold or depth level cut. */
 static void cut(struct tree *tree, const struct branch *branch, enum branch_end why) {
-    report_end(tree, (enum branch_kind)branch->kind, branch->channel, branch->weight, why);
     if (FEATURE_KEPT > 0 && tree->kept) {
         keep(tree, branch, why);
     } else {
+        report_branch_end(tree, branch, why);
         cut_worth(tree, branch->weight,
                   why == END_DEPTH ? WAY_ANY : way_of(tree->scene, &branch->ray.direction));
     }
@@ -193,7 +196,7 @@ static void grow(struct tree *tree, const struct node *node, enum branch_kind ki
     struct energies weight = energies_product(node->branch->weight, *coefficient);
     real_energy largest = energies_largest(weight);
     if (energy_is_zero(largest)) {
-        report_end(tree, kind, channel, weight, END_NOTHING);
+        report_end(tree, tree->node, kind, channel, weight, END_NOTHING);
         return;
     }
     bool deep = node->branch->events >= tree->scene->depth;
@@ -380,11 +383,7 @@ static void follow(struct tree *tree, struct branch *branch) {
         tree->counts->leaked_rays++;
     }
     add_intensity(tree, branch, scene->background);
-    if (FEATURE_OBSERVER && tree->observer) {
-        tree->observer->end(tree->observer->context, branch->noted.parent,
-                            (enum branch_kind)branch->kind, branch->channel, branch->weight,
-                            END_LEFT_SCENE);
-    }
+    report_branch_end(tree, branch, END_LEFT_SCENE);
 }
 
 void growth_start(struct tree *tree, const struct scene *scene, const struct ray *eye_ray,
@@ -421,8 +420,9 @@ static void cut_waiting(struct tree *tree) {
         if (FEATURE_ESTIMATE && tree->lesson) {
             learn_rest(tree->lesson, branch);
         } else if (FEATURE_KEPT > 0 && tree->kept) {
-            growth_lose(tree, branch);
+            growth_lose(tree, branch, END_BUDGET);
         } else {
+            report_branch_end(tree, branch, END_BUDGET);
             cut_worth(tree, branch->weight, way_of(tree->scene, &branch->ray.direction));
         }
     }

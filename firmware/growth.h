@@ -54,7 +54,7 @@ struct tree {
     struct lesson *lesson;      /* NULL: nothing is learned */
     struct colours sum;
     real_energy threshold;
-    uint32_t rays_before; /* counts->rays when it began */
+    uint64_t rays_before; /* counts->rays when it began */
     uint32_t ray_budget;  /* it ends so many rays later */
     bool exhausted;       /* it has */
     uint32_t node;        /* the number of the node at work */
@@ -75,7 +75,7 @@ void growth_finish(struct tree *tree);
 /* The square of the largest of the weights, in steps of 2^-52. */
 int64_t growth_square(struct energies weight);
 
-/* Counts a branch that the threshold cut among the losses. */
-void growth_lose(struct tree *tree, const struct branch *branch);
+/* Counts a branch among the losses: it is not followed any farther. */
+void growth_lose(struct tree *tree, const struct branch *branch, enum branch_end why);
 
 #endif

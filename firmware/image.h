@@ -11,13 +11,14 @@
 
 struct scene;
 
-/* What a row took, added to whatever is there. */
+/* What a row took, added to whatever is there. One row has up to 640 pixels of a million rays each,
+ * with 128 lights: more than 32 bits hold. */
 struct render_counts {
-    uint32_t rays; /* eye rays, reflected and refracted ones */
-    uint32_t shadow_rays;
-    uint32_t nodes;       /* boundaries shaded */
-    uint32_t solid_tests; /* a ray against a primitive */
-    uint32_t leaked_rays; /* rays that left the scene inside a medium: 0 is the only right value */
+    uint64_t rays; /* eye rays, reflected and refracted ones */
+    uint64_t shadow_rays;
+    uint64_t nodes;       /* boundaries shaded */
+    uint64_t solid_tests; /* a ray against a primitive */
+    uint64_t leaked_rays; /* rays that left the scene inside a medium: 0 is the only right value */
 
     uint32_t exhausted_pixels; /* that their budget of rays ended */
 
@@ -44,6 +45,10 @@ struct estimate_level {
 };
 
 enum { ESTIMATE_LEVELS = 20 };
+
+/* Without an accuracy asked for, learning follows a cut branch so many events beyond the scene's
+ * depth level, up to level 255: an image needs room for them. */
+enum { ESTIMATE_EVENTS = 16 };
 
 /* What is learned of a scene. Level 0 is of its own threshold, each next one of half of that; all
  * but level 0 are for an accuracy that is asked for. */

@@ -8,9 +8,8 @@
 /* The pixels looked at: a grid over the whole picture. */
 enum { COLUMNS = 32, ROWS = 20 };
 
-/* Without an accuracy asked for, what is cut is followed this much deeper, and down to this part of
- * the threshold. */
-enum { MORE_EVENTS = 16, LESS_WEIGHT_BITS = 5 };
+/* Without an accuracy asked for, what is cut is followed down to this part of the threshold. */
+enum { LESS_WEIGHT_BITS = 5 };
 
 /* With one: the levels of the first look and of each next one, and those below a level which must
  * be seen for it to be known. */
@@ -308,8 +307,8 @@ static void learn_levels(const struct scene *scene, struct lesson *lesson,
 static void learn_level(const struct scene *scene, struct lesson *lesson, struct estimate *estimate,
                         struct render_counts *counts) {
     struct sums sums;
-    uint16_t depth = (uint16_t)(scene->depth + MORE_EVENTS);
-    lesson->last_depth = (uint8_t)(depth < FEATURE_DEPTH ? depth : FEATURE_DEPTH);
+    uint16_t depth = (uint16_t)(scene->depth + ESTIMATE_EVENTS);
+    lesson->last_depth = (uint8_t)(depth < UINT8_MAX ? depth : UINT8_MAX);
     lesson->of_depth = true;
     lesson->levels = 1;
     lesson->last = lesson->first >> LESS_WEIGHT_BITS;

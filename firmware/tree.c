@@ -38,7 +38,7 @@ static int64_t squares_of(const struct kept_branches *kept) {
 static void begin(struct tree *tree, const struct ray *eye_ray, real_energy threshold) {
     struct kept_branches *kept = tree->kept;
     const struct tree_observer *observer = tree->observer;
-    uint32_t rays_before = tree->rays_before;
+    uint64_t rays_before = tree->rays_before;
     growth_start(tree, tree->scene, eye_ray, tree->counts);
     tree->rays_before = rays_before;
     tree->observer = observer;
@@ -200,7 +200,7 @@ static bool is_too_much(const struct tree *tree, uint8_t steps) {
 /* Whether the losses alone are too much, and there are rays enough to begin again: that takes
  * about twice as many as what was done so far. */
 static bool must_begin_again(const struct tree *tree, uint8_t steps) {
-    uint32_t used = tree->counts->rays - tree->rays_before;
+    uint64_t used = tree->counts->rays - tree->rays_before;
     return tree->kept->losses.squares > squares_most(tree, steps) && used < tree->ray_budget / 4;
 }
 
@@ -245,7 +245,7 @@ static uint8_t refine(struct tree *tree, const struct ray *eye_ray) {
 static void lose_kept(struct tree *tree) {
     struct kept_branches *kept = tree->kept;
     while (kept->count > 0) {
-        growth_lose(tree, &kept->branches[--kept->count]);
+        growth_lose(tree, &kept->branches[--kept->count], END_THRESHOLD);
     }
 }
 

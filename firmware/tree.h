@@ -16,7 +16,8 @@ enum branch_end {
     END_LEFT_SCENE, /* nothing is ahead: the background */
     END_DEPTH,      /* its events have reached the depth level N */
     END_THRESHOLD,  /* it weighs less than the threshold */
-    END_NOTHING     /* its coefficient is 0: total reflection, or no mirror */
+    END_NOTHING,    /* its coefficient is 0: total reflection, or no mirror */
+    END_BUDGET      /* the pixel's budget of rays is used up */
 };
 
 /* A branch as it is followed. Nodes are numbered from 1 in the order in which they are reached. */
@@ -35,7 +36,8 @@ struct branch {
     } noted;
 };
 
-/* Somebody who looks on while a tree is grown. Both members may be called many times a pixel. */
+/* Somebody who looks on while a tree is grown. Both members may be called many times a pixel. A
+ * pixel that begins again comes to a node 1 again: what was reported before is void. */
 struct tree_observer {
     void *context;
 

@@ -4,18 +4,13 @@
 
 #include <string.h>
 
-static const struct arithmetic *const arithmetics[] = {&arithmetic_fx, &arithmetic_f32,
-                                                       &arithmetic_f64, &arithmetic_f128};
-
 /* Known to `superframe measure` alone. */
 static const struct arithmetic *const examples[] = {&arithmetic_q16, &arithmetic_q16_epsilon};
 
-const char arithmetic_names[] = "fx, f32, f64 or f128";
-
 const struct arithmetic *arithmetic_find(const char *name) {
-    for (size_t i = 0; i < sizeof arithmetics / sizeof arithmetics[0]; i++) {
-        if (strcmp(arithmetics[i]->image->name, name) == 0) {
-            return arithmetics[i];
+    for (size_t i = 0; arithmetics_built[i] != NULL; i++) {
+        if (strcmp(arithmetics_built[i]->image->name, name) == 0) {
+            return arithmetics_built[i];
         }
     }
     return NULL;
@@ -28,4 +23,13 @@ const struct arithmetic *arithmetic_find_any(const char *name) {
         }
     }
     return arithmetic_find(name);
+}
+
+bool arithmetic_is_missing(const char *name) {
+    for (size_t i = 0; arithmetics_missing[i] != NULL; i++) {
+        if (strcmp(arithmetics_missing[i], name) == 0) {
+            return true;
+        }
+    }
+    return false;
 }

@@ -3,6 +3,7 @@
 #ifndef SUPERFRAME_ARITHMETIC_H
 #define SUPERFRAME_ARITHMETIC_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "compiled_scene.h"
@@ -32,11 +33,16 @@ struct arithmetic {
 extern const struct arithmetic arithmetic_fx;
 extern const struct arithmetic arithmetic_f32;
 extern const struct arithmetic arithmetic_f64;
-extern const struct arithmetic arithmetic_f128;
 
 /* Plain Q16.16, to be measured against the others; arithmetic_find() does not know them. */
 extern const struct arithmetic arithmetic_q16;
 extern const struct arithmetic arithmetic_q16_epsilon;
+
+/* The arithmetics of this build, in a list that make makes; NULL ends it. */
+extern const struct arithmetic *const arithmetics_built[];
+
+/* The names of those that this build was made without; NULL ends them. */
+extern const char *const arithmetics_missing[];
 
 /* The arithmetic of that name; NULL if there is none. */
 const struct arithmetic *arithmetic_find(const char *name);
@@ -44,7 +50,10 @@ const struct arithmetic *arithmetic_find(const char *name);
 /* The same, with those that are there to be measured only. */
 const struct arithmetic *arithmetic_find_any(const char *name);
 
-/* The names, as "fx, f32, f64 or f128", for messages. */
+/* Tells an arithmetic that this build was made without from one that does not exist. */
+bool arithmetic_is_missing(const char *name);
+
+/* The names of those that are there, as "fx, f32, f64 or f128", for messages. */
 extern const char arithmetic_names[];
 
 #endif

@@ -77,7 +77,7 @@ enum value_verdict set_frame_seconds(struct options *options, const char *value)
 /* ---- Faults --------------------------------------------------------------------------------- */
 
 static bool read_one_in(uint32_t *one_in, const char *value) {
-    unsigned long number;
+    uint64_t number;
     if (!value_whole(value, 1, ONE_IN_MOST, &number)) {
         return false;
     }
@@ -85,9 +85,9 @@ static bool read_one_in(uint32_t *one_in, const char *value) {
     return true;
 }
 
-static bool read_count(uint64_t *count, unsigned long least, const char *value) {
-    unsigned long number;
-    if (!value_whole(value, least, 0xFFFFFFFFul, &number)) {
+static bool read_count(uint64_t *count, uint64_t least, const char *value) {
+    uint64_t number;
+    if (!value_whole(value, least, UINT32_MAX, &number)) {
         return false;
     }
     *count = number;
@@ -95,7 +95,7 @@ static bool read_count(uint64_t *count, unsigned long least, const char *value) 
 }
 
 static bool read_dead_port(struct fault_plan *plan, const char *value) {
-    unsigned long port;
+    uint64_t port;
     if (!value_port(value, &port)) {
         return false;
     }

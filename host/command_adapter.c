@@ -78,7 +78,7 @@ static void announce(const struct server *server) {
 static int start_listening(struct server *server) {
     const char *listen_at = server->options->adapter.listen;
     char address[NAME_SIZE], port[NAME_SIZE];
-    unsigned long number;
+    uint64_t number;
     struct addrinfo wanted, *found = NULL;
     if (!split(listen_at != NULL ? listen_at : "127.0.0.1", address, port) ||
         !value_whole(port, 0, PORT_MOST, &number)) {

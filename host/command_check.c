@@ -78,15 +78,15 @@ static void print_optimisations(const struct compiled_scene *compiled) {
 
 /* Whether each arithmetic can hold the scene: fx is the one whose ranges are narrow. */
 static int print_arithmetics(const struct compiled_scene *compiled) {
-    static const char *const names[] = {"fx", "f32", "f64", "f128"};
     int status = STATUS_DONE;
-    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+    for (size_t i = 0; arithmetics_built[i] != NULL; i++) {
         struct scene_error error;
-        struct scene *scene = arithmetic_find(names[i])->load(compiled, &error);
+        const char *name = arithmetics_built[i]->image->name;
+        struct scene *scene = arithmetics_built[i]->load(compiled, &error);
         if (scene == NULL) {
-            status = bad_input("%s (--arith %s)", error.text, names[i]);
+            status = bad_input("%s (--arith %s)", error.text, name);
         }
-        (void)printf("%-11s %s\n", names[i], scene != NULL ? "holds it" : "can't hold it");
+        (void)printf("%-11s %s\n", name, scene != NULL ? "holds it" : "can't hold it");
         free(scene);
     }
     return status;

@@ -53,7 +53,7 @@ static int grow_and_print(const struct options *options, const struct compiled_s
 
 int run_tree(const struct options *options) {
     struct scene_error error;
-    unsigned long x, y;
+    uint64_t x, y;
     struct compiled_scene *compiled =
         load_compiled_scene(options->operands[0], &options->overrides, &error);
     if (compiled == NULL) {

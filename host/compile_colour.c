@@ -13,7 +13,7 @@ bool compile_colour(struct compiler *compiler) {
                                                [COLOUR_EXPOSURES] = COMPILED_EXPOSURES};
     scene->show = (uint8_t)shows[description->colour];
     scene->show_bits = (uint8_t)(description->colour == COLOUR_BITS ? description->colour_bits : 8);
-    scene->seed = (uint32_t)description->seed;
+    scene->seed = description->seed;
     if (description->colour == COLOUR_DITHER &&
         (description->width > BOARD_WIDTH / 2 || description->height > BOARD_HEIGHT / 2)) {
         return compile_fail(compiler, 0,

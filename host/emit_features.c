@@ -5,6 +5,9 @@
 #include <stdbool.h>
 #include <string.h>
 
+#include "image.h"
+#include "scene_description.h"
+
 /* The constants of firmware/features/full/feature_set.h, in its order, with what the scene needs of
  * each; tests/targets/quick_test.sh holds the names against that page. */
 struct feature {
@@ -90,9 +93,17 @@ int features_primitive_words(const struct compiled_scene *scene) {
     return scene->primitive_count > 32 ? (scene->primitive_count + 31) / 32 : 1;
 }
 
+/* Returns the depth level that an image must have room for: learning goes beyond the scene's own.
+ */
+static int depth_required(const struct compiled_scene *scene) {
+    bool goes_beyond = scene->estimates && scene->error <= 0;
+    int depth = scene->depth + (goes_beyond ? ESTIMATE_EVENTS : 0);
+    return depth < SCENE_DEPTH_MOST ? depth : SCENE_DEPTH_MOST;
+}
+
 static void find_features(const struct compiled_scene *scene, struct feature features[FEATURES]) {
     const struct feature found[FEATURES] = {
-        {"DEPTH", scene->depth},
+        {"DEPTH", depth_required(scene)},
         {"WIDTH", scene->width},
         {"PRIMITIVE_WORDS", features_primitive_words(scene)},
         {"BOX", scene->box_count > 0},

@@ -18,6 +18,10 @@
  * single precision makes it count, and bends nothing by a pixel. */
 #define INDEX_STEP 0x1p-23
 
+/* What a second layer of texture hides of the first: 1/128 of a level in a path of 255 crossings.
+ * POV-Ray's single precision holds 1 minus that, and its reciprocal. */
+#define LAYER_OPACITY 0x1p-23
+
 /* A cell that holds all of the world along an axis without a pattern, from -1/2 to 1/2 of it. */
 #define WHOLE_CELL 8192.0
 
@@ -61,12 +65,20 @@ static void write_emission(FILE *out, const struct compiled_material *material,
     export_pov_vector(out, emission[0], emission[1], emission[2]);
 }
 
+/* Tells whether the highlight is as wide as the lit side. POV-Ray's phong shows nothing where the
+ * mirror direction turns away from the light, whatever its power is. */
+static bool is_wide_highlight(const struct compiled_scene *scene,
+                              const struct compiled_material *material) {
+    return material->specular > 0 && material->gloss == 0 && !scene->blinn;
+}
+
 /* A highlight by alpha is POV-Ray's phong, one by beta its specular. */
-static void write_highlight(FILE *out, const struct compiled_material *material, bool blinn) {
-    if (material->specular <= 0) {
+static void write_highlight(FILE *out, const struct compiled_scene *scene,
+                            const struct compiled_material *material) {
+    if (material->specular <= 0 || is_wide_highlight(scene, material)) {
         return;
     }
-    if (blinn) {
+    if (scene->blinn) {
         (void)fprintf(out, "\n        specular %.17g roughness %.17g", material->specular,
                       1 / fmax(material->gloss, 1e-9));
     } else {
@@ -82,6 +94,18 @@ static void write_reflection(FILE *out, const struct compiled_scene *scene,
     } else if (material->transparent && !is_straight(scene, material)) {
         (void)fputs("\n        reflection { 0, 1 fresnel on } conserve_energy", out);
     }
+}
+
+/* Writes the highlight of gloss 0 as a layer of its own: POV-Ray's diffuse light of a white
+ * surface, with the cosine to the power of 0, is the light on the whole lit side. */
+static void write_wide_highlight(FILE *out, const struct compiled_material *material) {
+    double white = 1 / LAYER_OPACITY;
+    (void)fputs("    texture {\n        pigment { rgb ", out);
+    export_pov_vector(out, white, white, white);
+    (void)fprintf(out,
+                  " transmit %.17g }\n        finish { ambient 0 diffuse %.17g brilliance 0 }\n"
+                  "    }\n",
+                  1 - LAYER_OPACITY, material->specular);
 }
 
 static void write_texture(FILE *out, const struct compiled_scene *scene,
@@ -101,14 +125,26 @@ static void write_texture(FILE *out, const struct compiled_scene *scene,
     }
     (void)fprintf(out, " }\n        finish { ambient 0 diffuse %.17g", material->diffuse);
     write_emission(out, material, pigment);
-    write_highlight(out, material, scene->blinn);
+    write_highlight(out, scene, material);
     write_reflection(out, scene, material);
     (void)fputs(" }\n    }\n", out);
+    if (is_wide_highlight(scene, material)) {
+        write_wide_highlight(out, material);
+    }
 }
 
-/* Cells of two colours: POV-Ray's checker has cells of size 1, the even ones first. */
+/* Declares the textures of both colours: only a declared one may have layers within a pattern. */
+static void declare_cells(FILE *out, const struct compiled_scene *scene,
+                          const struct compiled_material *material, const char *name) {
+    (void)fprintf(out, "#declare %s_even =\n", name);
+    write_texture(out, scene, material, material->colour);
+    (void)fprintf(out, "#declare %s_odd =\n", name);
+    write_texture(out, scene, material, scene->patterns[material->pattern].colour);
+}
+
+/* Writes cells of two textures: POV-Ray's checker has cells of size 1, the even ones first. */
 static void write_pattern(FILE *out, const struct compiled_scene *scene,
-                          const struct compiled_material *material) {
+                          const struct compiled_material *material, const char *name) {
     const struct compiled_pattern *pattern = &scene->patterns[material->pattern];
     double size[3], origin[3];
     for (int i = 0; i < 3; i++) {
@@ -116,12 +152,12 @@ static void write_pattern(FILE *out, const struct compiled_scene *scene,
         size[i] = changes ? pattern->size[i] : WHOLE_CELL;
         origin[i] = changes ? pattern->origin[i] : -WHOLE_CELL / 2;
     }
-    (void)fputs("    texture {\n    checker\n", out);
-    write_texture(out, scene, material, material->colour);
-    write_texture(out, scene, material, pattern->colour);
-    (void)fputs("    scale ", out);
+    (void)fprintf(out,
+                  "    texture {\n        checker texture { %s_even } texture { %s_odd }\n"
+                  "        scale ",
+                  name, name);
     export_pov_vector(out, size[0], size[1], size[2]);
-    (void)fputs("\n    translate ", out);
+    (void)fputs("\n        translate ", out);
     export_pov_vector(out, origin[0], origin[1], origin[2]);
     (void)fputs("\n    }\n", out);
 }
@@ -145,11 +181,14 @@ void export_pov_materials(FILE *out, const struct scene_description *description
     for (uint8_t i = 1; i < scene->material_count; i++) {
         const struct compiled_material *material = &scene->materials[i];
         export_pov_material_name(description, scene, i, name);
+        if (material->pattern != NO_PATTERN) {
+            declare_cells(out, scene, material, name);
+        }
         (void)fprintf(out, "#declare %s = material {\n", name);
         if (material->pattern == NO_PATTERN) {
             write_texture(out, scene, material, material->colour);
         } else {
-            write_pattern(out, scene, material);
+            write_pattern(out, scene, material, name);
         }
         if (material->transparent) {
             write_interior(out, scene, material);

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "arithmetic.h"
 #include "command.h"
 #include "measure_page.h"
 
@@ -24,15 +25,32 @@ static const struct measure_setting *find_setting(const struct report *report,
     return NULL;
 }
 
+/* Says how far double and f128 agree, where f128 is there. */
+static void write_oracle(const struct report *report) {
+    const struct measure *measure = report->measure;
+    double oracle = 100;
+    if (arithmetic_find("f128") == NULL) {
+        page_paragraph(report, "Double was not checked against 113-bit numbers: this build has no "
+                               "f128.");
+        return;
+    }
+    for (size_t i = 0; i < measure->scene_count; i++) {
+        oracle = fmin(oracle, measure->scenes[i].oracle);
+    }
+    page_paragraph(report,
+                   "That double is exact enough was checked against 113-bit numbers (f128), 48 x "
+                   "30 pixels of each scene at N = 10: %s%.2f %% of the pixels are the same to the "
+                   "last bit. f128 itself is too slow for the converged pictures.",
+                   oracle < 100 ? "at least " : "", floor(100 * oracle) / 100);
+}
+
 static void write_method(const struct report *report) {
     const struct measure *measure = report->measure;
     char names[PAGE_TEXT_SIZE] = "";
-    double oracle = 100;
     for (size_t i = 0; i < measure->scene_count; i++) {
         size_t used = strlen(names);
         (void)snprintf(names + used, sizeof names - used, "%s%s", i > 0 ? ", " : "",
                        measure->scenes[i].name);
-        oracle = fmin(oracle, measure->scenes[i].oracle);
     }
     const struct measure_point *first = &measure->points.points[0];
     page_heading(report, 2, "How it was measured");
@@ -43,11 +61,7 @@ static void write_method(const struct report *report) {
         "four times less changes no pixel by more than 1 LSB. Shares are the mean over the "
         "scenes.",
         names, first->width, first->height, MEASURE_CONVERGED_DEPTH);
-    page_paragraph(report,
-                   "That double is exact enough was checked against 113-bit numbers (f128), 48 x "
-                   "30 pixels of each scene at N = 10: %s%.2f %% of the pixels are the same to the "
-                   "last bit. f128 itself is too slow for the converged pictures.",
-                   oracle < 100 ? "at least " : "", floor(100 * oracle) / 100);
+    write_oracle(report);
     page_paragraph(report,
                    "Seconds are predicted from counted rays, boundaries, tests and port writes, by "
                    "the operations that each takes and the instructions that each operation takes "

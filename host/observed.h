@@ -9,7 +9,13 @@
 /* Lengths in scaled units, intensities in levels, weights as products of coefficients. The kinds
  * and ends are those of firmware/tree.h. */
 enum observed_kind { OBSERVED_EYE, OBSERVED_REFLECTED, OBSERVED_REFRACTED };
-enum observed_why { OBSERVED_LEFT, OBSERVED_DEPTH, OBSERVED_THRESHOLD, OBSERVED_NOTHING };
+enum observed_why {
+    OBSERVED_LEFT,
+    OBSERVED_DEPTH,
+    OBSERVED_THRESHOLD,
+    OBSERVED_NOTHING,
+    OBSERVED_BUDGET
+};
 
 enum { OBSERVED_ALL_CHANNELS = 3 };
 
@@ -38,6 +44,8 @@ struct observed_end {
     enum observed_why why;
 };
 
+/* With an accuracy asked for, a pixel may begin again and come to a node 1 again: what was reported
+ * before is void. */
 struct pixel_observer {
     void *context;
     void (*node)(void *context, const struct observed_node *node);

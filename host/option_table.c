@@ -19,7 +19,7 @@ enum {
     TRACE_READERS = BIT(REPLAY) | BIT(TRACE)
 };
 
-#define COUNT_MOST 1000000000000000UL
+#define COUNT_MOST UINT64_C(1000000000000000)
 
 static enum value_verdict verdict(bool is_allowed) {
     return is_allowed ? VALUE_TAKEN : VALUE_WRONG;
@@ -61,11 +61,11 @@ static enum value_verdict set_folder(struct options *options, const char *value)
 static enum value_verdict set_arithmetic(struct options *options, const char *value) {
     options->arithmetic = value;
     options->has_arithmetic = true;
-    return verdict(arithmetic_find(value) != NULL);
+    return arithmetic_is_missing(value) ? VALUE_NOT_BUILT : verdict(arithmetic_find(value) != NULL);
 }
 
 static enum value_verdict set_depth(struct options *options, const char *value) {
-    unsigned long depth;
+    uint64_t depth;
     if (!value_whole(value, 0, SCENE_DEPTH_MOST, &depth)) {
         return VALUE_WRONG;
     }
@@ -85,7 +85,7 @@ static enum value_verdict set_error(struct options *options, const char *value) 
 }
 
 static enum value_verdict set_size(struct options *options, const char *value) {
-    unsigned long width, height;
+    uint64_t width, height;
     if (!value_pair(value, 'x', 1, BOARD_WIDTH, BOARD_HEIGHT, &width, &height)) {
         return VALUE_WRONG;
     }
@@ -118,7 +118,7 @@ static enum value_verdict set_colour(struct options *options, const char *value)
     static const char *const words[] = {"full", "dither", "exposures", NULL};
     static const enum scene_colour colours[] = {COLOUR_FULL, COLOUR_DITHER, COLOUR_EXPOSURES};
     static const char bits[] = "bits:";
-    unsigned long kept;
+    uint64_t kept;
     int word = find_word(value, words);
     options->overrides.has_colour = true;
     if (strncmp(value, bits, sizeof bits - 1) == 0) {
@@ -134,8 +134,13 @@ static enum value_verdict set_colour(struct options *options, const char *value)
 }
 
 static enum value_verdict set_seed(struct options *options, const char *value) {
+    uint64_t seed;
+    if (!value_whole(value, 0, UINT32_MAX, &seed)) {
+        return VALUE_WRONG;
+    }
     options->overrides.has_seed = true;
-    return verdict(value_whole(value, 0, 4294967295ul, &options->overrides.seed));
+    options->overrides.seed = (uint32_t)seed;
+    return VALUE_TAKEN;
 }
 
 static enum value_verdict set_keep_exposures(struct options *options, const char *value) {
@@ -164,7 +169,7 @@ static enum value_verdict set_bus(struct options *options, const char *value) {
 }
 
 static enum value_verdict set_verify(struct options *options, const char *value) {
-    unsigned long percent = 100;
+    uint64_t percent = 100;
     if (value != NULL && !value_whole(value, 1, 100, &percent)) {
         return VALUE_WRONG;
     }
@@ -202,7 +207,7 @@ static enum value_verdict set_trace(struct options *options, const char *value) 
 }
 
 static enum value_verdict set_rows(struct options *options, const char *value) {
-    unsigned long first, last;
+    uint64_t first, last;
     if (!value_pair(value, ':', 0, BOARD_HEIGHT, BOARD_HEIGHT, &first, &last) || first >= last) {
         return VALUE_WRONG;
     }
@@ -218,7 +223,7 @@ static enum value_verdict set_profile(struct options *options, const char *value
 }
 
 static enum value_verdict set_base(struct options *options, const char *value) {
-    unsigned long base;
+    uint64_t base;
     if (!value_port(value, &base) || !board_base_is_offered((uint16_t)base)) {
         return VALUE_WRONG;
     }
@@ -236,7 +241,7 @@ static enum value_verdict set_tail(struct options *options, const char *value) {
 }
 
 static enum value_verdict set_jobs(struct options *options, const char *value) {
-    unsigned long jobs;
+    uint64_t jobs;
     if (!value_whole(value, 1, OPTIONS_JOBS_MOST, &jobs)) {
         return VALUE_WRONG;
     }
@@ -267,7 +272,7 @@ static enum value_verdict set_cpu(struct options *options, const char *value) {
 }
 
 static enum value_verdict set_instructions(struct options *options, const char *value) {
-    unsigned long most;
+    uint64_t most;
     if (!value_whole(value, 1, COUNT_MOST, &most)) {
         return VALUE_WRONG;
     }
@@ -276,7 +281,7 @@ static enum value_verdict set_instructions(struct options *options, const char *
 }
 
 static enum value_verdict set_escape(struct options *options, const char *value) {
-    unsigned long after;
+    uint64_t after;
     if (!value_whole(value, 1, COUNT_MOST, &after)) {
         return VALUE_WRONG;
     }
@@ -303,7 +308,7 @@ static enum value_verdict set_quiet(struct options *options, const char *value) 
 }
 
 static enum value_verdict set_within(struct options *options, const char *value) {
-    unsigned long within;
+    uint64_t within;
     if (!value_whole(value, 0, 255, &within)) {
         return VALUE_WRONG;
     }

@@ -4,6 +4,7 @@
 #define SUPERFRAME_OVERRIDES_H
 
 #include <stdbool.h>
+#include <stdint.h>
 
 #include "scene_description.h"
 
@@ -19,8 +20,8 @@ struct scene_overrides {
     enum scene_model model;
     enum scene_highlight highlight;
     enum scene_colour colour;
-    int colour_bits;    /* 1..8 with COLOUR_BITS */
-    unsigned long seed; /* 0..2^32-1 */
+    int colour_bits; /* 1..8 with COLOUR_BITS */
+    uint32_t seed;
 };
 
 /* Puts them into the description. */

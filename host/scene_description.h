@@ -5,6 +5,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 /* Lengths are in the file's own unit, colours in levels (255 = white), angles in degrees. Every
  * number is finite. `line` is where the thing stands in its file, from 1, for later errors. */
@@ -138,13 +139,13 @@ struct scene_description {
     enum scene_highlight highlight;
     enum scene_mixing mixing;
     enum scene_colour colour;
-    int colour_bits;    /* 1..8 for COLOUR_BITS */
-    unsigned long seed; /* of the random dither, 0..2^32-1 */
-    int width, height;  /* pixels rendered: 1..640, 1..400 */
-    int depth;          /* the paper's N, 0..255 */
-    double threshold;   /* 0..1 */
-    bool estimates;     /* a cut branch counts as what it is worth on average, not as black */
-    double error;       /* the accuracy asked for, in levels; 0: none */
+    int colour_bits;   /* 1..8 for COLOUR_BITS */
+    uint32_t seed;     /* of the random dither */
+    int width, height; /* pixels rendered: 1..640, 1..400 */
+    int depth;         /* the paper's N, 0..255 */
+    double threshold;  /* 0..1 */
+    bool estimates;    /* a cut branch counts as what it is worth on average, not as black */
+    double error;      /* the accuracy asked for, in levels; 0: none */
     double background[3];
     double ambient[3]; /* Ia */
     bool has_attenuation;

@@ -14,6 +14,9 @@ static const char magic[] = "superframe signatures 1 ";
 
 /* ---- Making --------------------------------------------------------------------------------- */
 
+/* Where FNV-1a begins. */
+static const uint64_t no_hash = UINT64_C(0xCBF29CE484222325);
+
 /* FNV-1a, of the bytes of one number. */
 static void hash_number(uint64_t *hash, uint32_t number) {
     for (int i = 0; i < 4; i++) {
@@ -24,6 +27,9 @@ static void hash_number(uint64_t *hash, uint32_t number) {
 
 static void sign_node(void *context, const struct observed_node *node) {
     uint64_t *hash = context;
+    if (node->number == 1) {
+        *hash = no_hash; /* the pixel begins, or begins again */
+    }
     hash_number(hash, node->parent);
     hash_number(hash, (uint32_t)node->kind << 8 | node->channel);
     hash_number(hash, (uint32_t)node->primitive << 16 | (uint32_t)node->face << 8 | node->leaving);
@@ -45,7 +51,7 @@ static void sign_row(void *context, unsigned y) {
     const struct signing *signing = context;
     unsigned width = signing->signatures->width;
     for (unsigned x = 0; x < width; x++) {
-        uint64_t hash = UINT64_C(0xCBF29CE484222325);
+        uint64_t hash = no_hash;
         const struct pixel_observer observer = {&hash, sign_node, pass_end};
         struct render_counts counts;
         double intensity[3];
@@ -58,6 +64,8 @@ static void sign_row(void *context, unsigned y) {
 
 bool signatures_make(const struct signature_job *job, struct signatures *signatures,
                      struct scene_error *error) {
+    struct estimate estimate;
+    struct render_counts counts = {0};
     struct scene *scene = job->arithmetic->load(job->scene, error);
     if (scene == NULL) {
         return false;
@@ -71,6 +79,7 @@ bool signatures_make(const struct signature_job *job, struct signatures *signatu
         free(scene);
         return false;
     }
+    job->arithmetic->learn(scene, &estimate, &counts);
     struct signing signing = {job->arithmetic, scene, signatures};
     parallel_for(job->first_row, job->last_row, job->jobs, sign_row, &signing, job->stop);
     free(scene);

@@ -24,6 +24,9 @@ static bool make_room(void **entries, size_t *room, size_t count, size_t size) {
 static void collect_node(void *context, const struct observed_node *node) {
     struct ray_tree *tree = context;
     void *nodes = tree->nodes;
+    if (node->number == 1) {
+        tree->node_count = tree->end_count = 0; /* the pixel begins, or begins again */
+    }
     if (tree->out_of_memory ||
         !make_room(&nodes, &tree->node_room, tree->node_count, sizeof *node)) {
         tree->out_of_memory = true;
@@ -69,7 +72,8 @@ static const char *kind_text(enum observed_kind kind, uint8_t channel) {
 
 static const char *why_text(enum observed_why why) {
     static const char *const texts[] = {"leaves the scene", "at the depth level",
-                                        "below the threshold", "has no weight"};
+                                        "below the threshold", "has no weight",
+                                        "at the end of the budget of rays"};
     return texts[why];
 }
 

@@ -9,8 +9,8 @@
 #include <string.h>
 
 /* strtoul() alone would take blanks, signs and what is too long. */
-static bool whole(const char *text, size_t length, unsigned long most, unsigned long *value) {
-    unsigned long sum = 0;
+static bool whole(const char *text, size_t length, uint64_t most, uint64_t *value) {
+    uint64_t sum = 0;
     if (length == 0) {
         return false;
     }
@@ -18,7 +18,7 @@ static bool whole(const char *text, size_t length, unsigned long most, unsigned 
         if (!isdigit((unsigned char)text[i])) {
             return false;
         }
-        unsigned long digit = (unsigned long)(text[i] - '0');
+        uint64_t digit = (uint64_t)(text[i] - '0');
         if (digit > most || sum > (most - digit) / 10) {
             return false;
         }
@@ -28,8 +28,8 @@ static bool whole(const char *text, size_t length, unsigned long most, unsigned 
     return true;
 }
 
-bool value_whole(const char *text, unsigned long low, unsigned long high, unsigned long *value) {
-    unsigned long number;
+bool value_whole(const char *text, uint64_t low, uint64_t high, uint64_t *value) {
+    uint64_t number;
     if (!whole(text, strlen(text), high, &number) || number < low) {
         return false;
     }
@@ -67,10 +67,10 @@ bool value_real(const char *text, double low, double high, double *value) {
     return true;
 }
 
-bool value_pair(const char *text, char between, unsigned long low, unsigned long first_most,
-                unsigned long second_most, unsigned long *first, unsigned long *second) {
+bool value_pair(const char *text, char between, uint64_t low, uint64_t first_most,
+                uint64_t second_most, uint64_t *first, uint64_t *second) {
     const char *mark = strchr(text, between);
-    unsigned long a, b;
+    uint64_t a, b;
     if (mark == NULL || !whole(text, (size_t)(mark - text), first_most, &a) ||
         !whole(mark + 1, strlen(mark + 1), second_most, &b) || a < low || b < low) {
         return false;
@@ -80,7 +80,7 @@ bool value_pair(const char *text, char between, unsigned long low, unsigned long
     return true;
 }
 
-bool value_port(const char *text, unsigned long *value) {
+bool value_port(const char *text, uint64_t *value) {
     if (text[0] == '0' && (text[1] == 'x' || text[1] == 'X')) {
         text += 2;
     }

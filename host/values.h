@@ -4,19 +4,20 @@
 #define SUPERFRAME_VALUES_H
 
 #include <stdbool.h>
+#include <stdint.h>
 
 /* Reads decimal digits only, low..high. False, and *value untouched, if it is anything else. */
-bool value_whole(const char *text, unsigned long low, unsigned long high, unsigned long *value);
+bool value_whole(const char *text, uint64_t low, uint64_t high, uint64_t *value);
 
 /* Reads a decimal number, or a fraction "A/B" of two, low..high. No infinity, no NaN, no
  * hexadecimal digits, no blanks. False, and *value untouched, if it is anything else. */
 bool value_real(const char *text, double low, double high, double *value);
 
 /* Reads "AxB" or another pair with a letter between, each low..its own most. */
-bool value_pair(const char *text, char between, unsigned long low, unsigned long first_most,
-                unsigned long second_most, unsigned long *first, unsigned long *second);
+bool value_pair(const char *text, char between, uint64_t low, uint64_t first_most,
+                uint64_t second_most, uint64_t *first, uint64_t *second);
 
 /* Reads up to four hexadecimal digits, with 0x before or h behind if one likes. */
-bool value_port(const char *text, unsigned long *value);
+bool value_port(const char *text, uint64_t *value);
 
 #endif

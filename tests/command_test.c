@@ -204,6 +204,15 @@ static void jobs_do_not_show(void **state) {
                   0);
 }
 
+static void signatures_go_with_an_accuracy(void **state) {
+    (void)state;
+    assert_status("for i in 1 2 3; do superframe render " TINY
+                  "--error 2 --jobs $i --signatures s$i -o $i.png || exit; done;"
+                  " cmp s1 s2 && cmp s1 s3 && test -s s1 && cmp 1.png 3.png",
+                  0);
+    assert_int_equal(leftovers(), 0);
+}
+
 static void traces_replay_to_the_same_picture(void **state) {
     (void)state;
     assert_status("superframe render fig3 --size 60x37 -o a.png --trace a.trace", 0);
@@ -329,6 +338,7 @@ int main(void) {
         TEST(the_first_port_is_written_between_start_and_end),
         TEST(stats_have_every_key),
         TEST(jobs_do_not_show),
+        TEST(signatures_go_with_an_accuracy),
         TEST(traces_replay_to_the_same_picture),
         TEST(a_fifo_gets_the_picture),
         TEST(strict_checks),

@@ -196,6 +196,33 @@ static void materials_are_declared_once_and_by_name(void **state) {
     discard(&scene);
 }
 
+/* POV-Ray's phong ends where the mirror direction turns away from the light; gloss 0 does not. */
+static void a_highlight_of_gloss_0_is_on_the_whole_lit_side(void **state) {
+    static const struct {
+        const char *highlight, *gloss, *pattern;
+        unsigned layers, phongs, speculars;
+    } cases[] = {
+        {"phong", "0", "", 1, 0, 0},
+        {"phong", "0", "pattern = { size = 1; colour = [9, 9, 9]; };", 2, 0, 0},
+        {"phong", "1", "", 0, 1, 0},
+        {"blinn", "0", "", 0, 0, 1},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        char text[4096];
+        snprintf(text, sizeof text,
+                 "%shighlight = \"%s\";\nmaterials = { m = { colour = [9, 0, 9]; specular = 0.25;\n"
+                 "gloss = %s; %s }; };\nobjects = ( %s );",
+                 HEAD, cases[i].highlight, cases[i].gloss, cases[i].pattern, BALL("m", "0"));
+        struct exported scene = export_text(text);
+        assert_non_null(scene.text);
+        assert_int_equal(occurrences(scene.text, "diffuse 0.25 brilliance 0"), cases[i].layers);
+        assert_int_equal(occurrences(scene.text, " phong "), cases[i].phongs);
+        assert_int_equal(occurrences(scene.text, " specular "), cases[i].speculars);
+        discard(&scene);
+    }
+}
+
 /* C / (1 - T) times (1 - T) is C: POV-Ray scales a pigment by its opacity. */
 static void a_transparent_pigment_is_scaled_up_by_its_opacity(void **state) {
     (void)state;
@@ -369,6 +396,7 @@ int main(void) {
         cmocka_unit_test(numbers_read_back_are_the_same_doubles),
         cmocka_unit_test(the_camera_has_square_pixels_and_the_field_of_view),
         cmocka_unit_test(materials_are_declared_once_and_by_name),
+        cmocka_unit_test(a_highlight_of_gloss_0_is_on_the_whole_lit_side),
         cmocka_unit_test(a_transparent_pigment_is_scaled_up_by_its_opacity),
         cmocka_unit_test(an_absorbing_medium_is_hollow_and_per_scaled_unit),
         cmocka_unit_test(chains_of_one_operation_are_one_operation),

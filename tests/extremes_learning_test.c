@@ -6,7 +6,7 @@
 enum { PIXELS_LEARNED = 640 };
 
 /* Learns first, as a render does, with 640 pixels of the picture; returns the rays of that. */
-static uint32_t render_learned(struct picture *picture, const char *text, const char *arithmetic,
+static uint64_t render_learned(struct picture *picture, const char *text, const char *arithmetic,
                                bool estimates, double error, struct estimate *estimate) {
     struct scene_description *description = read_text(text);
     struct render_counts counts = {0};
@@ -49,7 +49,7 @@ static void what_the_deepest_levels_cut_is_not_followed_in_circles(void **state)
             for (int error = 0; error <= 1; error++) {
                 char text[EXTREME_TEXT_SIZE];
                 snprintf(text, sizeof text, room, deepest[i], "");
-                uint32_t rays =
+                uint64_t rays =
                     render_learned(&seen, text, extreme_arithmetics[j], true, error, &estimate);
                 int learned = error > 0 ? deepest[i] : deepest[i] < 239 ? deepest[i] + 16 : 255;
                 assert_int_equal(rays, PIXELS_LEARNED * (learned + 1));

@@ -13,7 +13,7 @@ struct first_event {
     double reflected, refracted; /* weights */
     bool passes;
     double level;
-    uint32_t rays;
+    uint64_t rays;
 };
 
 static void see_node(void *context, const struct observed_node *node) {

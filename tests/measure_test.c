@@ -233,14 +233,24 @@ static void check_names_what_a_scene_requires(void **state) {
 
 /* ---- Signatures ----------------------------------------------------------------------------- */
 
-static void make_signatures(const char *arithmetic, unsigned first, unsigned last, unsigned jobs,
-                            struct signatures *signatures) {
+/* What is asked of the cut branches: a tail, or an accuracy. */
+struct tail {
+    bool estimates;
+    double error;
+};
+
+static void make_signatures(const char *arithmetic, const struct tail *tail, unsigned first,
+                            unsigned last, unsigned jobs, struct signatures *signatures) {
     struct scene_error error;
     struct scene_overrides overrides;
     memset(&overrides, 0, sizeof overrides);
     overrides.has_size = true;
     overrides.width = 24;
     overrides.height = 15;
+    overrides.has_estimates = true;
+    overrides.estimates = tail->estimates;
+    overrides.has_error = tail->error > 0;
+    overrides.error = tail->error;
     struct compiled_scene *compiled = load_compiled_scene("fig3", &overrides, &error);
     assert_non_null(compiled);
     const struct signature_job job = {
@@ -249,21 +259,43 @@ static void make_signatures(const char *arithmetic, unsigned first, unsigned las
     free(compiled);
 }
 
+static bool are_equal(const struct signatures *a, const struct signatures *b) {
+    return memcmp(a->of_pixel, b->of_pixel, (size_t)24 * 15 * sizeof *a->of_pixel) == 0;
+}
+
 static void signatures_do_not_depend_on_jobs(void **state) {
+    static const struct tail tails[] = {{false, 0}, {true, 0}, {true, 8}, {true, 0.5}};
     (void)state;
-    struct signatures one, many, part;
-    make_signatures("f64", 0, 15, 1, &one);
-    make_signatures("f64", 0, 15, 3, &many);
-    make_signatures("f64", 5, 7, 2, &part);
-    assert_memory_equal(one.of_pixel, many.of_pixel, 24 * 15 * sizeof *one.of_pixel);
-    for (unsigned i = 0; i < 24 * 15; i++) {
-        assert_true(one.of_pixel[i] != 0);
-        bool is_asked = i / 24 >= 5 && i / 24 < 7;
-        assert_true(part.of_pixel[i] == (is_asked ? one.of_pixel[i] : 0));
+    for (size_t tail = 0; tail < sizeof tails / sizeof tails[0]; tail++) {
+        struct signatures one, many, part;
+        make_signatures("f64", &tails[tail], 0, 15, 1, &one);
+        make_signatures("f64", &tails[tail], 0, 15, 3, &many);
+        make_signatures("f64", &tails[tail], 5, 7, 2, &part);
+        assert_true(are_equal(&one, &many));
+        for (unsigned i = 0; i < 24 * 15; i++) {
+            assert_true(one.of_pixel[i] != 0);
+            bool is_asked = i / 24 >= 5 && i / 24 < 7;
+            assert_true(part.of_pixel[i] == (is_asked ? one.of_pixel[i] : 0));
+        }
+        signatures_free(&one);
+        signatures_free(&many);
+        signatures_free(&part);
     }
-    signatures_free(&one);
-    signatures_free(&many);
-    signatures_free(&part);
+}
+
+/* A tail is added to what was followed; an accuracy says how far that is. */
+static void signatures_tell_an_accuracy_but_no_tail(void **state) {
+    static const struct tail tails[] = {{false, 0}, {true, 0}, {true, 8}};
+    struct signatures signatures[3];
+    (void)state;
+    for (int i = 0; i < 3; i++) {
+        make_signatures("f64", &tails[i], 0, 15, 1, &signatures[i]);
+    }
+    assert_true(are_equal(&signatures[0], &signatures[1]));
+    assert_false(are_equal(&signatures[0], &signatures[2]));
+    for (int i = 0; i < 3; i++) {
+        signatures_free(&signatures[i]);
+    }
 }
 
 static void drift_and_flips_are_told_apart(void **state) {
@@ -293,7 +325,7 @@ static void signature_files_come_back_and_damage_is_found(void **state) {
                                           "superframe signatures 2 1 1\n12345678",
                                           "superframe signatures 1 1 1\n123456789"};
     struct signatures written, back;
-    make_signatures("fx", 0, 15, 1, &written);
+    make_signatures("fx", &(struct tail){false, 0}, 0, 15, 1, &written);
     FILE *file = tmpfile();
     assert_non_null(file);
     assert_true(signatures_write(&written, file));
@@ -345,6 +377,7 @@ int main(void) {
         cmocka_unit_test(check_and_compile_share_the_features),
         cmocka_unit_test(check_names_what_a_scene_requires),
         cmocka_unit_test(signatures_do_not_depend_on_jobs),
+        cmocka_unit_test(signatures_tell_an_accuracy_but_no_tail),
         cmocka_unit_test(drift_and_flips_are_told_apart),
         cmocka_unit_test(signature_files_come_back_and_damage_is_found),
         cmocka_unit_test(work_is_done_once_each),

@@ -31,7 +31,7 @@ struct stage {
 };
 
 static struct stage set_up(int width, int height, enum scene_colour colour, int bits,
-                           unsigned long seed) {
+                           uint32_t seed) {
     const struct scene_overrides overrides = {.has_depth = true,
                                               .depth = 2,
                                               .has_size = true,
@@ -153,7 +153,7 @@ static void five_levels_have_the_right_shares(void **state) {
     static const uint8_t levels[][3] = {{1, 64, 128}, {200, 254, 32}, {96, 160, 230}};
     for (size_t i = 0; i < sizeof levels / sizeof levels[0]; i++) {
         uint8_t row[3];
-        struct stage stage = set_up(320, 200, COLOUR_DITHER, 0, 7 + i);
+        struct stage stage = set_up(320, 200, COLOUR_DITHER, 0, 7 + (uint32_t)i);
         memcpy(row, levels[i], sizeof row);
         draw(&stage, flat, row, 0);
         for (int primary = 0; primary < 3; primary++) {
@@ -213,8 +213,8 @@ static void dots_have_nothing_to_do_with_each_other(void **state) {
         assert_true(fabs(share_alike(first, first, steps[i]) - 0.5) < 0.004);
     }
     take_down(&stage);
-    for (unsigned long seed = 0; seed < 4; seed++) {
-        stage = set_up(320, 200, COLOUR_DITHER, 0, seed == 3 ? 4294967295ul : seed);
+    for (uint32_t seed = 0; seed < 4; seed++) {
+        stage = set_up(320, 200, COLOUR_DITHER, 0, seed == 3 ? UINT32_MAX : seed);
         draw(&stage, flat, levels, 0);
         if (seed == 1) {
             assert_memory_equal(stage.chain->rgb, first, sizeof first);

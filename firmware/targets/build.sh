@@ -7,6 +7,7 @@
 # SCENE       what `superframe compile` takes; SIZE and DEPTH go with it, - is the scene's own
 # FEATURES    minimal: what the scene requires; full: everything
 # FOLDER      where image.elf (or .wasm, .hdm) is made
+# COMPILE     more options of `superframe compile`: --tail estimate
 # FIT         any: an image whose stack does not fit the machine's memory is built all the same
 # SUPERFRAME  the program (build/superframe); CC the native compiler (gcc)
 # TARGET_RAM  bytes of memory of a cortex-m0 (16384; up to 65536, for an image that only QEMU will run)
@@ -23,8 +24,8 @@ symbol=scene_$(printf %s "$name" | sed 's/[^0-9A-Za-z]/_/g')
 
 rm -rf "$folder"
 mkdir -p "$folder/tables"
-options=
-[ "$size" = - ] || options="--size $size"
+options=${COMPILE:-}
+[ "$size" = - ] || options="$options --size $size"
 [ "$depth" = - ] || options="$options --depth $depth"
 # shellcheck disable=SC2086 # a list of words
 "$SUPERFRAME" compile "$scene" $options -o "$folder/scene.c"

@@ -7,6 +7,7 @@
 
 typedef char observed_matches_tree[(int)OBSERVED_REFRACTED == (int)BRANCH_REFRACTED &&
                                            (int)OBSERVED_NOTHING == (int)END_NOTHING &&
+                                           (int)OBSERVED_BUDGET == (int)END_BUDGET &&
                                            (int)OBSERVED_DEPTH == (int)END_DEPTH &&
                                            (int)OBSERVED_ALL_CHANNELS == (int)CHANNEL_ALL
                                        ? 1

@@ -148,7 +148,7 @@ static void search_primitive(struct search_lanes *search, uint8_t index,
     }
 }
 
-void search_next(struct search_lanes *search, uint32_t *solid_tests) {
+void search_next(struct search_lanes *search, uint64_t *solid_tests) {
     const struct insides insides = find_insides(search);
     for (int i = 0; i < LANES; i++) {
         search->t[i] = LENGTH_FAR;

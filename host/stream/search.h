@@ -59,6 +59,6 @@ static inline uint32_t crossed_primitive(uint32_t crossed) {
 void search_begin(struct search_lanes *search, const uint32_t touches[TOUCHES]);
 
 /* Finds each active lane's nearest crossing at or after `from`. Adds to the number of tests. */
-void search_next(struct search_lanes *search, uint32_t *solid_tests);
+void search_next(struct search_lanes *search, uint64_t *solid_tests);
 
 #endif

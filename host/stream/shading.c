@@ -57,7 +57,7 @@ static void cast_shadows(const struct scene *scene, const struct hit_lanes *rest
                          struct way_lanes *restrict way, struct search_lanes *restrict search,
                          const uint32_t touches[TOUCHES], struct render_counts *counts) {
     const uint32_t among = scene->shadow_primitives.word[0];
-    uint32_t shadowed[LANES];
+    uint32_t shadowed[LANES], rays = 0;
     search->scene = scene;
     search->shadows = true;
     copy_points(&search->world.origin, &hit->where);
@@ -67,8 +67,9 @@ static void cast_shadows(const struct scene *scene, const struct hit_lanes *rest
         search->inside[i] = hit->inside_before[i] & among;
         search->from[i] = LENGTH_EPSILON;
         search->active[i] = way->lit[i];
-        counts->shadow_rays += way->lit[i];
+        rays += way->lit[i];
     }
+    counts->shadow_rays += rays;
     search_begin(search, touches);
     for (;;) {
         media_shadows(scene, search->inside, shadowed);

@@ -101,7 +101,7 @@ static void render_bands(struct frame_work *work, struct band *band, uint8_t *rg
             }
         }
         pthread_mutex_lock(&work->lock);
-        work->rays += counts.rays;
+        work->rays += (double)counts.rays;
         work->leaked += counts.leaked_rays;
         work->exhausted += counts.exhausted_pixels;
         pthread_mutex_unlock(&work->lock);
@@ -174,7 +174,7 @@ static struct scene *load(const struct frame_settings *settings, struct frame *f
     frame->height = settings->height;
     if (scene) {
         arithmetic->learn(scene, &frame->estimate, &counts);
-        frame->learning_rays = counts.rays / ((double)settings->width * settings->height);
+        frame->learning_rays = (double)counts.rays / ((double)settings->width * settings->height);
     }
     free(compiled);
     return scene;

@@ -86,10 +86,10 @@ static bool take_sample(const char *text, int kind, struct sample *sample) {
         for (uint16_t y = 0; y < compiled->height; y++) {
             arithmetic_count.image->row(scene, y, rgb, &counts);
         }
-        sample->events[COST_RAY] = counts.rays;
-        sample->events[COST_SHADOW_RAY] = counts.shadow_rays;
-        sample->events[COST_NODE] = counts.nodes;
-        sample->events[COST_BOX + kind] = counts.solid_tests * kinds[kind].units;
+        sample->events[COST_RAY] = (double)counts.rays;
+        sample->events[COST_SHADOW_RAY] = (double)counts.shadow_rays;
+        sample->events[COST_NODE] = (double)counts.nodes;
+        sample->events[COST_BOX + kind] = (double)counts.solid_tests * kinds[kind].units;
         for (int i = 0; i < WRAP_KINDS; i++) {
             sample->operations[i] = (double)count_operations[i];
         }

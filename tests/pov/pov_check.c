@@ -11,7 +11,8 @@
 #include "png_file.h"
 #include "values.h"
 
-/* usage: pov_check SCENE WxH N THRESHOLD MODEL THEIRS.png THEIR-LOG (MODEL: simple or fresnel)
+/* usage: pov_check SCENE WxH N THRESHOLD MODEL HIGHLIGHT THEIRS.png THEIR-LOG
+ * (MODEL: simple or fresnel; HIGHLIGHT: phong or blinn)
  * Exit status: 0 they agree, 1 they don't, 2 something could not be read. */
 
 enum { WITHIN = 2 }; /* levels that a pixel may differ */
@@ -49,7 +50,7 @@ static void *fail(const char *what, const char *reason) {
 static struct compiled_scene *load(char **arguments) {
     struct scene_error error;
     struct scene_overrides overrides;
-    unsigned long width, height, depth;
+    uint64_t width, height, depth;
     memset(&overrides, 0, sizeof overrides);
     if (!value_pair(arguments[2], 'x', 1, 640, 400, &width, &height) ||
         !value_whole(arguments[3], 0, SCENE_DEPTH_MOST, &depth) ||
@@ -58,6 +59,8 @@ static struct compiled_scene *load(char **arguments) {
     }
     overrides.has_model = true;
     overrides.model = strcmp(arguments[5], "simple") == 0 ? MODEL_SIMPLE : MODEL_FRESNEL;
+    overrides.has_highlight = true;
+    overrides.highlight = strcmp(arguments[6], "blinn") == 0 ? HIGHLIGHT_BLINN : HIGHLIGHT_PHONG;
     overrides.has_size = overrides.has_depth = overrides.has_threshold = true;
     overrides.width = (int)width;
     overrides.height = (int)height;
@@ -187,12 +190,12 @@ static int check(const struct compiled_scene *compiled, const char *picture, con
 }
 
 int main(int argc, char **argv) {
-    if (argc != 8) {
-        fail("usage", "pov_check SCENE WxH N THRESHOLD MODEL THEIRS.png THEIR-LOG");
+    if (argc != 9) {
+        fail("usage", "pov_check SCENE WxH N THRESHOLD MODEL HIGHLIGHT THEIRS.png THEIR-LOG");
         return 2;
     }
     struct compiled_scene *compiled = load(argv);
-    int status = compiled == NULL ? 2 : check(compiled, argv[6], argv[7]);
+    int status = compiled == NULL ? 2 : check(compiled, argv[7], argv[8]);
     free(compiled);
     return status;
 }

@@ -1,0 +1,18 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Compiles hal/, emulator/ and host/ for hosts whose long and size_t have 32 bits, where a
+# number that fits only 64 is a warning. Nothing is linked: the libraries need not be there.
+#
+# Exit status: 0 no warning, 1 there are some.
+set -u
+cd "$(dirname "$0")/.." || exit 1
+
+flags='-m32 -std=c99 -pedantic -Wall -Wextra -Wconversion -Wshadow -Werror -D_POSIX_C_SOURCE=200809L
+ -D_FILE_OFFSET_BITS=64 -fsyntax-only -Ihal -Ihal/usb -Iemulator -Iemulator/testing -Ifirmware -Ihost
+ -isystem /usr/include/libusb-1.0 -isystem /usr/include/hidapi'
+# The arithmetics, the streams and what one kind of CPU alone has are compiled with flags of their own.
+# shellcheck disable=SC2086 # a list of words
+printf '%s\n' hal/*.c hal/usb/*.c emulator/*.c emulator/testing/*.c host/*.c host/usb/*.c \
+    host/processor/*.c |
+    xargs -P 2 -n 12 gcc $flags || exit 1
+echo 'check_32_bits: no warning'
