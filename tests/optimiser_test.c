@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The scene compiler makes less of a scene, says what it did, and the picture is the same. */
-#include "scene_fixture.h"
+#include "compiled_points.h"
 
 enum { TEXT_SIZE = 8192, WIDTH = 32, HEIGHT = 20 };
 
@@ -208,21 +208,6 @@ static const struct cutter {
      in_bell},
 };
 enum { CUTTERS = sizeof cutters / sizeof cutters[0] };
-
-/* Whether the compiled object holds a point of the file. */
-static bool object_has(const struct compiled_scene *scene, uint8_t object, const double point[3]) {
-    struct compiled_set inside = {{0}};
-    double scaled[3];
-    for (int i = 0; i < 3; i++) {
-        scaled[i] = ldexp(point[i] - scene->centre[i], scene->exponent);
-    }
-    for (uint8_t i = 0; i < scene->primitive_count; i++) {
-        if (compiled_primitive_holds(scene, i, scaled)) {
-            inside.word[i / 32] |= UINT32_C(1) << i % 32;
-        }
-    }
-    return compiled_object_holds(scene, object, &inside);
-}
 
 enum operation { LESS, WITHIN, OPERATIONS };
 
