@@ -394,6 +394,24 @@ static struct bounds bounds_of(const struct leaf *leaf) {
     return bounds;
 }
 
+/* Draws a point of one solid, or around it: far away, near, or just within the rim of an end. */
+static void draw_far_point(const struct leaf *leaf, int number, uint64_t *seed, double point[3]) {
+    const double *axis = leaf->axis;
+    double far = number % 3 == 0 ? 30 : 2, own[3], away[3], side[3];
+    for (int i = 0; i < 3; i++) {
+        point[i] = leaf->centre[i] + random_between(seed, -far, far);
+        away[i] = random_between(seed, -1, 1);
+    }
+    vector_cross(axis, away, side);
+    if (number % 3 != 2 || !vector_normalise(side)) {
+        return;
+    }
+    for (int i = 0; i < 3; i++) {
+        own[i] = 0.999 * leaf->half[i] * (side[i] + (number % 2 == 0 ? axis[i] : -axis[i]));
+    }
+    from_leaf(leaf, own, point);
+}
+
 /* Whatever has no end has no bounds either: rods and slabs along any axis, turned and scaled. */
 static void bounds_hold_every_point_of_a_solid(void **state) {
     (void)state;
@@ -405,10 +423,8 @@ static void bounds_hold_every_point_of_a_solid(void **state) {
         struct bounds bounds = bounds_of(&pair[0]);
         assert_int_equal(bounds_are_finite(&bounds), pair[0].kind < FINITE_KINDS);
         for (int j = 0; j < POINTS; j++) {
-            double far = j % 3 == 0 ? 30 : 2, point[3];
-            for (int k = 0; k < 3; k++) {
-                point[k] = pair[0].centre[k] + random_between(&seed, -far, far);
-            }
+            double point[3];
+            draw_far_point(&pair[0], j, &seed, point);
             bool is_in = leaf_holds(&pair[0], point);
             if (is_in && !bounds_hold(&bounds, point)) {
                 fail_msg("(%g, %g, %g) is out of the bounds of %s", point[0], point[1], point[2],
