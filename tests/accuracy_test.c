@@ -81,6 +81,7 @@ static void fig3_moved_by_a_hundred_is_right(void **state) {
 static void the_cameras_steps_have_all_their_bits(void **state) {
     (void)state;
     static const int widths[] = {1, 7, 64, 319, 320, 640};
+    uint64_t seed = 640400;
     static const double fields[] = {1, 1.7, 2.5, 20, 40, 90, 120};
     for (int i = 0; i < 6 * 7; i++) {
         struct scene_error error;
@@ -88,6 +89,9 @@ static void the_cameras_steps_have_all_their_bits(void **state) {
         assert_non_null(description);
         description->width = widths[i / 7];
         description->camera.field_of_view = fields[i % 7];
+        for (int j = 0; j < 3; j++) {
+            description->camera.eye[j] = random_between(&seed, -9, 9);
+        }
         struct compiled_scene *compiled = scene_compile(description, &error);
         assert_non_null(compiled);
         const struct compiled_camera *camera = &compiled->camera;
