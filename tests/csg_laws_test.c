@@ -3,12 +3,13 @@
 #include "scene_fixture.h"
 
 /* Every scene is seen by the same camera and light, over a striped board; one object of glass or of
- * an opaque material is put in. */
+ * an opaque material is put in. With the light as high as the board is deep the scene's middle is
+ * the origin. */
 static const char scene_head[] =
     "version = 1; size = [40, 25]; depth = 8;\n"
     "camera = { eye = (3.1, -7.3, 5.2); look_at = (0.0, 0.0, 0.7); field_of_view = 34; "
     "};\n" SCENE_LIGHT_AND_MATERIALS "objects = (\n"
-    "  { material = \"board\"; solid = { box = { min = (-9, -9, -2); max = (9, 9, -1.7); }; }; }";
+    "  { material = \"board\"; solid = { box = { min = (-9, -9, -9); max = (9, 9, -1.7); }; }; }";
 
 enum { TEXT_SIZE = 16384 };
 
@@ -239,30 +240,42 @@ static void a_later_object_fills_the_place_of_an_earlier_one(void **state) {
  */
 static const char *const endless[][2] = {
     {"{ quadric = { coefficients = (0, 1, 1, 0, 0, 0, 0, 0, 0, -0.25); }; }",
-     "{ cylinder = { from = (-9, 0, 0); to = (9, 0, 0); radius = 0.5; }; }"},
+     "{ cylinder = { from = (-12, 0, 0); to = (12, 0, 0); radius = 0.5; }; }"},
     {"{ quadric = { coefficients = (1, 0, 1, 0, 0, 0, 0, 0, 0, -0.25); }; }",
-     "{ cylinder = { from = (0, -9, 0); to = (0, 9, 0); radius = 0.5; }; }"},
+     "{ cylinder = { from = (0, -12, 0); to = (0, 12, 0); radius = 0.5; }; }"},
     {"{ quadric = { coefficients = (1, 1, 0, 0, 0, 0, 0, 0, 0, -0.25); }; }",
-     "{ cylinder = { from = (0, 0, -9); to = (0, 0, 9); radius = 0.5; }; }"},
+     "{ cylinder = { from = (0, 0, -12); to = (0, 0, 12); radius = 0.5; }; }"},
     {"{ quadric = { coefficients = (1, 0, 0, 0, 0, 0, 0, 0, 0, -0.16); }; }",
-     "{ box = { min = (-0.4, -9, -9); max = (0.4, 9, 9); }; }"},
+     "{ box = { min = (-0.4, -12, -12); max = (0.4, 12, 12); }; }"},
     {"{ quadric = { coefficients = (0, 1, 0, 0, 0, 0, 0, 0, 0, -0.16); }; }",
-     "{ box = { min = (-9, -0.4, -9); max = (9, 0.4, 9); }; }"},
+     "{ box = { min = (-12, -0.4, -12); max = (12, 0.4, 12); }; }"},
     {"{ quadric = { coefficients = (0, 0, 1, 0, 0, 0, 0, 0, 0, -0.16); }; }",
-     "{ box = { min = (-9, -9, -0.4); max = (9, 9, 0.4); }; }"},
+     "{ box = { min = (-12, -12, -0.4); max = (12, 12, 0.4); }; }"},
 };
 enum { ENDLESS = sizeof endless / sizeof endless[0] };
 
+/* Walls around all that is looked at, eye and light among it: a second object. */
+#define ROOM                                                                                       \
+    "; }, { material = \"board\"; solid = { difference = ("                                        \
+    " { box = { min = (-11, -11, -11); max = (11, 11, 11); }; },"                                  \
+    " { box = { min = (-10, -10, -10); max = (10, 10, 10); }; } ); }"
+
 /* Each operation of one with a box or a ball, in each place: before, the rod or slab; behind it,
- * what is done with it. */
-static const char *const uses[][2] = {
-    {"{ intersection = ( " BOX ", ", " ); }"},
-    {"{ intersection = ( ", ", " BALL " ); }"},
-    {"{ difference = ( " BOX ", ", " ); }"},
-    {"{ difference = ( { intersection = ( " WORLD ", ", " ); }, " BALL " ); }"},
-    {"{ union = ( " BALL ", { intersection = ( ", ", " BOX " ); } ); }"},
-    {"{ union = ( { difference = ( " BALL ", ",
-     " ); }, { intersection = ( " CONE ", " BOX " ); } ); }"},
+ * what is done with it. What has no end has to be opaque, and is seen up to the walls. */
+static const struct use {
+    const char *material, *before, *behind;
+} uses[] = {
+    {"glass", "{ intersection = ( " BOX ", ", " ); }"},
+    {"glass", "{ intersection = ( ", ", " BALL " ); }"},
+    {"glass", "{ difference = ( " BOX ", ", " ); }"},
+    {"glass", "{ difference = ( { intersection = ( " WORLD ", ", " ); }, " BALL " ); }"},
+    {"glass", "{ union = ( " BALL ", { intersection = ( ", ", " BOX " ); } ); }"},
+    {"clay", "{ union = ( " BOX ", ", " ); }" ROOM},
+    {"clay", "{ union = ( ", ", " BALL " ); }" ROOM},
+    {"clay", "{ difference = ( ", ", " BALL " ); }" ROOM},
+    {"clay", "{ intersection = ( ",
+     ", { union = ( " BOX ", { half_space = { normal = (1, 2, 2);"
+     " offset = 0.1; }; } ); } ); }" ROOM},
 };
 enum { USES = sizeof uses / sizeof uses[0] };
 
@@ -273,14 +286,14 @@ enum { PLACES = sizeof places / sizeof places[0] };
 static void a_quadric_without_an_end_looks_like_a_solid_that_ends_far_away(void **state) {
     (void)state;
     for (int i = 0; i < ENDLESS * USES * PLACES; i++) {
-        const char *const *use = uses[i / PLACES % USES];
+        const struct use *use = &uses[i / PLACES % USES];
         char text[2][TEXT_SIZE];
         for (int j = 0; j < 2; j++) {
             char placed[512], solid[2048];
             snprintf(placed, sizeof placed, "{ union = ( %s ); %s }", endless[i / PLACES / USES][j],
                      places[i % PLACES]);
-            snprintf(solid, sizeof solid, "%s%s%s", use[0], placed, use[1]);
-            make_scene(text[j], "glass", solid);
+            snprintf(solid, sizeof solid, "%s%s%s", use->before, placed, use->behind);
+            make_scene(text[j], use->material, solid);
         }
         assert_true(same_picture(text[0], text[1], "f64", 1e-6) > 20);
     }
@@ -328,7 +341,7 @@ enum { LAWS = sizeof laws / sizeof laws[0] };
 
 /* The quadric at one of some places, none of which is the scene's middle. */
 static void write_law(char text[TEXT_SIZE], int number, bool inverted) {
-    static const double centres[][3] = {{1.2, -0.4, 0.5}, {-1.1, 0.9, 0.2}, {0.5, 1.3, -0.4}};
+    static const double centres[][3] = {{0.4, 0.1, 0.2}, {-0.2, 0.3, 0.1}, {0.1, -0.3, 0.4}};
     const struct law *law = &laws[number % LAWS];
     const double *offset = offsets[number / LAWS % OFFSETS], *centre = centres[number % 3];
     char outer[512], inner[1024], solid[TEXT_SIZE - 2048];
