@@ -254,12 +254,14 @@ static bool scan_number(struct scanner *scanner, struct token *token) {
     char text[NUMBER_LENGTH_MOST + 1];
     token->length = number_length(token->start);
     scanner->at += token->length;
-    token->kind = TOKEN_END;
-    if (token->length < sizeof text) {
-        memcpy(text, token->start, token->length);
-        text[token->length] = '\0';
-        token->kind = number_form(text);
+    if (token->length >= sizeof text) {
+        return scene_fail(scanner->reader, token->line,
+                          "a number of %zu characters is too long: at most %d are allowed",
+                          token->length, NUMBER_LENGTH_MOST);
     }
+    memcpy(text, token->start, token->length);
+    text[token->length] = '\0';
+    token->kind = number_form(text);
     if (token->kind == TOKEN_END) {
         return scene_fail(scanner->reader, token->line,
                           token_is_infinite_or_nan(token)

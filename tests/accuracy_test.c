@@ -74,12 +74,52 @@ static void fig3_moved_by_a_hundred_is_right(void **state) {
     check(1, 100);
 }
 
+/* ---- The camera ------------------------------------------------------------------------------ */
+
+/* Half a pixel's steps to the right and down are as large as a fraction may be: with fewer bits in
+ * fx the larger pictures were in the wrong place. */
+static void the_cameras_steps_have_all_their_bits(void **state) {
+    (void)state;
+    static const int widths[] = {1, 7, 64, 319, 320, 640};
+    uint64_t seed = 640400;
+    static const double fields[] = {1, 1.7, 2.5, 20, 40, 90, 120};
+    for (int i = 0; i < 6 * 7; i++) {
+        struct scene_error error;
+        struct scene_description *description = load_scene("fig5", &error);
+        assert_non_null(description);
+        description->width = widths[i / 7];
+        description->camera.field_of_view = fields[i % 7];
+        for (int j = 0; j < 3; j++) {
+            description->camera.eye[j] = random_between(&seed, -9, 9);
+        }
+        struct compiled_scene *compiled = scene_compile(description, &error);
+        assert_non_null(compiled);
+        const struct compiled_camera *camera = &compiled->camera;
+        double step = tan(fields[i % 7] * 3.14159265358979323846 / 360) / widths[i / 7];
+        double square[2] = {0, 0}, across = 0, largest = 0;
+        for (int j = 0; j < 3; j++) {
+            square[0] += pow(ldexp(camera->column[j], -camera->shift), 2);
+            square[1] += pow(ldexp(camera->row[j], -camera->shift), 2);
+            across += camera->column[j] * camera->row[j];
+            largest = fmax(largest, fmax(fabs(camera->column[j]), fabs(camera->row[j])));
+        }
+        assert_true(fabs(sqrt(square[0]) / step - 1) < 1e-9);
+        assert_true(fabs(sqrt(square[1]) / step - 1) < 1e-9);
+        assert_true(fabs(across) < 1e-9);
+        assert_true(largest >= 0.5 || camera->shift == 16);
+        assert_true(largest < 1 || camera->shift == 0);
+        free(compiled);
+        scene_description_free(description);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(fig3_is_right_in_every_arithmetic),
         cmocka_unit_test(fig3_a_thousand_times_smaller_is_right),
         cmocka_unit_test(fig3_a_thousand_times_larger_is_right),
         cmocka_unit_test(fig3_moved_by_a_hundred_is_right),
+        cmocka_unit_test(the_cameras_steps_have_all_their_bits),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -193,7 +193,9 @@ static void hold_rays(const char *name, double error) {
     assert_true(asked.rays / 13 <= rays / 10);
 }
 
-/* A finer accuracy is finer, and costs more. */
+/* A finer accuracy is finer, and costs more. How much more: for half the error what is cut may have
+ * a quarter of the squares. They shrink to five eighths while rays grow by a quarter, which makes
+ * twice the rays; to follow branches farther than that is of no use. */
 static void every_scene_is_as_accurate_as_was_asked_for(void **state) {
     (void)state;
     for (int i = 0; i < SCENES; i++) {
@@ -206,7 +208,7 @@ static void every_scene_is_as_accurate_as_was_asked_for(void **state) {
         }
         unsigned long rays = asked.rays;
         hold(scenes[i], error / 2);
-        assert_true(asked.rays > rays);
+        assert_true(asked.rays > rays && asked.rays < 3 * rays);
     }
 }
 

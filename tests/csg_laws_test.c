@@ -3,12 +3,13 @@
 #include "scene_fixture.h"
 
 /* Every scene is seen by the same camera and light, over a striped board; one object of glass or of
- * an opaque material is put in. */
+ * an opaque material is put in. With the light as high as the board is deep the scene's middle is
+ * the origin. */
 static const char scene_head[] =
     "version = 1; size = [40, 25]; depth = 8;\n"
     "camera = { eye = (3.1, -7.3, 5.2); look_at = (0.0, 0.0, 0.7); field_of_view = 34; "
     "};\n" SCENE_LIGHT_AND_MATERIALS "objects = (\n"
-    "  { material = \"board\"; solid = { box = { min = (-9, -9, -2); max = (9, 9, -1.7); }; }; }";
+    "  { material = \"board\"; solid = { box = { min = (-9, -9, -9); max = (9, 9, -1.7); }; }; }";
 
 enum { TEXT_SIZE = 16384 };
 
@@ -233,6 +234,139 @@ static void a_later_object_fills_the_place_of_an_earlier_one(void **state) {
     }
 }
 
+/* ---- Quadrics without an end ----------------------------------------------------------------- */
+
+/* Rods and slabs along each axis: as a quadric, and as a solid that ends beyond whatever cuts it.
+ */
+static const char *const endless[][2] = {
+    {"{ quadric = { coefficients = (0, 1, 1, 0, 0, 0, 0, 0, 0, -0.25); }; }",
+     "{ cylinder = { from = (-12, 0, 0); to = (12, 0, 0); radius = 0.5; }; }"},
+    {"{ quadric = { coefficients = (1, 0, 1, 0, 0, 0, 0, 0, 0, -0.25); }; }",
+     "{ cylinder = { from = (0, -12, 0); to = (0, 12, 0); radius = 0.5; }; }"},
+    {"{ quadric = { coefficients = (1, 1, 0, 0, 0, 0, 0, 0, 0, -0.25); }; }",
+     "{ cylinder = { from = (0, 0, -12); to = (0, 0, 12); radius = 0.5; }; }"},
+    {"{ quadric = { coefficients = (1, 0, 0, 0, 0, 0, 0, 0, 0, -0.16); }; }",
+     "{ box = { min = (-0.4, -12, -12); max = (0.4, 12, 12); }; }"},
+    {"{ quadric = { coefficients = (0, 1, 0, 0, 0, 0, 0, 0, 0, -0.16); }; }",
+     "{ box = { min = (-12, -0.4, -12); max = (12, 0.4, 12); }; }"},
+    {"{ quadric = { coefficients = (0, 0, 1, 0, 0, 0, 0, 0, 0, -0.16); }; }",
+     "{ box = { min = (-12, -12, -0.4); max = (12, 12, 0.4); }; }"},
+};
+enum { ENDLESS = sizeof endless / sizeof endless[0] };
+
+/* Walls around all that is looked at, eye and light among it: a second object. */
+#define ROOM                                                                                       \
+    "; }, { material = \"board\"; solid = { difference = ("                                        \
+    " { box = { min = (-11, -11, -11); max = (11, 11, 11); }; },"                                  \
+    " { box = { min = (-10, -10, -10); max = (10, 10, 10); }; } ); }"
+
+/* Each operation of one with a box or a ball, in each place: before, the rod or slab; behind it,
+ * what is done with it. What has no end has to be opaque, and is seen up to the walls. */
+static const struct use {
+    const char *material, *before, *behind;
+} uses[] = {
+    {"glass", "{ intersection = ( " BOX ", ", " ); }"},
+    {"glass", "{ intersection = ( ", ", " BALL " ); }"},
+    {"glass", "{ difference = ( " BOX ", ", " ); }"},
+    {"glass", "{ difference = ( { intersection = ( " WORLD ", ", " ); }, " BALL " ); }"},
+    {"glass", "{ union = ( " BALL ", { intersection = ( ", ", " BOX " ); } ); }"},
+    {"clay", "{ union = ( " BOX ", ", " ); }" ROOM},
+    {"clay", "{ union = ( ", ", " BALL " ); }" ROOM},
+    {"clay", "{ difference = ( ", ", " BALL " ); }" ROOM},
+    {"clay", "{ intersection = ( ",
+     ", { union = ( " BOX ", { half_space = { normal = (1, 2, 2);"
+     " offset = 0.1; }; } ); } ); }" ROOM},
+};
+enum { USES = sizeof uses / sizeof uses[0] };
+
+static const char *const places[] = {"", "rotate = (20, 30, 40); translate = (0.2, 0.1, 0.3);",
+                                     "scale = (0.7, 1.2, 0.9); translate = (-0.3, 0.2, 0.1);"};
+enum { PLACES = sizeof places / sizeof places[0] };
+
+static void a_quadric_without_an_end_looks_like_a_solid_that_ends_far_away(void **state) {
+    (void)state;
+    for (int i = 0; i < ENDLESS * USES * PLACES; i++) {
+        const struct use *use = &uses[i / PLACES % USES];
+        char text[2][TEXT_SIZE];
+        for (int j = 0; j < 2; j++) {
+            char placed[512], solid[2048];
+            snprintf(placed, sizeof placed, "{ union = ( %s ); %s }", endless[i / PLACES / USES][j],
+                     places[i % PLACES]);
+            snprintf(solid, sizeof solid, "%s%s%s", use->before, placed, use->behind);
+            make_scene(text[j], use->material, solid);
+        }
+        assert_true(same_picture(text[0], text[1], "f64", 1e-6) > 20);
+    }
+}
+
+/* ---- Within and across convex quadrics ------------------------------------------------------- */
+
+static const char *const convex[] = {
+    "{ ellipsoid = { radii = (1.1, 0.7, 0.9); }; }",
+    "{ cylinder = { from = (0, -1, 0); to = (0, 1, 0); radius = 0.8; }; }",
+    "{ paraboloid = { from = (0, 0, 1.3); to = (0, 0, -0.7); radius = 1.1; }; }",
+    "{ quadric = { coefficients = (1.0, 2.0, 1.5, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0); }; }",
+};
+enum { CONVEX = sizeof convex / sizeof convex[0] };
+
+/* A small box and its halves, in the unit of the quadric's own radii. */
+#define SMALL_BOX "{ box = { min = (-0.3, -0.3, -0.2); max = (0.3, 0.3, 0.2); }; }"
+#define SMALL_HALVES                                                                               \
+    "{ union = ( { box = { min = (-0.3, -0.3, -0.2); max = (0.1, 0.3, 0.2); }; },"                 \
+    " { box = { min = (0.1, -0.3, -0.2); max = (0.3, 0.3, 0.2); }; } ); }"
+
+/* Within, across each face, and beside. */
+static const double offsets[][3] = {{0, 0, 0.1},    {0.9, 0, 0},  {-0.9, 0, 0},   {0, 0.7, 0.1},
+                                    {0, -0.7, 0.1}, {0, 0, 0.85}, {0.2, 0, -0.8}, {1.3, 1.1, 0}};
+enum { OFFSETS = sizeof offsets / sizeof offsets[0] };
+
+#define OUTSIDE(solid) "{ difference = ( " WORLD ", " solid " ); }"
+
+/* What two solids make of each other, and the same by De Morgan's laws; %s is the one that comes
+ * first in both. */
+static const struct law {
+    const char *plain, *inverted;
+    bool quadric_first;
+} laws[] = {
+    {"{ union = ( %s, %s ); }",
+     OUTSIDE("{ intersection = ( " OUTSIDE("%s") ", " OUTSIDE("%s") " ); }"), true},
+    {"{ union = ( %s, %s ); }",
+     OUTSIDE("{ intersection = ( " OUTSIDE("%s") ", " OUTSIDE("%s") " ); }"), false},
+    {"{ intersection = ( %s, %s ); }",
+     OUTSIDE("{ union = ( " OUTSIDE("%s") ", " OUTSIDE("%s") " ); }"), true},
+    {"{ difference = ( %s, %s ); }", "{ intersection = ( %s, " OUTSIDE("%s") " ); }", true},
+    {"{ difference = ( %s, %s ); }", "{ intersection = ( %s, " OUTSIDE("%s") " ); }", false},
+};
+enum { LAWS = sizeof laws / sizeof laws[0] };
+
+/* The quadric at one of some places, none of which is the scene's middle. */
+static void write_law(char text[TEXT_SIZE], int number, bool inverted) {
+    static const double centres[][3] = {{0.4, 0.1, 0.2}, {-0.2, 0.3, 0.1}, {0.1, -0.3, 0.4}};
+    const struct law *law = &laws[number % LAWS];
+    const double *offset = offsets[number / LAWS % OFFSETS], *centre = centres[number % 3];
+    char outer[512], inner[1024], solid[TEXT_SIZE - 2048];
+    snprintf(outer, sizeof outer, "{ union = ( %s ); translate = (%g, %g, %g); }",
+             convex[number / LAWS / OFFSETS], centre[0], centre[1], centre[2]);
+    snprintf(inner, sizeof inner, "{ union = ( %s ); translate = (%g, %g, %g); }",
+             inverted ? SMALL_HALVES : SMALL_BOX, centre[0] + offset[0], centre[1] + offset[1],
+             centre[2] + offset[2]);
+    snprintf(solid, sizeof solid, inverted ? law->inverted : law->plain,
+             law->quadric_first ? outer : inner, law->quadric_first ? inner : outer);
+    make_scene(text, "glass", solid);
+}
+
+static void solids_around_a_convex_quadric_obey_the_laws_wherever_it_is(void **state) {
+    (void)state;
+    int seen = 0;
+    for (int i = 0; i < CONVEX * OFFSETS * LAWS; i++) {
+        char plain[TEXT_SIZE], inverted[TEXT_SIZE];
+        write_law(plain, i, false);
+        write_law(inverted, i, true);
+        seen += same_picture(plain, inverted, "f64", 1e-6) > 5;
+    }
+    assert_true(seen > CONVEX * OFFSETS * LAWS / 2);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_solid_less_itself_is_empty),
@@ -241,6 +375,8 @@ int main(void) {
         cmocka_unit_test(a_seam_between_coplanar_parts_of_a_union_does_not_show),
         cmocka_unit_test(the_halves_of_a_polyhedron_are_the_whole),
         cmocka_unit_test(a_placement_can_be_said_in_two_ways),
+        cmocka_unit_test(a_quadric_without_an_end_looks_like_a_solid_that_ends_far_away),
+        cmocka_unit_test(solids_around_a_convex_quadric_obey_the_laws_wherever_it_is),
         cmocka_unit_test(a_later_object_fills_the_place_of_an_earlier_one),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

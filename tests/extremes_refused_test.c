@@ -248,6 +248,111 @@ static void a_floor_beyond_the_world_is_refused(void **state) {
     }
 }
 
+/* ---- Whole messages ---------------------------------------------------------------------------
+ */
+
+/* The content reaches 8 units from the middle along y, so that 64 scaled units make one of the
+ * file's: the world, of 1024, ends at 16. */
+static const char refused_format[] =
+    "version = 1; %s\n"
+    "camera = { eye = (0, -8, 0); look_at = (0, 0, 0); };\n"
+    "materials = { m = { colour = [9, 9, 9]; };\n"
+    "glass = { colour = [9, 9, 9]; ior = 1.5; absorption = %s; }; };\n"
+    "objects = ( { material = \"m\"; solid = { box = { min = (-1, 7, -1); max = (1, 8, 1); }; }; "
+    "},\n"
+    "{ material = \"%s\"; solid = { union = (\n"
+    "{ ball = { radius = 1; }; },\n"
+    "%s ); }; } );\n";
+
+#define PLANE(x, y, z) "{ normal = (" #x ", " #y ", " #z "); offset = 1; }"
+
+static const struct whole_message {
+    const char *setting, *absorption, *material, *solid, *message;
+} messages[] = {
+    {"attenuation = { constant = 16; };", "0", "m", "{ ball = { radius = 2; }; }",
+     "test.scene: the constant C of C + D is too large for the scene: at most 16 is allowed"},
+    {"size = [321, 200]; colour = \"dither\";", "0", "m", "{ ball = { radius = 2; }; }",
+     "test.scene: colour \"dither\" with 321 x 200 pixels, each of 2 x 2 dots; allowed is: up to "
+     "320 "
+     "x 200, or another colour"},
+    {"", "512", "glass", "{ ball = { radius = 2; }; }",
+     "test.scene:4: absorption too strong for the size of the scene: at most 511.36 is allowed; an "
+     "opaque material looks the same"},
+    {"", "0", "m", "{ half_space = { normal = (0, 0, 1); offset = -17; }; }",
+     "test.scene:8: a half_space out of the scene, which ends 16 units from the middle of its "
+     "bounded "
+     "solids, eye and lights: move its plane nearer, or add a bounded solid that is as far away"},
+    {"", "0", "m", "{ quadric = { coefficients = (1, 2, 3, 0, 0, 0, 0, 0, 0, 1); }; }",
+     "test.scene:8: a quadric that holds no point: its form has to be negative somewhere"},
+    {"", "0", "m", "{ quadric = { coefficients = (1, 1, 0, 0, 0, 0, 0, 0, 99, 0); }; }",
+     "test.scene:8: a quadric that is nearly flat over the whole scene: use a half_space, or make "
+     "it "
+     "smaller"},
+    {"", "0", "m", "{ quadric = { coefficients = (1, 1, 0, 0, 0, 0, 34, 0, 0, 288); }; }",
+     "test.scene:8: a quadric whose centre or apex lies outside of the scene, at more than twice "
+     "its "
+     "size: use a half_space, or move it"},
+    {"", "0", "m",
+     "{ polyhedron = { planes = ( " PLANE(1, 0, 0) ", " PLANE(0, 1, 0) ", " PLANE(
+         0, 0, 1) ", " PLANE(-1, 0, 0) " ); }; }",
+     "test.scene:8: a polyhedron without an end: add the planes that close it, or intersect "
+     "half_spaces"},
+    {"", "0", "m",
+     "{ polyhedron = { planes = ( " PLANE(1, 0, 0) ", " PLANE(0, 1, 0) ", " PLANE(
+         0, 0, 1) ", "
+                  "{ normal = (-1, -1, -1); offset = -9; } ); }; }",
+     "test.scene:8: an empty polyhedron: no point lies behind all of its planes; look for a normal "
+     "that points inwards"},
+};
+
+static void a_refusal_says_where_and_what_and_nothing_else(void **state) {
+    (void)state;
+    for (size_t i = 0; i < sizeof messages / sizeof messages[0]; i++) {
+        const struct whole_message *message = &messages[i];
+        char text[2048];
+        (void)snprintf(text, sizeof text, refused_format, message->setting, message->absorption,
+                       message->material, message->solid);
+        assert_string_equal(refusal_of(text, "f64"), message->message);
+    }
+}
+
+/* A solid of two lines, which differs with its place. Those that the compiler makes one primitive
+ * of have that one's line, which is the first. */
+static const struct two_lines {
+    const char *first, *second;
+} pairs[] = {
+    {"{ union = ( { ball = { centre = (%g, 0, 0); radius = 0.2; };", " } ); }"},
+    {"{ intersection = ( { box = { min = (%g, 0, 0); max = (200, 1, 1); }; },",
+     "{ box = { min = (-200, 0.5, 0.5); max = (150, 2, 2); }; } ); }"},
+    {"{ intersection = ( { ellipsoid = { centre = (%g, 0, 0); radii = (0.3, 0.4, 0.5); }; },",
+     "{ half_space = { normal = (0, 0, 1); offset = 0.1; }; } ); }"},
+    {"{ difference = ( { ellipsoid = { centre = (%g, 0, 0); radii = (0.3, 0.4, 0.5); }; },",
+     "{ half_space = { normal = (0, 0, 1); offset = 0.1; }; } ); }"},
+    {"{ cylinder = { from = (%g, 0, 0); to = (200, 0, 0);", "radius = 0.3; }; }"},
+};
+
+static void the_line_of_a_solid_too_many_is_its_own(void **state) {
+    (void)state;
+    for (size_t i = 0; i < sizeof pairs / sizeof pairs[0]; i++) {
+        static char text[1 << 15];
+        char expected[64];
+        int at = snprintf(text, sizeof text,
+                          "version = 1; camera = { eye = (0, -300, 0); look_at = (0, 0, 0); };\n"
+                          "materials = { m = { colour = [9, 9, 9]; }; };\nobjects = (\n");
+        for (int j = 0; j < 70; j++) {
+            at += snprintf(text + at, sizeof text - (size_t)at,
+                           "%s{ material = \"m\"; solid = ", j > 0 ? ",\n" : "");
+            at += snprintf(text + at, sizeof text - (size_t)at, pairs[i].first, j + 0.0);
+            at += snprintf(text + at, sizeof text - (size_t)at, "\n%s; }", pairs[i].second);
+        }
+        (void)snprintf(text + at, sizeof text - (size_t)at, " );\n");
+        /* 64 of two lines each stand before it, behind three of others. */
+        (void)snprintf(expected, sizeof expected, "test.scene:%d: more than 64 different solids",
+                       3 + 2 * 64 + 1);
+        assert_string_equal(refusal_of(text, "f64"), expected);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(each_is_refused_with_its_line_and_what_is_allowed),
@@ -257,6 +362,8 @@ int main(void) {
         cmocka_unit_test(more_solids_than_a_program_holds_are_refused),
         cmocka_unit_test(unbounded_glass_is_refused),
         cmocka_unit_test(a_floor_beyond_the_world_is_refused),
+        cmocka_unit_test(a_refusal_says_where_and_what_and_nothing_else),
+        cmocka_unit_test(the_line_of_a_solid_too_many_is_its_own),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

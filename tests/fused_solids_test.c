@@ -250,6 +250,8 @@ static void a_cut_quadric_looks_like_what_it_is_made_of(void **state) {
 
 #define EGG  "{ ellipsoid = { radii = (1.2, 0.9, 1.0); }; }"
 #define BALL "{ ball = { radius = 1.0; }; }"
+#define ROD                                                                                        \
+    "{ quadric = { coefficients = (1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.36); }; }"
 
 static void cut_solids_are_one_primitive(void **state) {
     (void)state;
@@ -311,6 +313,71 @@ static void a_ball_that_is_used_elsewhere_too_stays_a_ball(void **state) {
     assert_int_equal(loaded.compiled->quadric_count, 0);
     assert_int_equal(loaded.compiled->ball_count, 3); /* the two that hold the scene as well */
     unload(&loaded);
+}
+
+/* ---- Cut solids that are used twice -----------------------------------------------------------
+ */
+
+/* A quadric within a box, put somewhere: each differs from the first one in one thing. */
+static const struct cut {
+    const char *quadric;
+    double low[3], high[3];
+    const char *placement;
+} cuts[] = {
+    {EGG, {-9, -9, -9}, {9, 9, 0.2}, ""},
+    {EGG, {-9, -9, -9}, {9, 9, 0.4}, ""},
+    {EGG, {-9, -9, -0.3}, {9, 9, 9}, ""},
+    {EGG, {-9, -9, -0.3}, {9, 9, 0.2}, ""},
+    {EGG, {-9, -9, -9}, {0.2, 9, 9}, ""},
+    {EGG, {-9, -9, -9}, {0.3, 9, 0.2}, ""},
+    {EGG, {-9, -9, -9}, {9, 9, 0.2}, "rotate = (0, 0, 30); "},
+    {EGG, {-9, -9, -9}, {9, 9, 0.2}, "translate = (0.2, 0, 0); "},
+    {"{ ellipsoid = { radii = (1.0, 0.9, 1.0); }; }", {-9, -9, -9}, {9, 9, 0.2}, ""},
+    {ROD, {-9, -9, -1}, {9, 9, 0.2}, ""},
+    {ROD, {-9, -9, -1}, {9, 9, 0.7}, ""},
+    {ROD, {-9, -9, -0.8}, {9, 9, 0.7}, "rotate = (0, 90, 0); "},
+};
+enum { CUTS = sizeof cuts / sizeof cuts[0] };
+
+/* The fused form, and the one in which two boxes that run into each other are in the box's place.
+ */
+static void cut_forms(struct forms *forms, const struct cut *cut) {
+    const double *low = cut->low, *high = cut->high;
+    (void)snprintf(forms->fused, SOLID_SIZE,
+                   "{ intersection = ( %s, { box = { min = (%g, %g, %g); max = (%g, %g, %g); }; } "
+                   "); %s}",
+                   cut->quadric, low[0], low[1], low[2], high[0], high[1], high[2], cut->placement);
+    (void)snprintf(forms->parts, SOLID_SIZE,
+                   "{ intersection = ( %s, { union = (\n"
+                   "  { box = { min = (%g, %g, %g); max = (%g, 0.1, %g); }; },\n"
+                   "  { box = { min = (%g, -0.1, %g); max = (%g, %g, %g); }; } ); } ); %s}",
+                   cut->quadric, low[0], low[1], low[2], high[0], high[2], low[0], low[2], high[0],
+                   high[1], high[2], cut->placement);
+}
+
+/* One of them is cut out of a block, the other one put there: where they are the same solid, it is
+ * compiled once; where they differ in anything, each has its own faces. */
+static void a_cut_quadric_is_shared_with_its_equal_alone(void **state) {
+    (void)state;
+    static const char block[] =
+        "{ difference = ( { box = { min = (-1.5, -1.5, -1.2); max = (1.5, 1.5, 1.2); }; }, %s ); }";
+    for (int i = 0; i < CUTS * CUTS; i++) {
+        const struct cut *one = &cuts[i / CUTS], *other = &cuts[i % CUTS];
+        struct forms first, second;
+        char text[TEXT_SIZE], unfused[TEXT_SIZE], outside[PLACED_SIZE];
+        cut_forms(&first, one);
+        cut_forms(&second, other);
+        (void)snprintf(outside, sizeof outside, block, first.fused);
+        make_scene(text, "glass", outside, second.fused);
+        /* The board, two small balls, the block. */
+        assert_int_equal(primitives_of(text), 4 + (one == other ? 1 : 2));
+        if (one != &cuts[0]) {
+            continue; /* pictures of the first one with each will do */
+        }
+        (void)snprintf(outside, sizeof outside, block, first.parts);
+        make_scene(unfused, "glass", outside, second.parts);
+        assert_true(assert_alike(text, unfused) > 100);
+    }
 }
 
 /* ---- Surfaces that cut solids share with others ---------------------------------------------- */
@@ -376,6 +443,7 @@ int main(void) {
         cmocka_unit_test(cut_solids_are_one_primitive),
         cmocka_unit_test(planes_that_lie_slanted_to_a_quadric_stay_by_themselves),
         cmocka_unit_test(a_ball_that_is_used_elsewhere_too_stays_a_ball),
+        cmocka_unit_test(a_cut_quadric_is_shared_with_its_equal_alone),
         cmocka_unit_test(two_parts_of_a_quadric_are_the_whole),
         cmocka_unit_test(a_part_may_be_entered_from_outside_after_the_whole_was_left),
         cmocka_unit_test(a_cut_quadric_may_stand_on_another_solid),

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The scene compiler makes less of a scene, says what it did, and the picture is the same. */
-#include "scene_fixture.h"
+#include "compiled_points.h"
 
 enum { TEXT_SIZE = 8192, WIDTH = 32, HEIGHT = 20 };
 
@@ -209,21 +209,6 @@ static const struct cutter {
 };
 enum { CUTTERS = sizeof cutters / sizeof cutters[0] };
 
-/* Whether the compiled object holds a point of the file. */
-static bool object_has(const struct compiled_scene *scene, uint8_t object, const double point[3]) {
-    struct compiled_set inside = {{0}};
-    double scaled[3];
-    for (int i = 0; i < 3; i++) {
-        scaled[i] = ldexp(point[i] - scene->centre[i], scene->exponent);
-    }
-    for (uint8_t i = 0; i < scene->primitive_count; i++) {
-        if (compiled_primitive_holds(scene, i, scaled)) {
-            inside.word[i / 32] |= UINT32_C(1) << i % 32;
-        }
-    }
-    return compiled_object_holds(scene, object, &inside);
-}
-
 enum operation { LESS, WITHIN, OPERATIONS };
 
 static void what_is_cut_off_changes_no_point(void **state) {
@@ -278,12 +263,79 @@ static void a_solid_is_cut_off_only_beyond_all_of_its_uses(void **state) {
     unload(&loaded);
 }
 
+/* ---- What is left for good --------------------------------------------------------------------
+ */
+
+/* Mirrors that fill part of the view, by themselves, and whether they are convex and nothing cuts
+ * them: only then no ray that starts on them looks for them again. */
+static const struct mirror {
+    const char *solid;
+    bool left_for_good;
+} mirrors[] = {
+    {BALL, true},
+    {EGG, true},
+    {"{ quadric = { coefficients = (0, 1, 1, 0, 0, 0, 0, 0, 0, -1); }; }", true},
+    {"{ quadric = { coefficients = (1, 0, 2, 0, 0, 0, 0, 0, 0, -1); }; }", true},
+    {"{ quadric = { coefficients = (1, 1, 0, 0, 0, 0, 0, 0, 0, -1); }; }", true},
+    {"{ quadric = { coefficients = (1, 0, 0, 0, 0, 0, 0, 0, 0, -1); }; }", true},
+    {"{ quadric = { coefficients = (0, 1, 0, 0, 0, 0, 0, 0, 0, -1); }; }", true},
+    {"{ quadric = { coefficients = (0, 0, 1, 0, 0, 0, 0, 0, 0, -1); }; }", true},
+    {"{ quadric = { coefficients = (1, 1, 0, 0, 0, 0, 0, 0, 1, 0); }; }", true},
+    {"{ quadric = { coefficients = (2, 1, 0, 0, 0, 0, 0, 0, 0, -1); }; rotate = (10, 20, 30); }",
+     true},
+    {"{ quadric = { coefficients = (-1, 1, 1, 0, 0, 0, 0, 0, 0, -0.5); }; }", false},
+    {"{ quadric = { coefficients = (1, -0.3, 1, 0, 0, 0, 0, 0, 0, -0.5); }; }", false},
+    {"{ quadric = { coefficients = (1, 1, -1, 0, 0, 0, 0, 0, 0, -0.5); }; }", false},
+    {"{ quadric = { coefficients = (1, 1, -1, 0, 0, 0, 0, 0, 0, 0); }; }", false},
+    {"{ quadric = { coefficients = (0.6, 0.6, -1, 0, 0, 0, 0, 0, 0, 0.3); }; }", false},
+    {"{ quadric = { coefficients = (1, 0, -0.2, 0, 0, 0, 0, 0, 0, 0.1); }; }", false},
+    {"{ cylinder = { from = (0, 0, -1); to = (0, 0, 1); radius = 1; }; }", false},
+    {"{ intersection = ( " EGG ", { half_space = { normal = (0, 0, 1); offset = 0.4; }; } ); }",
+     false},
+};
+
+/* The mirror is all that there is: each ray from the eye is tested against it, and each reflected
+ * one if the mirror may be met again. */
+static void a_ray_that_leaves_a_convex_solid_does_not_look_for_it(void **state) {
+    (void)state;
+    for (size_t i = 0; i < ARITHMETICS * sizeof mirrors / sizeof mirrors[0]; i++) {
+        const struct mirror *mirror = &mirrors[i / ARITHMETICS];
+        struct render_counts counts = {0};
+        char text[TEXT_SIZE];
+        (void)snprintf(
+            text, sizeof text,
+            "version = 1; size = [32, 20]; depth = 6;\n"
+            "camera = { eye = (3.1, -7.3, 5.2); look_at = (0, 0, 0.3); field_of_view = 34; };\n"
+            "lights = ( { position = (-3, -7, -5); } );\n"
+            "materials = { chrome = { colour = [90, 90, 90]; diffuse = 0.2; specular = 1; }; };\n"
+            "objects = ( { material = \"chrome\"; solid = %s; } );\n",
+            mirror->solid);
+        struct loaded_scene loaded = load_text(text, arithmetics[i % ARITHMETICS]);
+        assert_int_equal(loaded.compiled->primitive_count, 1);
+        for (int j = 0; j < WIDTH * HEIGHT; j++) {
+            double level[3];
+            loaded.arithmetic->pixel(loaded.scene, (uint16_t)(j % WIDTH), (uint16_t)(j / WIDTH),
+                                     level, &counts, NULL);
+        }
+        const uint32_t tests = counts.solid_tests;
+        bool expected = mirror->left_for_good
+                            ? tests == WIDTH * HEIGHT
+                            : tests >= counts.rays && tests <= counts.rays + counts.shadow_rays;
+        if (counts.rays <= WIDTH * HEIGHT + 20 || !expected) {
+            fail_msg("%s: %u rays, %u tests against %s", arithmetics[i % ARITHMETICS],
+                     (unsigned)counts.rays, (unsigned)tests, mirror->solid);
+        }
+        unload(&loaded);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(operations_that_say_nothing_are_left_out),
         cmocka_unit_test(an_object_of_which_nothing_is_left_takes_its_name_along),
         cmocka_unit_test(solids_that_are_the_same_are_shared),
         cmocka_unit_test(what_cannot_be_met_from_within_another_one_is_counted),
+        cmocka_unit_test(a_ray_that_leaves_a_convex_solid_does_not_look_for_it),
         cmocka_unit_test(what_is_cut_off_changes_no_point),
         cmocka_unit_test(a_solid_is_cut_off_only_beyond_all_of_its_uses),
     };

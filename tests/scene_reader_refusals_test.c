@@ -10,6 +10,8 @@
 
 #include <cmocka.h>
 
+#include <math.h>
+
 #include "scene_description.h"
 #include "scene_reader_example.h"
 
@@ -288,7 +290,7 @@ static void refuses_what_is_too_much(void **state) {
     assert_repeat_refused("a = (0", ",0", 500000, ");", 1, "too many elements", "at most 1024");
     assert_repeat_refused("title = \"", "x", 1000000, "\";", 1, "1000000 bytes", "at most 200");
     assert_repeat_refused("", "x", 1000000, " = 1;", 1, "1000000 bytes", "at most 200");
-    assert_repeat_refused("a = ", "1", 1000000, ";", 1, "no number", "numbers look like");
+    assert_repeat_refused("a = ", "1", 1000000, ";", 1, "1000000 characters", "at most 100");
     assert_repeat_refused(HEAD "objects = ( { material = \"m\"; solid = { union = (\n" BALL,
                           ",\n" BALL, 1021, ",\n{ union = (" BALL "," BALL ");} ); }; } );", 1026,
                           "too many solids in the file", "at most 1024");
@@ -298,6 +300,100 @@ static void refuses_what_is_too_much(void **state) {
     assert_repeat_refused(HEAD "lights = ( { position = [0, 0, 9]; }",
                           ", { position = [0, 0, 9]; }", 128, ");", 3, "129 elements", "0 to 128");
     assert_repeat_refused(HEAD "objects = (", "", 0, ");", 3, "0 elements", "1 to 128");
+}
+
+/* Reads the example with another threshold; *error says why it is refused. */
+static struct scene_description *read_threshold(const char *number, struct scene_error *error) {
+    static const char before[] = "threshold = 0.25";
+    const char *place = strstr(SCENE_EXAMPLE, before);
+    assert_non_null(place);
+    size_t start = (size_t)(place - SCENE_EXAMPLE) + strlen("threshold = ");
+    char *text = join(SCENE_EXAMPLE, start, number, place + strlen(before));
+    struct scene_description *scene = scene_description_read("a.scene", text, strlen(text), error);
+    free(text);
+    return scene;
+}
+
+/* Numbers of one value, whatever the number of their zeros: 100 characters are read to the last
+ * one, and one more is too many. */
+static void numbers_of_up_to_100_characters_are_read_whole(void **state) {
+    (void)state;
+    static const struct {
+        const char *start, *end;
+        double value;
+    } forms[] = {{"0.5", "", 0.5}, {"0.", "1e9", 0}, {"+0.", "5", 0},    {"0.25e-", "1", 0.025},
+                 {"0x", "1", 1},   {"-0.", "e0", 0}, {"5e-", "2", 0.05}, {"0.75E+", "", 0.75}};
+    for (size_t i = 0; i < 4 * sizeof forms / sizeof forms[0]; i++) {
+        size_t length = 99 + i % 4, start = strlen(forms[i / 4].start);
+        const char *end = forms[i / 4].end;
+        char number[128], reason[128];
+        struct scene_error error = {""};
+        memset(number, '0', length);
+        memcpy(number, forms[i / 4].start, start);
+        memcpy(number + length - strlen(end), end, strlen(end) + 1);
+        struct scene_description *scene = read_threshold(number, &error);
+        if (length <= 100) {
+            assert_string_equal(error.text, "");
+            assert_non_null(scene);
+            assert_true(fabs(scene->threshold - forms[i / 4].value) < 1e-12);
+        } else {
+            snprintf(reason, sizeof reason,
+                     "a.scene:5: a number of %zu characters is too long: at most 100 are allowed",
+                     length);
+            assert_null(scene);
+            assert_string_equal(error.text, reason);
+        }
+        scene_description_free(scene);
+    }
+}
+
+/* The camera of a scene that looks along a direction turned a little away from `up`, by an angle in
+ * radians, with both of any length. Returns why that is refused; "" if it is not. */
+static const char *refusal_of_up(const double view[3], const double across[3], double angle,
+                                 double view_length, double up_length) {
+    static struct scene_error error;
+    char text[1024];
+    double up[3];
+    for (int i = 0; i < 3; i++) {
+        up[i] = up_length * (cos(angle) * view[i] + sin(angle) * across[i]);
+    }
+    snprintf(text, sizeof text,
+             "version = 1;\ncamera = { eye = [0.0, 0.0, 0.0];\n"
+             "look_at = (%.17g, %.17g, %.17g);\nup = (%.17g, %.17g, %.17g); };\n"
+             "materials = { m = { colour = [0, 0, 0]; }; };\n"
+             "objects = ( { material = \"m\"; solid = { ball = { radius = 1; }; }; } );\n",
+             view_length * view[0], view_length * view[1], view_length * view[2], up[0], up[1],
+             up[2]);
+    error.text[0] = '\0';
+    scene_description_free(scene_description_read("a.scene", text, strlen(text), &error));
+    return error.text;
+}
+
+static void up_may_be_a_millionth_away_from_the_view_and_no_nearer(void **state) {
+    (void)state;
+    static const double axes[][2][3] = {
+        {{1, 0, 0}, {0, 1, 0}},     {{0, 1, 0}, {0, 0, 1}},      {{0, 0, 1}, {1, 0, 0}},
+        {{1, 0, 0}, {0, 0, -1}},    {{0, 0.6, -0.8}, {1, 0, 0}}, {{0.6, 0, 0.8}, {0.8, 0, -0.6}},
+        {{0.6, -0.8, 0}, {0, 0, 1}}};
+    static const double lengths[] = {1e-3, 1, 70};
+    const double straight = 3.14159265358979323846;
+    for (size_t i = 0; i < sizeof axes / sizeof axes[0]; i++) {
+        for (int j = 0; j < 9; j++) {
+            const double *view = axes[i][0], *across = axes[i][1];
+            double view_length = lengths[j / 3], up_length = lengths[j % 3];
+            static const double angles[] = {0, 0.97e-6, 1.03e-6, 0.5};
+            for (int k = 0; k < 8; k++) {
+                double angle = k < 4 ? angles[k] : straight - angles[k - 4];
+                const char *refusal = refusal_of_up(view, across, angle, view_length, up_length);
+                if (k % 4 >= 2) {
+                    assert_string_equal(refusal, "");
+                } else if (strncmp(refusal, "a.scene:4: the camera looks along 'up' ([", 41) != 0) {
+                    fail_msg("axes %zu, lengths %g and %g, angle %g: \"%s\"", i, view_length,
+                             up_length, angle, refusal);
+                }
+            }
+        }
+    }
 }
 
 /* 24 levels are allowed, and 25 are not. */
@@ -361,6 +457,8 @@ int main(void) {
         cmocka_unit_test(refuses_bad_solids),
         cmocka_unit_test(refuses_what_is_no_scene_at_all),
         cmocka_unit_test(refuses_what_is_too_much),
+        cmocka_unit_test(numbers_of_up_to_100_characters_are_read_whole),
+        cmocka_unit_test(up_may_be_a_millionth_away_from_the_view_and_no_nearer),
         cmocka_unit_test(refuses_what_nests_too_deep),
         cmocka_unit_test(refuses_parts_that_unfold_too_far),
         cmocka_unit_test(refuses_without_room_for_the_reason),

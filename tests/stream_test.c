@@ -249,8 +249,29 @@ static void a_look_into_a_light_comes_out_alike(void **state) {
     assert_true(fitting >= 2 * 3);
 }
 
-/* A scene of polyhedra, the first with so many faces and each other with the most. */
-static bool fits_with_faces(unsigned count, unsigned first_faces) {
+/* Solids that come last in a scene, and how many surfaces each has; the last of those may be a cap.
+ */
+static const struct last_solid {
+    const char *solid;
+    unsigned surfaces;
+} last_solids[] = {
+    {"{ ball = { centre = (-5, 0, 0); radius = 1; }; }", 1},
+    {"{ box = { min = (-6.37, 0.13, 0.31); max = (-5.11, 1.77, 0.83); }; }", 6},
+    {"{ ellipsoid = { centre = (-5, 0, 0); radii = (1.0, 2.0, 1.5); }; }", 1},
+    {"{ cylinder = { from = (-6, 0, 0); to = (-5, 0, 0.5); radius = 1; }; }", 3},
+    {"{ cone = { from = (-6, 0, 0); to = (-5, 0, 0.5); from_radius = 1; }; }", 3},
+    {"{ intersection = ( { ellipsoid = { centre = (-5, 0, 0); radii = (1.0, 2.0, 1.5); }; },"
+     " { half_space = { normal = (0, 0, 1); offset = 0.25; }; } ); }",
+     3}, /* the other end has a plane, too, beyond the solid */
+    {"{ polyhedron = { planes = ( { normal = (-1, -2, -1); offset = 4; },"
+     " { normal = (1, -3, -5); offset = 0; }, { normal = (1, 2, -7); offset = 0; },"
+     " { normal = (0, 3, 8); offset = 3; } ); }; }",
+     4},
+};
+
+/* Says whether an engine takes a scene of so many polyhedra, the first with so many faces and each
+ * other with the most, and another solid. */
+static bool fits_with_faces(unsigned count, unsigned first_faces, const char *last) {
     static char text[65536];
     int at = snprintf(text, sizeof text,
                       "version = 1; size = [8, 8]; depth = 2;"
@@ -262,18 +283,19 @@ static bool fits_with_faces(unsigned count, unsigned first_faces) {
         unsigned faces = i == 0 ? first_faces : 64;
         at += snprintf(
             text + at, sizeof text - (size_t)at,
-            "%s{ name = \"%u\"; material = \"chalk\"; solid = { polyhedron = { planes = ("
+            "{ name = \"%u\"; material = \"chalk\"; solid = { polyhedron = { planes = ("
             "{ normal = (0, 0, 1); offset = %u.5; }, { normal = (0, 0, -1); offset = -%u; }",
-            i == 0 ? "" : ", ", i, i, i);
+            i, i, i);
         for (unsigned k = 2; k < faces; k++) {
             double angle = 6.283185307179586 * k / (faces - 2);
             at += snprintf(text + at, sizeof text - (size_t)at,
                            ", { normal = (%.9f, %.9f, 0); offset = %u; }", cos(angle), sin(angle),
                            i + 1);
         }
-        at += snprintf(text + at, sizeof text - (size_t)at, "); }; }; }");
+        at += snprintf(text + at, sizeof text - (size_t)at, "); }; }; }, ");
     }
-    (void)snprintf(text + at, sizeof text - (size_t)at, ");");
+    (void)snprintf(text + at, sizeof text - (size_t)at,
+                   "{ name = \"last\"; material = \"chalk\"; solid = %s; } );", last);
     struct scene_description *description = read_text(text);
     struct loaded_scene loaded = load_description(description, "f32");
     bool fits = stream_engine_get("f32", 0)->fits(loaded.scene);
@@ -285,8 +307,11 @@ static bool fits_with_faces(unsigned count, unsigned first_faces) {
 /* 255 surfaces have a place in an engine's table, and the last place is nobody's. */
 static void more_surfaces_than_an_engine_has_places_for_are_left_to_the_image(void **state) {
     (void)state;
-    assert_true(fits_with_faces(4, 63));
-    assert_false(fits_with_faces(4, 64));
+    for (size_t i = 0; i < sizeof last_solids / sizeof last_solids[0]; i++) {
+        unsigned faces = 63 - last_solids[i].surfaces;
+        assert_true(fits_with_faces(4, faces, last_solids[i].solid));
+        assert_false(fits_with_faces(4, faces + 1, last_solids[i].solid));
+    }
 }
 
 /* A built-in scene with one thing changed, in f32, as an engine sees it. */
@@ -350,6 +375,67 @@ static void a_band_beyond_its_budget_is_given_back(void **state) {
     assert_given_back(10, 1.0 / 4096, 5);
 }
 
+/* A glass bead that one pixel alone sees, of a picture that is empty else. */
+static struct scene_description *describe_bead(unsigned x, unsigned y, unsigned width,
+                                               unsigned height) {
+    static const double field = 20, distance = 8;
+    double pitch = 2 * distance * tan(field * 3.14159265358979323846 / 360) / width;
+    char text[1024];
+    (void)snprintf(text, sizeof text,
+                   "version = 1; size = [%u, %u]; depth = 6; threshold = 0.001;"
+                   "camera = { eye = (0, %.17g, 0); look_at = (0, 0, 0); field_of_view = %g; };"
+                   "materials = { glass = { colour = [20, 30, 10]; ior = 1.5; }; };"
+                   "objects = ( { material = \"glass\"; solid = { ball = {"
+                   " centre = (%.17g, 0, %.17g); radius = %.17g; }; }; } );",
+                   width, height, -distance, field, pitch * (x + 0.5 - width / 2.0),
+                   -pitch * (y + 0.5 - height / 2.0), pitch * 0.3);
+    return read_text(text);
+}
+
+/* Returns the rays of one pixel. */
+static uint32_t rays_of_pixel(const struct loaded_scene *loaded, unsigned x, unsigned y) {
+    struct render_counts counts = {0};
+    double intensity[3];
+    loaded->arithmetic->pixel(loaded->scene, (uint16_t)x, (uint16_t)y, intensity, &counts, NULL);
+    return counts.rays;
+}
+
+/* With a budget of what every other pixel takes, and of what the bead's one does. */
+static void check_bead(unsigned pixel, const char *arithmetic) {
+    enum { BEAD_WIDTH = 7, BEAD_HEIGHT = 5 };
+    unsigned x = pixel % BEAD_WIDTH, y = pixel / BEAD_WIDTH;
+    struct scene_description *description = describe_bead(x, y, BEAD_WIDTH, BEAD_HEIGHT);
+    struct loaded_scene loaded = load_description(description, arithmetic);
+    uint32_t most = rays_of_pixel(&loaded, x, y);
+    const struct stream_engine *engine;
+    assert_true(most > 2);
+    for (unsigned i = 0; i < BEAD_WIDTH * BEAD_HEIGHT; i++) {
+        assert_int_equal(rays_of_pixel(&loaded, i % BEAD_WIDTH, i / BEAD_WIDTH),
+                         i == pixel ? most : 1);
+    }
+    for (uint32_t budget = most - 1; budget <= most; budget++) {
+        struct scene_error error;
+        free(loaded.scene);
+        loaded.compiled->ray_budget = budget;
+        loaded.scene = loaded.arithmetic->load(loaded.compiled, &error);
+        assert_non_null(loaded.scene);
+        for (unsigned i = 0; (engine = stream_engine_get(arithmetic, i)) != NULL; i++) {
+            assert_int_equal(compare_rows("a bead", &loaded, engine, BEAD_WIDTH, BEAD_HEIGHT),
+                             budget < most);
+        }
+    }
+    unload(&loaded);
+    scene_description_free(description);
+}
+
+static void one_pixel_beyond_its_budget_is_noticed_wherever_it_is(void **state) {
+    (void)state;
+    static const unsigned pixels[] = {0, 1, 6, 15, 16, 17, 33, 34};
+    for (size_t i = 0; i < sizeof pixels / sizeof pixels[0]; i++) {
+        check_bead(pixels[i], i % 2 == 0 ? "f64" : "fx");
+    }
+}
+
 /* Without a threshold rays double from level to level, and without a budget nothing else ends it.
  */
 static void a_band_with_more_rays_than_there_is_room_for_is_given_back(void **state) {
@@ -380,6 +466,7 @@ int main(void) {
         cmocka_unit_test(what_an_engine_does_not_know_is_left_to_the_image),
         cmocka_unit_test(more_surfaces_than_an_engine_has_places_for_are_left_to_the_image),
         cmocka_unit_test(a_band_beyond_its_budget_is_given_back),
+        cmocka_unit_test(one_pixel_beyond_its_budget_is_noticed_wherever_it_is),
         cmocka_unit_test(a_band_with_more_rays_than_there_is_room_for_is_given_back),
         cmocka_unit_test(the_best_engine_is_the_last_that_runs_here),
     };
