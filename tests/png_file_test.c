@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* PNG files: round trips, every kind of colour, damage of every sort. */
+#include <errno.h>
+#include <fcntl.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -7,6 +9,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include <cmocka.h>
 
@@ -186,6 +189,39 @@ static void a_file_that_is_no_png_is_called_so(void **state) {
     fclose(folder);
 }
 
+/* Gives a file of which so many bytes can be read, and behind them nothing but errors. */
+static FILE *file_that_fails_behind(const uint8_t *bytes, size_t good, char *buffer) {
+    FILE *file = tmpfile();
+    assert_non_null(file);
+    assert_int_equal(fwrite(bytes, 1, good, file), good);
+    rewind(file);
+    assert_int_equal(setvbuf(file, buffer, _IOFBF, good), 0);
+    assert_int_equal(ungetc(fgetc(file), file), bytes[0]); /* all of them are in the buffer now */
+    int folder = open("/", O_RDONLY);
+    assert_true(folder >= 0 && dup2(folder, fileno(file)) >= 0 && close(folder) == 0);
+    return file;
+}
+
+static void a_read_that_fails_behind_the_signature_is_no_damage(void **state) {
+    size_t size;
+    struct png_image image;
+    (void)state;
+    uint8_t *bytes = make_png(&size);
+    char *buffer = malloc(size);
+    assert_non_null(buffer);
+    for (size_t good = 8; good < size; good++) {
+        FILE *file = file_that_fails_behind(bytes, good, buffer);
+        errno = 0;
+        assert_int_equal(read_png(file, &image, &error), PNG_IO_ERROR);
+        assert_int_equal(error.status, PNG_IO_ERROR);
+        assert_string_equal(error.message, strerror(EISDIR));
+        assert_null(image.rgb);
+        fclose(file);
+    }
+    free(buffer);
+    free(bytes);
+}
+
 static void a_png_that_claims_to_be_huge_is_refused_before_memory_is_taken(void **state) {
     struct png_image image;
     static const unsigned sides[][2] = {{16385, 1}, {1, 16385}, {16384, 16384}};
@@ -247,6 +283,7 @@ int main(void) {
         cmocka_unit_test(a_png_that_is_cut_anywhere_is_refused),
         cmocka_unit_test(a_png_with_a_flipped_byte_is_refused),
         cmocka_unit_test(a_file_that_is_no_png_is_called_so),
+        cmocka_unit_test(a_read_that_fails_behind_the_signature_is_no_damage),
         cmocka_unit_test(a_png_that_claims_to_be_huge_is_refused_before_memory_is_taken),
         cmocka_unit_test(an_impossible_size_is_not_written),
         cmocka_unit_test(a_full_disk_is_reported_with_its_reason),
