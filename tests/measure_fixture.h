@@ -74,7 +74,7 @@ static inline void draw_results(struct measure *measure, uint64_t seed) {
         point->colour_high = 30 * draw_share(&random);
     }
     for (size_t i = 0; i < measure->scene_count; i++) {
-        measure->scenes[i].oracle = 99 + draw_share(&random);
+        measure->scenes[i].oracle = i == 0 ? 100 : 99 + draw_share(&random);
     }
 }
 
@@ -166,6 +166,28 @@ static inline size_t settings_of(const struct measure *measure,
 /* Compares numbers of which one was printed. */
 static inline bool is_near(double printed, double exact, double tolerance) {
     return fabs(printed - exact) <= tolerance + 1e-9 * fabs(exact);
+}
+
+/* Reads "1/N" and "none". */
+static inline double threshold_of(const char *text) {
+    return strcmp(text, "none") == 0 ? 0 : strncmp(text, "1/", 2) == 0 ? 1 / number(text + 2) : NAN;
+}
+
+/* Tells whether the words for a setting are those of a point. */
+static inline bool names_setting(const char *text, const struct measure_point *point) {
+    char arithmetic[16], threshold[32], tail[16];
+    unsigned depth;
+    double error;
+    if (sscanf(text, "%15[^,], --error %lf, N up to %u", arithmetic, &error, &depth) == 3) {
+        return strcmp(arithmetic, point->arithmetic) == 0 && is_near(error, point->error, 1e-6) &&
+               depth == point->depth;
+    }
+    assert_int_equal(sscanf(text, "%15[^,], N = %u, threshold %31[^,], tail %15s", arithmetic,
+                            &depth, threshold, tail),
+                     4);
+    return strcmp(arithmetic, point->arithmetic) == 0 && depth == point->depth &&
+           is_near(threshold_of(threshold), point->threshold, 1e-9) && !(point->error > 0) &&
+           strcmp(tail, point->tail) == 0;
 }
 
 /* ---- Reports -------------------------------------------------------------------------------- */

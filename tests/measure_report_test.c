@@ -3,11 +3,6 @@
  * made of: the results are drawn by a seed, nothing is rendered. */
 #include "measure_fixture.h"
 
-/* Reads "1/N" and "none". */
-static double threshold_of(const char *text) {
-    return strcmp(text, "none") == 0 ? 0 : strncmp(text, "1/", 2) == 0 ? 1 / number(text + 2) : NAN;
-}
-
 /* Holds a time as a reader is told it against seconds: three digits, whole minutes, tenths of an
  * hour, a dash for none. */
 static void assert_time(const char *text, double seconds) {
@@ -22,23 +17,6 @@ static void assert_time(const char *text, double seconds) {
     assert_true(strcmp(unit, "h") == 0 || unit_seconds < 3600);
     double tolerance = unit_seconds < 2 ? 0.0051 * seconds : unit_seconds * 0.51;
     assert_true(is_near(told * unit_seconds, seconds, unit_seconds > 60 ? 181 : tolerance));
-}
-
-/* Tells whether the words for a setting are those of a point. */
-static bool names_setting(const char *text, const struct measure_point *point) {
-    char arithmetic[16], threshold[32], tail[16];
-    unsigned depth;
-    double error;
-    if (sscanf(text, "%15[^,], --error %lf, N up to %u", arithmetic, &error, &depth) == 3) {
-        return strcmp(arithmetic, point->arithmetic) == 0 && is_near(error, point->error, 1e-6) &&
-               depth == point->depth;
-    }
-    assert_int_equal(sscanf(text, "%15[^,], N = %u, threshold %31[^,], tail %15s", arithmetic,
-                            &depth, threshold, tail),
-                     4);
-    return strcmp(arithmetic, point->arithmetic) == 0 && depth == point->depth &&
-           is_near(threshold_of(threshold), point->threshold, 1e-9) && !(point->error > 0) &&
-           strcmp(tail, point->tail) == 0;
 }
 
 /* ---- Both pages ----------------------------------------------------------------------------- */
