@@ -130,6 +130,7 @@ grep -q 'fx|0.7|' e/report.md || wrong 'the report lacks the accuracy asked for'
 
 expect 2 'measure: -o FOLDER is lacking' measure ball.scene
 expect 2 'exposures is not measured' measure ball.scene --colour exposures -o n
+expect 2 'allowed is: up to 320 x 200, or another colour' measure ball.scene --colour dither --size 321x1 -o n
 expect 2 'nothing' measure nothing -o n
 [ ! -e n ] || wrong 'a folder was made for a scene that is not there'
 expect 2 'two scenes are called' measure ball.scene ./ball.scene -o n

@@ -145,6 +145,41 @@ static void what_is_varied_beside_the_grid_is_one_thing(void **state) {
     discard_measure(measure);
 }
 
+/* A dithered pixel has 2 x 2 dots, and the board 640 x 400. */
+static void only_what_the_board_shows_is_planned(void **state) {
+    static const char *const plans_of_size[] = {
+        "measure fig3 -o m",
+        "measure fig3 -o m --colour dither",
+        "measure fig3 -o m --size 320x200",
+        "measure fig3 -o m --size 321x200 --depth 2",
+        "measure fig3 -o m --size 320x201 --depth 2",
+    };
+    struct options_error error;
+    struct options options;
+    struct measure refused;
+    (void)state;
+    for (size_t i = 0; i < sizeof plans_of_size / sizeof plans_of_size[0]; i++) {
+        struct measure *measure = plan_measure(plans_of_size[i]);
+        size_t dithered = 0;
+        for (size_t j = 0; j < measure->points.count; j++) {
+            const struct measure_point *point = &measure->points.points[j];
+            bool is_dithered = strcmp(point->colour, "dither") == 0;
+            dithered += is_dithered;
+            assert_true(!is_dithered || (point->width <= 320 && point->height <= 200));
+        }
+        assert_int_equal(dithered > 0, i < 3);
+        discard_measure(measure);
+    }
+    memset(&refused, 0, sizeof refused);
+    assert_true(parse(COMMAND_MEASURE, "measure fig3 -o m --colour dither --size 640x400", &options,
+                      &error));
+    refused.options = &options;
+    refused.scene_count = 1;
+    refused.scenes[0].operand = "fig3";
+    assert_int_equal(measure_plan(&refused), STATUS_BAD_INPUT);
+    assert_int_equal(refused.points.count, 0);
+}
+
 /* ---- points.csv ----------------------------------------------------------------------------- */
 
 static FILE *create_points(const struct measure *measure) {
@@ -237,6 +272,7 @@ int main(void) {
         TEST(tails_and_accuracies_are_planned_where_no_option_forbids_them),
         TEST(an_option_fixes_its_column),
         TEST(what_is_varied_beside_the_grid_is_one_thing),
+        TEST(only_what_the_board_shows_is_planned),
         TEST(points_come_back_as_they_were_written),
         TEST(a_line_that_is_not_whole_is_not_taken),
     };
