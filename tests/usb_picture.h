@@ -67,6 +67,17 @@ static inline struct usb_bus *start(uint64_t seed) {
     return usb_bus;
 }
 
+/* Draws the picture of a seed over a cable without faults, to its end. */
+static inline struct usb_bus *draw_over_a_good_cable(uint64_t seed) {
+    const struct cable_faults none = {0};
+    plug_in(&none, seed);
+    paint(seed);
+    struct usb_bus *usb_bus = start(seed);
+    draw(&usb_bus->bus);
+    assert_int_equal(bus_flush(&usb_bus->bus), BUS_OK);
+    return usb_bus;
+}
+
 /* Checks what the bus has counted against what went through the link. */
 static inline void assert_counts(const struct usb_bus *usb_bus) {
     const struct usb_counts *counts = &usb_bus->counts;

@@ -131,16 +131,11 @@ static void a_link_that_is_lost_during_a_read_leaves_an_open_bus(void **state) {
 static void verifying_over_a_link_that_is_lost_is_no_success(void **state) {
     static const struct usb_link_operations fragile = {send_for_a_while, receive_for_a_while,
                                                        cable_reopen, cable_close};
-    const struct cable_faults none = {0};
     struct usb_verification verification;
     unsigned done = 0, lost = 0;
     (void)state;
     for (unsigned i = 0; done == 0; i += 13) {
-        plug_in(&none, 11);
-        paint(11);
-        struct usb_bus *usb_bus = start(11);
-        draw(&usb_bus->bus);
-        assert_int_equal(bus_flush(&usb_bus->bus), BUS_OK);
+        struct usb_bus *usb_bus = draw_over_a_good_cable(11);
         far_board.memory[(3 * BOARD_WIDTH + 100) * 3] ^= 0x10;
         cable.link.operations = &fragile;
         good_calls = i;

@@ -103,14 +103,9 @@ static void reads_come_back_over_a_bad_cable(void **state) {
 }
 
 static void verifying_finds_and_repairs_what_differs(void **state) {
-    const struct cable_faults none = {0};
     struct usb_verification verification;
     (void)state;
-    plug_in(&none, 11);
-    paint(11);
-    struct usb_bus *usb_bus = start(11);
-    draw(&usb_bus->bus);
-    assert_int_equal(bus_flush(&usb_bus->bus), BUS_OK);
+    struct usb_bus *usb_bus = draw_over_a_good_cable(11);
     far_board.memory[(3 * BOARD_WIDTH + 100) * 3] ^= 0x10;
     far_board.memory[(3 * BOARD_WIDTH + 639) * 3 + 2] ^= 0x01;
     far_board.memory[(LINES - 1) * BOARD_WIDTH * 3 + 1] ^= 0x80;
