@@ -165,6 +165,7 @@ static int look_at_scene(struct measure_scene *scene, const struct scene_overrid
     struct scene_error error;
     struct scene_description *description = load_as_measured(scene, overrides, &error);
     struct compiled_scene *compiled = NULL;
+    memset(point, 0, sizeof *point);
     if (description != NULL) {
         compiled = scene_compile(description, &error);
     }
@@ -172,7 +173,6 @@ static int look_at_scene(struct measure_scene *scene, const struct scene_overrid
         scene_description_free(description);
         return bad_input("%s", error.text);
     }
-    memset(point, 0, sizeof *point);
     (void)snprintf(point->scene, sizeof point->scene, "%s", scene->name);
     point->width = overrides->has_size ? (unsigned)overrides->width : BASE_WIDTH;
     point->height = overrides->has_size ? (unsigned)overrides->height : BASE_HEIGHT;
