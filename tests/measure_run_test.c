@@ -183,6 +183,62 @@ static void what_was_measured_is_in_the_file_at_once(void **state) {
     discard_measure(again);
 }
 
+/* ---- Shots ---------------------------------------------------------------------------------- */
+
+/* Renders by the command what measure_shoot() draws of a point, and compares dot by dot. */
+static void assert_shot(struct measure *measure, const struct measure_point *point,
+                        const char *options) {
+    struct measure_point shot = *point;
+    struct png_image image;
+    struct png_error error;
+    char line[512];
+    uint8_t *rgb;
+    unsigned dots;
+    (void)snprintf(line, sizeof line,
+                   "superframe render glass.scene -o shot.png --quiet --arith %s --depth %u "
+                   "--size %ux%u --colour %s --model %s --tail %s %s",
+                   point->arithmetic, point->depth, point->width, point->height, point->colour,
+                   point->model, point->tail, options);
+    assert_status(line, 0);
+    FILE *file = fopen("shot.png", "rb");
+    assert_non_null(file);
+    assert_int_equal(read_png(file, &image, &error), PNG_OK);
+    (void)fclose(file);
+    assert_int_equal(measure_shoot(measure, "glass.scene", &shot, &rgb, &dots), STATUS_DONE);
+    assert_true(point->width * dots <= image.width && point->height * dots <= image.height);
+    for (size_t y = 0; y < (size_t)point->height * dots; y++) {
+        size_t width = (size_t)point->width * dots * 3;
+        assert_memory_equal(rgb + y * width, image.rgb + y * image.width * 3, width);
+    }
+    assert_true(shot.events.rays > 0 && shot.port_writes > 0);
+    free_png(&image);
+    free(rgb);
+}
+
+static void a_point_is_drawn_as_render_draws_it(void **state) {
+    static const struct {
+        struct measure_point point;
+        const char *options;
+    } cases[] = {
+        {{"glass", "fx", "full", "fresnel", "black", 3, 40, 25, .threshold = 0}, "--threshold 0"},
+        {{"glass", "f32", "bits:1", "simple", "black", 9, 40, 25, .threshold = 0.25},
+         "--threshold 0.25"},
+        {{"glass", "f64", "bits:4", "wavelength", "black", 4, 40, 25, .threshold = 0.01},
+         "--threshold 0.01"},
+        {{"glass", "fx", "dither", "fresnel", "black", 2, 40, 25, .threshold = 0}, "--threshold 0"},
+        {{"glass", "f64", "full", "fresnel", "estimate", 5, 40, 25, .threshold = 0.1},
+         "--threshold 0.1"},
+        {{"glass", "f32", "full", "simple", "estimate", 20, 40, 25, .error = 3}, "--error 3"},
+        {{"glass", "f64", "full", "fresnel", "black", 2, 330, 3, .threshold = 0}, "--threshold 0"},
+    };
+    struct measure *measure = plan_scenes("measure glass.scene -o m --quiet");
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        assert_shot(measure, &cases[i].point, cases[i].options);
+    }
+    discard_measure(measure);
+}
+
 /* ---- Pictures of the error ------------------------------------------------------------------ */
 
 enum { WIDTH = 100, HEIGHT = 7, FACTOR = 3, GAP = 8 };
@@ -270,8 +326,9 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         TEST(the_rows_that_are_announced_are_drawn),
         TEST(points_are_judged_against_the_converged_picture_and_their_twin),
+        TEST(a_point_is_drawn_as_render_draws_it),
         TEST(what_was_measured_is_in_the_file_at_once),
         TEST(four_points_are_shown_beside_where_they_are_off),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return cmocka_run_group_tests(tests, enter_group, leave_group);
 }

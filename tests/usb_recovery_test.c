@@ -76,6 +76,23 @@ static void an_adapter_that_starts_anew_in_its_place_gets_everything_again(void 
     }
 }
 
+/* Neither an idle flush nor what comes after a failure makes a frame. */
+static void nothing_is_sent_where_there_is_nothing_to_send(void **state) {
+    struct usb_verification verification;
+    (void)state;
+    struct usb_bus *usb_bus = draw_over_a_good_cable(7);
+    const struct usb_counts before = usb_bus->counts;
+    assert_int_equal(bus_flush(&usb_bus->bus), BUS_OK);
+    assert_memory_equal(&usb_bus->counts, &before, sizeof before);
+    bus_write(&usb_bus->bus, 0x00D4, 1, BUS_WORD);
+    bus_write(&usb_bus->bus, 0x00CF, 1, BUS_BYTE); /* none of the adapter's ports */
+    bus_write(&usb_bus->bus, 0x00D4, 2, BUS_WORD);
+    assert_int_equal(bus_flush(&usb_bus->bus), BUS_REFUSED);
+    assert_false(usb_bus_verify(usb_bus, 100, 1, &verification));
+    assert_memory_equal(&usb_bus->counts, &before, sizeof before);
+    usb_bus_free(usb_bus);
+}
+
 /* The link's calls that go well before it is lost for good. */
 static unsigned good_calls;
 
@@ -154,6 +171,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(each_kind_of_fault_moves_its_own_count_alone),
         cmocka_unit_test(an_adapter_that_starts_anew_in_its_place_gets_everything_again),
+        cmocka_unit_test(nothing_is_sent_where_there_is_nothing_to_send),
         cmocka_unit_test(a_link_that_is_lost_during_a_read_leaves_an_open_bus),
         cmocka_unit_test(verifying_over_a_link_that_is_lost_is_no_success),
     };
