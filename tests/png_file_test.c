@@ -98,6 +98,24 @@ static void the_file_is_8_bit_rgb_and_the_same_each_time(void **state) {
     free(again);
 }
 
+/* Flat areas and slopes are what a rendered picture is made of: a hundredth of their bytes is left.
+ */
+static void flat_areas_and_slopes_are_made_small(void **state) {
+    enum { WIDTH = 640, HEIGHT = 400, SIZE = WIDTH * HEIGHT * 3 };
+    static uint8_t rgb[SIZE];
+    (void)state;
+    for (unsigned slope = 0; slope < 2; slope++) {
+        for (size_t i = 0; i < SIZE; i++) {
+            rgb[i] = (uint8_t)(slope * (i / 3 % WIDTH + i / 3 / WIDTH) + 40 * (i % 3));
+        }
+        FILE *file = tmpfile();
+        assert_non_null(file);
+        assert_int_equal(write_png(file, rgb, WIDTH, HEIGHT, &error), PNG_OK);
+        assert_in_range(ftell(file), 1, SIZE / 100);
+        fclose(file);
+    }
+}
+
 /* Writes one row of a kind of PNG by libpng itself and reads it as RGB. */
 static void read_one_row(int colour_type, int depth, int interlace, const uint8_t *row,
                          unsigned width, const uint8_t *expected) {
@@ -279,6 +297,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_was_written_is_read_back),
         cmocka_unit_test(the_file_is_8_bit_rgb_and_the_same_each_time),
+        cmocka_unit_test(flat_areas_and_slopes_are_made_small),
         cmocka_unit_test(every_kind_of_png_is_read_as_8_bit_rgb),
         cmocka_unit_test(a_png_that_is_cut_anywhere_is_refused),
         cmocka_unit_test(a_png_with_a_flipped_byte_is_refused),
