@@ -304,6 +304,23 @@ static void check_threshold_curve(const struct report_made *made, const struct p
     assert_true(curve == NULL || (curve->x == 1 && curve->y == 2));
 }
 
+/* The whole plan measures what the curves are of. */
+static void the_whole_plan_has_every_curve(void **state) {
+    static const char *const thresholds[] = {"none", "1/256", "1/1024", "1/4096", "1/16384"};
+    const struct plots *plots = &all_plots[0];
+    char name[64];
+    (void)state;
+    for (size_t i = 0; i < 5; i++) {
+        const struct curve *curve = find_depth_curve(plots, thresholds[i]);
+        assert_non_null(curve);
+        assert_true(find_block(plots, curve->block)->count > 4);
+        (void)snprintf(name, sizeof name, "threshold-black-%s", arithmetics[i]);
+        assert_non_null(find_curve(plots, "error-threshold.png", name));
+        (void)snprintf(name, sizeof name, "threshold-estimate-%s", arithmetics[i]);
+        assert_int_equal(find_curve(plots, "error-threshold.png", name) != NULL, i < 3);
+    }
+}
+
 static void every_curve_that_has_points_is_drawn(void **state) {
     static const char *const tails[] = {"black", "estimate"};
     (void)state;
@@ -359,6 +376,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_setting_is_a_mark_on_every_machine_that_has_it),
         cmocka_unit_test(the_front_is_every_setting_that_none_dominates),
+        cmocka_unit_test(the_whole_plan_has_every_curve),
         cmocka_unit_test(every_curve_that_has_points_is_drawn),
         cmocka_unit_test(pictures_hold_what_is_drawn_and_tell_it_apart),
     };

@@ -122,6 +122,32 @@ static void verifying_finds_and_repairs_what_differs(void **state) {
     usb_bus_free(usb_bus);
 }
 
+/* A line of which every third pixel was drawn, whole or in part; where it differs it is repaired,
+ * and the rest is not the bus's to write. */
+static void verifying_leaves_alone_what_was_not_drawn(void **state) {
+    const struct cable_faults none = {0};
+    struct usb_verification verification;
+    uint8_t before[BOARD_WIDTH * 3];
+    (void)state;
+    plug_in(&none, 12);
+    struct usb_bus *usb_bus = start(12);
+    bus_write(&usb_bus->bus, 0x00D6, 5, BUS_WORD);
+    for (unsigned x = 0; x < BOARD_WIDTH; x += 3) {
+        bus_write(&usb_bus->bus, 0x00D4, (uint16_t)x, BUS_WORD);
+        for (unsigned i = 0; i < (x % 2 == 0 ? 3U : 2U); i++) {
+            bus_write(&usb_bus->bus, (uint16_t)(0x00D8 + 2 * i), (uint16_t)(x & 0xFF), BUS_BYTE);
+        }
+    }
+    assert_int_equal(bus_flush(&usb_bus->bus), BUS_OK);
+    memcpy(before, far_board.memory + 5 * sizeof before, sizeof before);
+    far_board.memory[5 * sizeof before + 60 * 3] ^= 1;
+    assert_true(usb_bus_verify(usb_bus, 100, 1, &verification));
+    assert_int_equal(verification.pixels, (BOARD_WIDTH + 5) / 6);
+    assert_int_equal(verification.repaired, 1);
+    assert_memory_equal(far_board.memory + 5 * sizeof before, before, sizeof before);
+    usb_bus_free(usb_bus);
+}
+
 /* A board whose red has a bit that sticks. */
 static void sticky_write(struct bus *bus, uint16_t port, uint16_t value, unsigned width) {
     (void)bus;
@@ -306,6 +332,7 @@ int main(void) {
         cmocka_unit_test(two_hundred_bad_cables_never_give_a_wrong_picture),
         cmocka_unit_test(reads_come_back_over_a_bad_cable),
         cmocka_unit_test(verifying_finds_and_repairs_what_differs),
+        cmocka_unit_test(verifying_leaves_alone_what_was_not_drawn),
         cmocka_unit_test(verifying_tells_what_cannot_be_repaired),
         cmocka_unit_test(an_adapter_that_stays_away_is_given_up_with_what_is_there),
         cmocka_unit_test(an_adapter_that_says_nothing_is_given_up),
