@@ -91,7 +91,9 @@ static void send_op(const struct usbip_guest *guest, unsigned code, uint32_t sta
 }
 
 static void answer_list(struct usbip_guest *guest) {
-    static const uint8_t interfaces[USB_INTERFACES][INTERFACE_BYTES] = {{0xFF}, {3}};
+    /* Class, subclass, protocol: as the configuration has them. */
+    static const uint8_t interfaces[USB_INTERFACES][INTERFACE_BYTES] = {{0xFF, 0, USB_VERSION},
+                                                                        {3}};
     uint8_t bytes[4 + DEVICE_BYTES];
     put32(bytes, 1); /* device */
     describe_device(guest->device, bytes + 4);

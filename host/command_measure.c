@@ -63,8 +63,9 @@ static int take_scenes(struct measure *measure) {
         struct measure_scene *scene = &measure->scenes[i];
         scene->operand = are_given ? options->operands[i] : default_scenes[i];
         scene_short_name(scene->operand, scene->name, sizeof scene->name);
-        if (strpbrk(scene->name, ",\"'\n") != NULL) {
-            return bad_input("%s: allowed are: names without commas and quotes", scene->operand);
+        if (strpbrk(scene->name, ",\"'\n|<>&") != NULL) {
+            return bad_input("%s: allowed are: names without commas, quotes, |, <, > and &",
+                             scene->operand);
         }
         for (size_t j = 0; j < i; j++) {
             if (strcmp(measure->scenes[j].name, scene->name) == 0) {

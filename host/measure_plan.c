@@ -30,6 +30,16 @@ static int add(struct measure *measure, const struct measure_point *point) {
     return STATUS_DONE;
 }
 
+/* Tells whether the board shows a point: a dithered pixel has 2 x 2 dots. */
+static bool can_be_shown(const struct measure_point *point) {
+    return strcmp(point->colour, "dither") != 0 || measure_dots(point) == 2;
+}
+
+/* Adds a point beside the grid, where the board shows it. */
+static int vary(struct measure *measure, const struct measure_point *point) {
+    return can_be_shown(point) ? add(measure, point) : STATUS_DONE;
+}
+
 /* Arithmetic by depth by threshold. Without a threshold a tree doubles with each level: only as far
  * as the paper goes. The finest threshold says nothing new where the depth ends the tree. */
 static int plan_grid(struct measure *measure, struct measure_point point) {
@@ -116,17 +126,17 @@ static int plan_star(struct measure *measure, struct measure_point point) {
         struct measure_point other = point;
         other.width = sizes[i][0];
         other.height = sizes[i][1];
-        status = add(measure, &other);
+        status = vary(measure, &other);
     }
     for (int i = 0; i < 5 && !overrides->has_colour && status == STATUS_DONE; i++) {
         struct measure_point other = point;
         (void)snprintf(other.colour, sizeof other.colour, "%s", colours[i]);
-        status = add(measure, &other);
+        status = vary(measure, &other);
     }
     for (int i = 0; i < 3 && !overrides->has_model && status == STATUS_DONE; i++) {
         struct measure_point other = point;
         (void)snprintf(other.model, sizeof other.model, "%s", model_words[i]);
-        status = add(measure, &other);
+        status = vary(measure, &other);
     }
     return status;
 }
@@ -155,6 +165,7 @@ static int look_at_scene(struct measure_scene *scene, const struct scene_overrid
     struct scene_error error;
     struct scene_description *description = load_as_measured(scene, overrides, &error);
     struct compiled_scene *compiled = NULL;
+    memset(point, 0, sizeof *point);
     if (description != NULL) {
         compiled = scene_compile(description, &error);
     }
@@ -162,7 +173,6 @@ static int look_at_scene(struct measure_scene *scene, const struct scene_overrid
         scene_description_free(description);
         return bad_input("%s", error.text);
     }
-    memset(point, 0, sizeof *point);
     (void)snprintf(point->scene, sizeof point->scene, "%s", scene->name);
     point->width = overrides->has_size ? (unsigned)overrides->width : BASE_WIDTH;
     point->height = overrides->has_size ? (unsigned)overrides->height : BASE_HEIGHT;
@@ -188,6 +198,11 @@ int measure_plan(struct measure *measure) {
         int status = look_at_scene(&measure->scenes[i], &measure->options->overrides, &point);
         if (status != STATUS_DONE) {
             return status;
+        }
+        if (!can_be_shown(&point)) {
+            return bad_input("measure: --colour dither with %u x %u pixels; allowed is: up to "
+                             "%d x %d, or another colour",
+                             point.width, point.height, BOARD_WIDTH / 2, BOARD_HEIGHT / 2);
         }
         if (plan_grid(measure, point) != STATUS_DONE || plan_tails(measure, point) != STATUS_DONE ||
             plan_errors(measure, point) != STATUS_DONE ||

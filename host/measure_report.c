@@ -190,7 +190,7 @@ static void write_paper(const struct report *report) {
     for (size_t i = 0; i < report->settings->count; i++) {
         const struct measure_setting *setting = &report->settings->settings[i];
         if (strcmp(setting->arithmetic, "fx") == 0 && setting->wrong <= paper->wrong &&
-            setting != paper && (better == NULL || setting->rays < better->rays)) {
+            setting->rays < (better != NULL ? better : paper)->rays) {
             better = setting;
         }
     }

@@ -55,15 +55,14 @@ static void write_port(struct bus *bus, uint16_t port, uint16_t value, unsigned 
     follow(usb_bus, offset, value, width);
 }
 
+/* Returns what was read. Of a bus that fails meanwhile bus_read() takes no value. */
 static uint16_t read_port(struct bus *bus, uint16_t port, unsigned width) {
     struct usb_bus *usb_bus = (struct usb_bus *)bus;
-    if (!usb_encoder_read(&usb_bus->encoder, (uint16_t)(port - usb_bus->base), width)) {
+    if (usb_encoder_read(&usb_bus->encoder, (uint16_t)(port - usb_bus->base), width)) {
+        close_line(usb_bus);
+        (void)usb_session_ask(usb_bus, width);
+    } else {
         refuse(usb_bus, port);
-        return 0xFFFF;
-    }
-    close_line(usb_bus);
-    if (!usb_session_ask(usb_bus, width)) {
-        return 0xFFFF;
     }
     return width == BUS_BYTE ? usb_bus->data[0] : usb_get16(usb_bus->data);
 }

@@ -92,12 +92,35 @@ static void the_adapter_that_is_meant_is_found_among_several(void **state) {
     assert_non_null(strstr(reason, "70-superframe.rules"));
 }
 
+/* The reason has room for some of the numbers; what lies behind it is another's. */
+static void many_adapters_with_long_numbers_fit_into_the_reason(void **state) {
+    static struct usb_found found[USB_FOUND_MOST];
+    struct {
+        char reason[USB_LINK_REASON_SIZE], behind[USB_LINK_REASON_SIZE];
+    } texts;
+    unsigned index = 0;
+    (void)state;
+    memset(found, 'x', sizeof found);
+    for (unsigned count = 2; count <= USB_FOUND_MOST; count++) {
+        memset(&texts, '!', sizeof texts);
+        for (unsigned i = 0; i < count; i++) {
+            found[i].serial[USB_NAME_SIZE - 1] = '\0';
+        }
+        assert_int_equal(usb_choose(found, count, NULL, &index, texts.reason), USB_OPEN_REFUSED);
+        assert_non_null(memchr(texts.reason, '\0', sizeof texts.reason));
+        for (size_t i = 0; i < sizeof texts.behind; i++) {
+            assert_int_equal(texts.behind[i], '!');
+        }
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(usb_and_hid_take_a_serial_number_or_none),
         cmocka_unit_test(what_does_not_go_with_them_is_refused),
         cmocka_unit_test(the_virtual_adapter_has_options_of_its_own),
         cmocka_unit_test(the_adapter_that_is_meant_is_found_among_several),
+        cmocka_unit_test(many_adapters_with_long_numbers_fit_into_the_reason),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -83,6 +83,13 @@ if command -v gnuplot > few.txt; then
         expect 0 '' measure ball.scene $few --size 16x10 --quiet -o few
         [ ! -s err.txt ] || wrong "measure $few: says \"$(head -n 1 err.txt)\""
         [ -s few/pareto-x86_64.png ] || wrong "measure $few: no plots"
+        for picture in $(sed -n "s/^set output '\(.*\)'$/\1/p" few/plots.gp); do
+            [ -s "few/$picture" ] || wrong "measure $few: $picture is not drawn"
+        done
+        for page in few/report.md few/report.html; do
+            [ "$(grep -c 'pareto-.*\.png' $page)" -eq "$(grep -c '^set output .pareto-' few/plots.gp)" ] ||
+                wrong "measure $few: $page does not show each machine's plot"
+        done
         rm -r few
     done
 fi
@@ -130,8 +137,15 @@ grep -q 'fx|0.7|' e/report.md || wrong 'the report lacks the accuracy asked for'
 
 expect 2 'measure: -o FOLDER is lacking' measure ball.scene
 expect 2 'exposures is not measured' measure ball.scene --colour exposures -o n
+expect 2 'allowed is: up to 320 x 200, or another colour' measure ball.scene --colour dither --size 321x1 -o n
 expect 2 'nothing' measure nothing -o n
 [ ! -e n ] || wrong 'a folder was made for a scene that is not there'
+# Names that would end a cell of a table or begin a tag.
+for name in 'a,b' 'a|b' 'a<b' 'a>b' 'a&b' "a'b" 'a"b'; do
+    cp ball.scene "$name.scene"
+    expect 2 'allowed are: names without' measure "$name.scene" -o n
+done
+[ ! -e n ] || wrong 'a folder was made for a scene whose name is not allowed'
 expect 2 'two scenes are called' measure ball.scene ./ball.scene -o n
 expect 1 'cannot be written' measure ball.scene -o /dev/null/n
 mkdir -p other && echo 'a,b' > other/points.csv

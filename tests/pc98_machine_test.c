@@ -2,6 +2,7 @@
 /* What a booting floppy meets: the disk's geometry, the text screen, the keyboard's ports. */
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -53,6 +54,32 @@ static void text_loses_its_blanks_and_keeps_its_rows(void **state) {
     assert_int_equal(text.row[24][79], 'Z');
 }
 
+/* All 65,536 codes of a cell, 79 to a row; the last column keeps the blanks before it. */
+static void a_code_is_read_as_its_letter_a_blank_or_a_question_mark(void **state) {
+    static uint8_t vram[PC98_TEXT_BYTES];
+    static struct pc98_text text;
+    enum { CODES = 65536, IN_ROW = PC98_TEXT_COLUMNS - 1, IN_ALL = IN_ROW * PC98_TEXT_ROWS };
+    (void)state;
+    for (unsigned first = 0; first < CODES; first += IN_ALL) {
+        memset(vram, 0, sizeof vram);
+        for (unsigned i = 0; i < IN_ALL; i++) {
+            uint8_t *cell = vram + 2 * (i / IN_ROW * PC98_TEXT_COLUMNS + i % IN_ROW);
+            cell[0] = (uint8_t)(first + i);
+            cell[1] = (uint8_t)((first + i) >> 8);
+            vram[2 * (i / IN_ROW * PC98_TEXT_COLUMNS + IN_ROW)] = '.';
+        }
+        pc98_text_read(vram, &text);
+        for (unsigned i = 0; i < IN_ALL; i++) {
+            unsigned code = (first + i) % CODES;
+            bool is_letter = code >= ' ' && code <= '~';
+            assert_int_equal(text.row[i / IN_ROW][i % IN_ROW], is_letter   ? (char)code
+                                                               : code == 0 ? ' '
+                                                                           : '?');
+        }
+        assert_int_equal(strlen(text.row[0]), PC98_TEXT_COLUMNS);
+    }
+}
+
 static void escape_is_pressed_once(void **state) {
     (void)state;
     struct pc98_ports ports = {.escape_after = 2};
@@ -89,6 +116,7 @@ int main(void) {
         cmocka_unit_test(sectors_lie_side_by_side),
         cmocka_unit_test(what_is_no_sector_is_refused),
         cmocka_unit_test(text_loses_its_blanks_and_keeps_its_rows),
+        cmocka_unit_test(a_code_is_read_as_its_letter_a_blank_or_a_question_mark),
         cmocka_unit_test(escape_is_pressed_once),
         cmocka_unit_test(other_ports_are_the_boards),
     };

@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* PNG files: round trips, every kind of colour, damage of every sort. */
+#include <errno.h>
+#include <fcntl.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -7,6 +9,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include <cmocka.h>
 
@@ -93,6 +96,24 @@ static void the_file_is_8_bit_rgb_and_the_same_each_time(void **state) {
     assert_memory_equal(bytes, again, size);
     free(bytes);
     free(again);
+}
+
+/* Flat areas and slopes are what a rendered picture is made of: a hundredth of their bytes is left.
+ */
+static void flat_areas_and_slopes_are_made_small(void **state) {
+    enum { WIDTH = 640, HEIGHT = 400, SIZE = WIDTH * HEIGHT * 3 };
+    static uint8_t rgb[SIZE];
+    (void)state;
+    for (unsigned slope = 0; slope < 2; slope++) {
+        for (size_t i = 0; i < SIZE; i++) {
+            rgb[i] = (uint8_t)(slope * (i / 3 % WIDTH + i / 3 / WIDTH) + 40 * (i % 3));
+        }
+        FILE *file = tmpfile();
+        assert_non_null(file);
+        assert_int_equal(write_png(file, rgb, WIDTH, HEIGHT, &error), PNG_OK);
+        assert_in_range(ftell(file), 1, SIZE / 100);
+        fclose(file);
+    }
 }
 
 /* Writes one row of a kind of PNG by libpng itself and reads it as RGB. */
@@ -186,6 +207,39 @@ static void a_file_that_is_no_png_is_called_so(void **state) {
     fclose(folder);
 }
 
+/* Gives a file of which so many bytes can be read, and behind them nothing but errors. */
+static FILE *file_that_fails_behind(const uint8_t *bytes, size_t good, char *buffer) {
+    FILE *file = tmpfile();
+    assert_non_null(file);
+    assert_int_equal(fwrite(bytes, 1, good, file), good);
+    rewind(file);
+    assert_int_equal(setvbuf(file, buffer, _IOFBF, good), 0);
+    assert_int_equal(ungetc(fgetc(file), file), bytes[0]); /* all of them are in the buffer now */
+    int folder = open("/", O_RDONLY);
+    assert_true(folder >= 0 && dup2(folder, fileno(file)) >= 0 && close(folder) == 0);
+    return file;
+}
+
+static void a_read_that_fails_behind_the_signature_is_no_damage(void **state) {
+    size_t size;
+    struct png_image image;
+    (void)state;
+    uint8_t *bytes = make_png(&size);
+    char *buffer = malloc(size);
+    assert_non_null(buffer);
+    for (size_t good = 8; good < size; good++) {
+        FILE *file = file_that_fails_behind(bytes, good, buffer);
+        errno = 0;
+        assert_int_equal(read_png(file, &image, &error), PNG_IO_ERROR);
+        assert_int_equal(error.status, PNG_IO_ERROR);
+        assert_string_equal(error.message, strerror(EISDIR));
+        assert_null(image.rgb);
+        fclose(file);
+    }
+    free(buffer);
+    free(bytes);
+}
+
 static void a_png_that_claims_to_be_huge_is_refused_before_memory_is_taken(void **state) {
     struct png_image image;
     static const unsigned sides[][2] = {{16385, 1}, {1, 16385}, {16384, 16384}};
@@ -243,10 +297,12 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_was_written_is_read_back),
         cmocka_unit_test(the_file_is_8_bit_rgb_and_the_same_each_time),
+        cmocka_unit_test(flat_areas_and_slopes_are_made_small),
         cmocka_unit_test(every_kind_of_png_is_read_as_8_bit_rgb),
         cmocka_unit_test(a_png_that_is_cut_anywhere_is_refused),
         cmocka_unit_test(a_png_with_a_flipped_byte_is_refused),
         cmocka_unit_test(a_file_that_is_no_png_is_called_so),
+        cmocka_unit_test(a_read_that_fails_behind_the_signature_is_no_damage),
         cmocka_unit_test(a_png_that_claims_to_be_huge_is_refused_before_memory_is_taken),
         cmocka_unit_test(an_impossible_size_is_not_written),
         cmocka_unit_test(a_full_disk_is_reported_with_its_reason),

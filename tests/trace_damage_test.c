@@ -1,5 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Everything that can be wrong with a trace, and with the disk that it goes to. */
+#include <errno.h>
+#include <fcntl.h>
+#include <unistd.h>
+
 #include "trace_fixture.h"
 
 static struct trace_reader reader;
@@ -219,6 +223,52 @@ static void a_full_disk_fails_the_bus_and_the_recording(void **state) {
     }
 }
 
+/* Lets a file go on in another one; the caller keeps both. */
+static void redirect(FILE *file, int to) {
+    assert_true(dup2(to, fileno(file)) >= 0);
+}
+
+/* Records on a disk that is full for one write and has room again. With a buffer, that write is the
+ * flush. */
+static void assert_remembers_one_failure(enum trace_format format, bool has_buffer,
+                                         bool spoils_head) {
+    static struct trace_recorder recorder;
+    const struct trace_header header = {BOARD_1987, 0x00D0};
+    struct bus empty;
+    FILE *file = tmpfile(), *before = tmpfile(), *after = tmpfile();
+    int full = open("/dev/full", O_WRONLY);
+    assert_true(file != NULL && before != NULL && after != NULL && full >= 0);
+    redirect(file, spoils_head ? full : fileno(before));
+    assert_int_equal(setvbuf(file, NULL, has_buffer ? _IOFBF : _IONBF, BUFSIZ), 0);
+    null_bus_init(&empty);
+    trace_recorder_init(&recorder, &empty, file, format, &header);
+    redirect(file, full);
+    bus_write(&recorder.bus, 0x00D8, 1, 1);
+    assert_int_equal(bus_flush(&recorder.bus), BUS_IO_ERROR);
+    redirect(file, fileno(after));
+    bus_write(&recorder.bus, 0x00D8, 2, 1);
+    assert_int_equal(bus_flush(&recorder.bus), BUS_IO_ERROR);
+    assert_int_equal(trace_recorder_finish(&recorder), BUS_IO_ERROR);
+    assert_int_equal(recorder.error_number, ENOSPC);
+    assert_true(has_buffer || lseek(fileno(after), 0, SEEK_END) == 0);
+    assert_int_equal(close(full), 0);
+    fclose(file);
+    fclose(before);
+    fclose(after);
+}
+
+static void one_write_that_fails_is_remembered_and_nothing_follows_it(void **state) {
+    (void)state;
+    if (access("/dev/full", W_OK) != 0) {
+        skip();
+    }
+    for (int format = TRACE_BINARY; format <= TRACE_TEXT; format++) {
+        assert_remembers_one_failure((enum trace_format)format, false, false);
+        assert_remembers_one_failure((enum trace_format)format, false, true);
+        assert_remembers_one_failure((enum trace_format)format, true, false);
+    }
+}
+
 static void a_device_that_fails_fails_the_recorder_but_not_the_trace(void **state) {
     static struct trace_recorder recorder;
     const struct trace_header header = {BOARD_1987, 0x00D0};
@@ -255,6 +305,7 @@ int main(void) {
         cmocka_unit_test(a_bad_line_is_named_by_its_number),
         cmocka_unit_test(the_last_line_may_lack_its_end),
         cmocka_unit_test(a_full_disk_fails_the_bus_and_the_recording),
+        cmocka_unit_test(one_write_that_fails_is_remembered_and_nothing_follows_it),
         cmocka_unit_test(a_device_that_fails_fails_the_recorder_but_not_the_trace),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

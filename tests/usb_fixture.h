@@ -14,9 +14,17 @@ struct cable_faults {
     uint32_t stall;        /* sendings */
     uint32_t unplug;       /* sendings */
     uint32_t power_cycle;  /* of the unplugs: the adapter forgets */
+    uint32_t restart;      /* packets to the adapter: it forgets, and its cable stays */
     bool is_board_cleared; /* with each of these, the board's memory too */
     unsigned unplugs_most; /* after so many it does not come back */
     bool is_hid;
+};
+
+/* What went through the link, counted without the bus. */
+struct cable_tally {
+    uint64_t sent_bytes, received_bytes, resent, timeouts, stalls, reconnects;
+    uint64_t sessions; /* that frames belonged to */
+    uint32_t session, highest_sent;
 };
 
 /* The cable, and what is at its end. */
@@ -27,6 +35,7 @@ struct cable {
     bool is_gone;
     unsigned unplugs, power_cycles;
     uint64_t struck; /* faults so far */
+    struct cable_tally tally;
     struct usb_device device;
     struct bus *far_bus; /* where the adapter's accesses go */
     struct board *far_board;
@@ -42,6 +51,19 @@ static inline void cable_configure(struct cable *cable) {
     static const uint8_t set_configuration[8] = {0, 9, 1, 0, 0, 0, 0, 0};
     uint8_t in[USB_CONTROL_MOST];
     assert_int_equal(usb_device_control(&cable->device, set_configuration, NULL, in), 0);
+}
+
+/* Starts the adapter anew, whether its cable stays or not. */
+static inline void cable_restart(struct cable *cable) {
+    cable->power_cycles++;
+    usb_device_init(&cable->device, cable->far_bus, 0, "test", true);
+    if (cable->faults.is_board_cleared) {
+        struct board_desc desc = cable->far_board->desc;
+        desc.noise = true;
+        desc.noise_seed = cable->power_cycles;
+        assert_true(board_init(cable->far_board, &desc));
+    }
+    cable_configure(cable);
 }
 
 static inline void cable_clear_halts(struct cable *cable) {
@@ -60,6 +82,9 @@ static inline void cable_flip_bit(struct cable *cable, uint8_t *bytes, size_t co
 
 static inline bool cable_deliver(struct cable *cable, const uint8_t *packet, size_t count) {
     uint8_t copy[512];
+    if (cable_strikes(cable, cable->faults.restart)) {
+        cable_restart(cable);
+    }
     if (cable_strikes(cable, cable->faults.lose)) {
         return true;
     }
@@ -77,9 +102,8 @@ static inline bool cable_deliver(struct cable *cable, const uint8_t *packet, siz
     return is_taken;
 }
 
-static inline enum usb_link_status cable_send(struct usb_link *link, const uint8_t *bytes,
-                                              size_t count) {
-    struct cable *cable = (struct cable *)link;
+static inline enum usb_link_status cable_carry(struct cable *cable, const uint8_t *bytes,
+                                               size_t count) {
     bool is_taken = true;
     bool is_unplugged = cable_strikes(cable, cable->faults.unplug);
     size_t until = is_unplugged ? next_random(&cable->random) % (count + 1) : count;
@@ -112,11 +136,37 @@ static inline enum usb_link_status cable_send(struct usb_link *link, const uint8
     return USB_LINK_OK;
 }
 
-static inline enum usb_link_status cable_receive(struct usb_link *link, uint8_t *bytes, size_t room,
-                                                 unsigned timeout_ms, size_t *count) {
+/* Notes a frame that is handed to the link, from its own header. */
+static inline void cable_note_frame(struct cable_tally *tally, const uint8_t *bytes, size_t count) {
+    struct usb_header header;
+    size_t length;
+    assert_int_equal(usb_frame_scan(bytes, count, &header, &length), USB_SCAN_FRAME);
+    assert_int_equal(length, count);
+    if (header.session != tally->session) {
+        tally->session = header.session;
+        tally->highest_sent = 0;
+        tally->sessions++;
+    }
+    tally->sent_bytes += count;
+    if (header.kind == USB_KIND_RUN) {
+        assert_true(header.sequence <= tally->highest_sent + 1);
+        tally->resent += header.sequence <= tally->highest_sent;
+        tally->highest_sent += header.sequence > tally->highest_sent;
+    }
+}
+
+static inline enum usb_link_status cable_send(struct usb_link *link, const uint8_t *bytes,
+                                              size_t count) {
     struct cable *cable = (struct cable *)link;
+    cable_note_frame(&cable->tally, bytes, count);
+    enum usb_link_status status = cable_carry(cable, bytes, count);
+    cable->tally.stalls += status == USB_LINK_STALLED;
+    return status;
+}
+
+static inline enum usb_link_status cable_fetch(struct cable *cable, uint8_t *bytes, size_t room,
+                                               size_t *count) {
     bool is_hid = cable->faults.is_hid;
-    (void)timeout_ms; /* nothing will come later that is not there now */
     for (;;) {
         uint8_t packet[USB_REPORT_BYTES];
         if (cable->is_gone) {
@@ -149,6 +199,16 @@ static inline enum usb_link_status cable_receive(struct usb_link *link, uint8_t 
     }
 }
 
+/* Nothing will come later that is not there now. A glance, without patience, is no timeout. */
+static inline enum usb_link_status cable_receive(struct usb_link *link, uint8_t *bytes, size_t room,
+                                                 unsigned timeout_ms, size_t *count) {
+    struct cable *cable = (struct cable *)link;
+    enum usb_link_status status = cable_fetch(cable, bytes, room, count);
+    cable->tally.timeouts += status == USB_LINK_TIMEOUT && timeout_ms > 0;
+    cable->tally.received_bytes += status == USB_LINK_OK ? *count : 0;
+    return status;
+}
+
 static inline enum usb_link_status cable_reopen(struct usb_link *link, unsigned timeout_ms) {
     struct cable *cable = (struct cable *)link;
     (void)timeout_ms;
@@ -156,15 +216,9 @@ static inline enum usb_link_status cable_reopen(struct usb_link *link, unsigned 
         return USB_LINK_TIMEOUT;
     }
     cable->is_gone = false;
+    cable->tally.reconnects++;
     if (cable_strikes(cable, cable->faults.power_cycle)) {
-        cable->power_cycles++;
-        usb_device_init(&cable->device, cable->far_bus, 0, "test", true);
-        if (cable->faults.is_board_cleared) {
-            struct board_desc desc = cable->far_board->desc;
-            desc.noise = true;
-            desc.noise_seed = cable->power_cycles;
-            assert_true(board_init(cable->far_board, &desc));
-        }
+        cable_restart(cable);
     }
     usb_device_reset(&cable->device);
     cable_configure(cable);

@@ -45,6 +45,14 @@ static void import(const char *name) {
     usbip_guest_take(&guest, request, sizeof request);
 }
 
+/* Fills the stack below its caller: what a function leaves as it found it there shows. */
+static void poison_stack(void) {
+    volatile uint8_t bytes[4096];
+    for (size_t i = 0; i < sizeof bytes; i++) {
+        bytes[i] = 0xA5;
+    }
+}
+
 /* A command with its data; of what is sent, only what comes after counts. */
 static void command(const uint32_t fields[8], const uint8_t *setup, const uint8_t *data,
                     size_t count) {
@@ -57,6 +65,7 @@ static void command(const uint32_t fields[8], const uint8_t *setup, const uint8_
         memcpy(bytes + 40, setup, 8);
     }
     seen_count = 0;
+    poison_stack();
     usbip_guest_take(&guest, bytes, sizeof bytes);
     usbip_guest_take(&guest, data, count);
 }
@@ -68,11 +77,15 @@ static void submit(uint32_t number, unsigned endpoint, bool is_in, uint32_t leng
     command(fields, setup, data, is_in ? 0 : length);
 }
 
+/* Checks every byte of an answer's header: the rest of it is 0. */
 static void assert_answer(uint32_t code, uint32_t number, int32_t status, uint32_t length) {
-    assert_int_equal(number_at(0), code);
-    assert_int_equal(number_at(4), number);
-    assert_int_equal((int32_t)number_at(20), status);
-    assert_int_equal(number_at(24), length);
+    uint8_t expected[HEADER] = {0};
+    put_number(expected, code);
+    put_number(expected + 4, number);
+    put_number(expected + 20, (uint32_t)status);
+    put_number(expected + 24, length);
+    assert_true(seen_count >= HEADER);
+    assert_memory_equal(seen, expected, HEADER);
 }
 
 static void attach(void) {
@@ -99,6 +112,74 @@ static void the_list_names_the_device(void **state) {
         assert_int_equal(number_at(12 + 296), is_high ? 3 : 2);
         assert_int_equal(number_at(12 + 300), 0x12099801);
         assert_true(guest.is_over);
+    }
+}
+
+/* Reads one of the device's own descriptors. */
+static int describe(uint8_t type, uint8_t descriptor[USB_CONTROL_MOST]) {
+    const uint8_t get[8] = {0x80, 6, 0, type, 0, 0, 255, 0};
+    return usb_device_control(&device, get, NULL, descriptor);
+}
+
+/* Checks all 312 bytes of a record against struct usbip_usb_device of the kernel, filled from the
+ * device's own descriptor. */
+static void assert_record(const uint8_t *record, unsigned speed) {
+    uint8_t descriptor[USB_CONTROL_MOST], expected[312] = {0};
+    assert_int_equal(describe(1, descriptor), 18);
+    strcpy((char *)expected, "/sys/devices/superframe/1-1");
+    strcpy((char *)expected + 256, "1-1");
+    put_number(expected + 288, 1);
+    put_number(expected + 292, 1);
+    put_number(expected + 296, speed);
+    for (unsigned i = 0; i < 6; i += 2) { /* vendor, product, release: high byte first there */
+        expected[300 + i] = descriptor[8 + i + 1];
+        expected[300 + i + 1] = descriptor[8 + i];
+    }
+    memcpy(expected + 306, descriptor + 4, 3); /* class, subclass, protocol */
+    expected[309] = device.configuration;
+    expected[310] = descriptor[17];
+    expected[311] = 2;
+    assert_memory_equal(record, expected, sizeof expected);
+}
+
+/* Checks class, subclass and protocol of each interface against the configuration's. */
+static void assert_interfaces(const uint8_t *interfaces) {
+    uint8_t descriptor[USB_CONTROL_MOST];
+    unsigned found = 0;
+    int count = describe(2, descriptor);
+    for (int at = 0; at < count; at += descriptor[at]) {
+        if (descriptor[at + 1] == 4) {
+            assert_memory_equal(interfaces + 4 * (size_t)found, descriptor + at + 5, 3);
+            assert_int_equal(interfaces[4 * found + 3], 0);
+            found++;
+        }
+    }
+    assert_int_equal(found, 2);
+}
+
+static void every_byte_of_the_records_is_set(void **state) {
+    static const uint8_t set_configuration[8] = {0, 9, 1}, request[8] = {0x01, 0x11, 0x80, 0x05};
+    uint8_t in[USB_CONTROL_MOST];
+    (void)state;
+    for (unsigned i = 0; i < 8; i++) {
+        bool is_high = i % 2 != 0, is_import = i / 4 != 0;
+        arrive(false, is_high);
+        if (i / 2 % 2 != 0) {
+            assert_int_equal(usb_device_control(&device, set_configuration, NULL, in), 0);
+        }
+        struct usb_device before = device;
+        poison_stack();
+        if (is_import) {
+            import("1-1");
+        } else {
+            usbip_guest_take(&guest, request, sizeof request);
+        }
+        device = before; /* attaching resets it */
+        assert_record(seen + (is_import ? 8 : 12), is_high ? 3 : 2);
+        assert_int_equal(seen_count, is_import ? 8 + 312 : 12 + 312 + 8);
+        if (!is_import) {
+            assert_interfaces(seen + 12 + 312);
+        }
     }
 }
 
@@ -272,6 +353,7 @@ static void leaving_resets_the_device(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_list_names_the_device),
+        cmocka_unit_test(every_byte_of_the_records_is_set),
         cmocka_unit_test(only_a_free_device_of_that_name_is_given),
         cmocka_unit_test(bytes_may_come_one_by_one),
         cmocka_unit_test(strangers_are_sent_away),

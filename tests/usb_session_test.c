@@ -1,91 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* A picture over a cable that loses, damages and repeats what it carries: it arrives exactly, or
  * the error says which lines did. */
-#include "usb_fixture.h"
+#include "usb_picture.h"
 
 #include "trace_hash.h"
 
-enum { LINES = 24, RUNS = 200 };
-
-static struct board far_board;
-static struct board_bus far_board_bus;
-static struct cable cable;
-static uint8_t picture[LINES][BOARD_WIDTH][3];
-
-static void plug_in(const struct cable_faults *faults, uint64_t seed) {
-    struct board_desc desc = board_default_desc(BOARD_1987);
-    desc.noise = true;
-    desc.noise_seed = seed + 1000;
-    assert_true(board_init(&far_board, &desc));
-    board_bus_init(&far_board_bus, &far_board);
-    cable_plug(&cable, faults, seed, &far_board_bus.bus, &far_board);
-}
-
-/* Something of everything: flat parts, ramps, doubled pixels, extremes, lines like the one above,
- * and noise. */
-static void paint(uint64_t seed) {
-    uint64_t random = seed * 2 + 1;
-    for (unsigned y = 0; y < LINES; y++) {
-        unsigned kind = next_random(&random) % 6;
-        for (unsigned x = 0; x < BOARD_WIDTH; x++) {
-            uint32_t noise = next_random(&random);
-            uint8_t *pixel = picture[y][x];
-            for (unsigned i = 0; i < 3; i++) {
-                unsigned old = x > 0 ? picture[y][x - 1][i] : 7U;
-                pixel[i] = (uint8_t)(kind == 0   ? old
-                                     : kind == 1 ? old + (i == y % 3)
-                                     : kind == 2 ? (x % 2 == 1 ? old : noise >> 8 * i & 0xFF)
-                                     : kind == 3 ? (noise >> i & 1) * 0xFF
-                                     : kind == 4 ? (y > 0 ? picture[y - 1][x][i] : 0U)
-                                                 : noise >> 8 * i & 0xFF);
-            }
-        }
-    }
-}
-
-/* As the firmware's driver draws: Y a line; X, R, G, B a pixel. */
-static void draw(struct bus *bus) {
-    for (unsigned y = 0; y < LINES; y++) {
-        bus_write(bus, 0x00D6, (uint16_t)y, BUS_WORD);
-        for (unsigned x = 0; x < BOARD_WIDTH; x++) {
-            bus_write(bus, 0x00D4, (uint16_t)x, BUS_WORD);
-            for (unsigned i = 0; i < 3; i++) {
-                bus_write(bus, (uint16_t)(0x00D8 + 2 * i), picture[y][x][i], BUS_BYTE);
-            }
-        }
-    }
-}
-
-static bool is_line_right(unsigned y) {
-    return memcmp(far_board.memory + (size_t)y * BOARD_WIDTH * 3, picture[y], BOARD_WIDTH * 3) == 0;
-}
-
-static struct usb_bus *start(uint64_t seed) {
-    struct usb_limits limits = quick_limits(seed);
-    struct usb_bus *usb_bus = usb_bus_new(&cable.link, 0x00D0, &limits);
-    assert_non_null(usb_bus);
-    return usb_bus;
-}
-
-/* Draws once; true if the bus said that all went well. Checks what can be claimed either way. */
-static bool run_once(uint64_t seed, struct usb_counts *counts) {
-    paint(seed);
-    struct usb_bus *usb_bus = start(seed);
-    draw(&usb_bus->bus);
-    bool is_done = bus_flush(&usb_bus->bus) == BUS_OK;
-    *counts = usb_bus->counts;
-    for (unsigned y = 0; y < LINES; y++) {
-        bool is_claimed = usb_bus_line_is_there(usb_bus, y);
-        assert_true(!is_done || is_claimed);
-        if (is_claimed && !(cable.faults.is_board_cleared && !is_done)) {
-            assert_true(is_line_right(y));
-        }
-    }
-    assert_int_equal(is_done, usb_bus->reason[0] == '\0');
-    assert_false(usb_bus_line_is_there(usb_bus, LINES));
-    usb_bus_free(usb_bus);
-    return is_done;
-}
+enum { RUNS = 200 };
 
 static void a_good_cable_carries_every_access_once_and_in_order(void **state) {
     (void)state;
@@ -127,6 +47,7 @@ static struct cable_faults random_faults(uint64_t seed) {
         faults.corrupt *= 4;
         faults.duplicate *= 4;
     }
+    faults.restart = next_random(&random) % 4 == 0 ? 200 + next_random(&random) % 800 : 0;
     faults.power_cycle = next_random(&random) % 4;
     faults.is_board_cleared = next_random(&random) % 2 == 0;
     faults.unplugs_most = next_random(&random) % 4 == 0 ? 0 : 1000;
@@ -182,14 +103,9 @@ static void reads_come_back_over_a_bad_cable(void **state) {
 }
 
 static void verifying_finds_and_repairs_what_differs(void **state) {
-    const struct cable_faults none = {0};
     struct usb_verification verification;
     (void)state;
-    plug_in(&none, 11);
-    paint(11);
-    struct usb_bus *usb_bus = start(11);
-    draw(&usb_bus->bus);
-    assert_int_equal(bus_flush(&usb_bus->bus), BUS_OK);
+    struct usb_bus *usb_bus = draw_over_a_good_cable(11);
     far_board.memory[(3 * BOARD_WIDTH + 100) * 3] ^= 0x10;
     far_board.memory[(3 * BOARD_WIDTH + 639) * 3 + 2] ^= 0x01;
     far_board.memory[(LINES - 1) * BOARD_WIDTH * 3 + 1] ^= 0x80;
@@ -203,6 +119,32 @@ static void verifying_finds_and_repairs_what_differs(void **state) {
     assert_true(usb_bus_verify(usb_bus, 50, 1, &verification));
     assert_true(verification.pixels > 0 && verification.pixels < LINES * BOARD_WIDTH);
     assert_int_equal(verification.pixels % BOARD_WIDTH, 0);
+    usb_bus_free(usb_bus);
+}
+
+/* A line of which every third pixel was drawn, whole or in part; where it differs it is repaired,
+ * and the rest is not the bus's to write. */
+static void verifying_leaves_alone_what_was_not_drawn(void **state) {
+    const struct cable_faults none = {0};
+    struct usb_verification verification;
+    uint8_t before[BOARD_WIDTH * 3];
+    (void)state;
+    plug_in(&none, 12);
+    struct usb_bus *usb_bus = start(12);
+    bus_write(&usb_bus->bus, 0x00D6, 5, BUS_WORD);
+    for (unsigned x = 0; x < BOARD_WIDTH; x += 3) {
+        bus_write(&usb_bus->bus, 0x00D4, (uint16_t)x, BUS_WORD);
+        for (unsigned i = 0; i < (x % 2 == 0 ? 3U : 2U); i++) {
+            bus_write(&usb_bus->bus, (uint16_t)(0x00D8 + 2 * i), (uint16_t)(x & 0xFF), BUS_BYTE);
+        }
+    }
+    assert_int_equal(bus_flush(&usb_bus->bus), BUS_OK);
+    memcpy(before, far_board.memory + 5 * sizeof before, sizeof before);
+    far_board.memory[5 * sizeof before + 60 * 3] ^= 1;
+    assert_true(usb_bus_verify(usb_bus, 100, 1, &verification));
+    assert_int_equal(verification.pixels, (BOARD_WIDTH + 5) / 6);
+    assert_int_equal(verification.repaired, 1);
+    assert_memory_equal(far_board.memory + 5 * sizeof before, before, sizeof before);
     usb_bus_free(usb_bus);
 }
 
@@ -375,6 +317,11 @@ static void ports_of_others_are_refused(void **state) {
         assert_int_equal(bus_flush(&usb_bus->bus), BUS_REFUSED);
         assert_non_null(strstr(usb_bus->reason, "00D0-00DF"));
         usb_bus_free(usb_bus);
+        usb_bus = start(2);
+        assert_int_equal(bus_read(&usb_bus->bus, others[i], BUS_WORD), 0xFFFF);
+        assert_int_equal(bus_flush(&usb_bus->bus), BUS_REFUSED);
+        assert_non_null(strstr(usb_bus->reason, "00D0-00DF"));
+        usb_bus_free(usb_bus);
     }
     assert_int_equal(far_board.accesses, 0);
 }
@@ -385,6 +332,7 @@ int main(void) {
         cmocka_unit_test(two_hundred_bad_cables_never_give_a_wrong_picture),
         cmocka_unit_test(reads_come_back_over_a_bad_cable),
         cmocka_unit_test(verifying_finds_and_repairs_what_differs),
+        cmocka_unit_test(verifying_leaves_alone_what_was_not_drawn),
         cmocka_unit_test(verifying_tells_what_cannot_be_repaired),
         cmocka_unit_test(an_adapter_that_stays_away_is_given_up_with_what_is_there),
         cmocka_unit_test(an_adapter_that_says_nothing_is_given_up),
