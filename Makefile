@@ -22,12 +22,15 @@ ARITHMETICS := fx f32 f64 f128
 # For `superframe measure` alone: what fx is measured against.
 EXAMPLES    := q16 q16_epsilon
 
-# A configuration is one build of everything: release for use, checked for the tests.
-CONFIGURATIONS := release sanitized
+# A configuration is one build of everything: release for use, sanitized for the tests, fuzzed for
+# the fuzzers.
+CONFIGURATIONS := release sanitized fuzzed
 CFLAGS_release   := $(OPTIMISE) $(DEBUG)
 CFLAGS_sanitized := -O1 $(DEBUG) -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+CFLAGS_fuzzed    := -O1 $(DEBUG) -fsanitize=fuzzer-no-link,address,undefined,float-cast-overflow -fno-sanitize-recover=all -fno-omit-frame-pointer
 LDFLAGS_release   :=
 LDFLAGS_sanitized := -fsanitize=address,undefined
+LDFLAGS_fuzzed    := -fsanitize=fuzzer,address,undefined
 
 HAL_SOURCES      := $(wildcard hal/*.c) $(wildcard hal/usb/*.c)
 EMULATOR_SOURCES := $(wildcard emulator/*.c)
@@ -211,6 +214,7 @@ $(BUILD)/builtin_scenes.c: host/embed_scenes.sh $(SCENE_FILES)
 include install.mk
 include firmware/targets/targets.mk
 include usb.mk
+include tests/fuzz/fuzz.mk
 include tests/measures.mk
 include tests/cost/cost.mk
 include tests/proofs/proofs.mk
@@ -262,10 +266,10 @@ endef
 $(foreach arithmetic,$(ARITHMETICS),$(eval $(call real_test_rules,$(arithmetic))))
 
 FIRMWARE_IMAGES := $(BUILD)/release/firmware_fx.o $(BUILD)/release/firmware_f32.o $(BUILD)/release/firmware_f64.o
-TEST_SCRIPTS := tests/float_matrix.sh tests/trace_hash_matrix.sh tests/check_includes.sh tests/check_symbols.sh tests/check_recursion.sh tests/check_adapter.sh tests/check_usb_fuzz.sh tests/check_usb_bytes.sh tests/check_without_usb.sh tests/check_install.sh tests/check_measure.sh tests/targets/quick_test.sh tests/targets/probe_test.sh tests/check_porting.sh tests/check_bench.sh tests/check_manual.sh
+TEST_SCRIPTS := tests/float_matrix.sh tests/trace_hash_matrix.sh tests/check_includes.sh tests/check_symbols.sh tests/check_recursion.sh tests/check_adapter.sh tests/check_fuzz.sh tests/check_usb_bytes.sh tests/check_without_usb.sh tests/check_install.sh tests/check_measure.sh tests/targets/quick_test.sh tests/targets/probe_test.sh tests/check_porting.sh tests/check_bench.sh tests/check_manual.sh
 
 .PHONY: test
-test: $(TEST_PROGRAMS) $(REAL_TEST_PROGRAMS) $(BUILD)/superframe $(BUILD)/sanitized/superframe $(FIRMWARE_IMAGES) strict fresh-prefix $(BUILD)/usb_bytes $(BUILD)/superframe_without_usb $(USB_TEST_PROGRAMS) $(BENCH_TOOLS) ## Run every test (under the address and undefined-behaviour sanitizers)
+test: $(TEST_PROGRAMS) $(REAL_TEST_PROGRAMS) $(BUILD)/superframe $(BUILD)/sanitized/superframe $(FIRMWARE_IMAGES) strict fresh-prefix $(BUILD)/usb_bytes $(BUILD)/superframe_without_usb $(USB_TEST_PROGRAMS) $(BENCH_TOOLS) $(FUZZERS) ## Run every test (under the address and undefined-behaviour sanitizers)
 	@sh tests/run.sh $(BUILD) $(TEST_SCRIPTS) $(TEST_PROGRAMS) $(REAL_TEST_PROGRAMS) $(USB_TEST_PROGRAMS)
 
 # ---- Measuring ------------------------------------------------------------------------------
@@ -316,6 +320,7 @@ SETUP_FOR_measure := paper
 SETUP_FOR_library := test
 SETUP_FOR_install := test
 SETUP_FOR_coverage := test coverage
+SETUP_FOR_fuzz := test quick
 SETUP_FOR_mutants := test
 SETUP_FOR_lint-style := lint
 SETUP_FOR_lint-cppcheck := lint

@@ -1,0 +1,82 @@
+/* SPDX-License-Identifier: MIT */
+/* Fuzzes the way of a scene's text through reader and compiler to three rows in fx and f32: it is
+ * refused in one line that names the file, or no ray leaks. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "arithmetic.h"
+#include "fuzz.h"
+
+enum {
+    WIDTH_MOST = 16,
+    HEIGHT_MOST = 12,
+    DEPTH_MOST = 5,
+    ROWS = 3,
+    SOLID_TESTS_MOST = 1000000, /* no further row is begun beyond these: 128 lights cost time */
+    OBJECT_AIR = 0
+};
+
+static const char path[] = "fuzz.scene";
+
+static void check_refusal(const struct scene_error *error) {
+    assert(strncmp(error->text, path, sizeof path - 1) == 0 && error->text[sizeof path - 1] == ':');
+    assert(strchr(error->text, '\n') == NULL);
+}
+
+/* An eye within an opaque object without an end sees nothing, and its rays count as leaked. No
+ * other leak is known. */
+static bool leak_is_known(const struct compiled_scene *compiled) {
+    const struct compiled_object *object = &compiled->objects[compiled->camera.object];
+    bool has_end = true;
+    for (int i = 0; i < 3; i++) {
+        has_end = has_end && isfinite(object->low[i]) && isfinite(object->high[i]);
+    }
+    return compiled->camera.object != OBJECT_AIR && !has_end &&
+           !compiled->materials[object->material].transparent;
+}
+
+static void draw(const struct compiled_scene *compiled, const struct arithmetic *arithmetic) {
+    struct scene_error error = {""};
+    struct render_counts counts = {0};
+    uint8_t rgb[3 * WIDTH_MOST];
+    struct scene *scene = arithmetic->load(compiled, &error);
+    if (scene == NULL) {
+        check_refusal(&error);
+        return;
+    }
+    for (unsigned i = 0; i < ROWS && counts.solid_tests < SOLID_TESTS_MOST; i++) {
+        arithmetic->image->row(scene, (uint16_t)((compiled->height - 1U) * i / (ROWS - 1)), rgb,
+                               &counts);
+    }
+    assert(counts.rays >= compiled->width);
+    assert(counts.leaked_rays == 0 || leak_is_known(compiled));
+    free(scene);
+}
+
+static int least(int a, int b) {
+    return a < b ? a : b;
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t count) {
+    struct scene_error error = {""};
+    struct scene_description *description =
+        scene_description_read(path, (const char *)bytes, count, &error);
+    if (description == NULL) {
+        check_refusal(&error);
+        return 0;
+    }
+    description->width = least(description->width, WIDTH_MOST);
+    description->height = least(description->height, HEIGHT_MOST);
+    description->depth = least(description->depth, DEPTH_MOST);
+    struct compiled_scene *compiled = scene_compile(description, &error);
+    if (compiled == NULL) {
+        check_refusal(&error);
+    } else {
+        draw(compiled, &arithmetic_fx);
+        draw(compiled, &arithmetic_f32);
+        free(compiled);
+    }
+    scene_description_free(description);
+    return 0;
+}
