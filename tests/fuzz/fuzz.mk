@@ -12,8 +12,8 @@ FUZZERS        := $(patsubst tests/fuzz/%.c,$(BUILD)/fuzzed/%,$(wildcard tests/f
 FUZZERS        := $(if $(BOOT_PACKAGE),$(FUZZERS),$(filter-out %/boot_fuzz,$(FUZZERS)))
 
 $(BUILD)/fuzzed/library.a: $(FUZZED_OBJECTS) $(BUILD)/sources
-	rm -f $@
-	$(AR) rcs $@ $(filter %.o,$^)
+	@rm -f $@
+	@$(AR) rcs $@ $(filter %.o,$^)
 
 $(BUILD)/fuzzed/tests/fuzz/%.o: tests/fuzz/%.c $(BUILD)/flags | setup
 	@mkdir -p $(@D)
