@@ -68,15 +68,15 @@ static bool find_word(const uint8_t *bytes, size_t count, bool number, struct sp
     return false;
 }
 
-/* Finds a random bracket and all that it holds, its end included. */
-static bool find_group(const uint8_t *bytes, size_t count, struct span *span) {
+/* Finds a random bracket of the kind and all that it holds, its end included. */
+static bool find_group(const uint8_t *bytes, size_t count, uint8_t kind, struct span *span) {
     size_t i = choose(count), depth = 0;
-    while (i < count && strchr("{([", bytes[i]) == NULL) {
+    while (i < count && bytes[i] != kind) {
         i++;
     }
     for (size_t end = i; end < count; end++) {
-        depth += bytes[end] != '\0' && strchr("{([", bytes[end]) != NULL;
-        depth -= bytes[end] != '\0' && strchr("})]", bytes[end]) != NULL && depth > 0;
+        depth += strchr("{([", bytes[end]) != NULL && bytes[end] != '\0';
+        depth -= strchr("})]", bytes[end]) != NULL && bytes[end] != '\0' && depth > 0;
         if (depth == 0) {
             *span = (struct span){i, end + 1 - i};
             return true;
@@ -105,9 +105,14 @@ static int make_number(char *text, size_t size) {
 
 static size_t change_number(uint8_t *bytes, size_t count, size_t most) {
     char text[64];
-    struct span span;
+    struct span span, from;
     if (!find_word(bytes, count, true, &span)) {
         return count;
+    }
+    /* A number that stands elsewhere too makes faces that touch, centres that agree. */
+    if (choose(3) == 0 && find_word(bytes, count, true, &from) && from.count < sizeof text) {
+        memcpy(text, bytes + from.first, from.count);
+        return replace(bytes, count, most, span, text, from.count);
     }
     return replace(bytes, count, most, span, text, (size_t)make_number(text, sizeof text));
 }
@@ -140,30 +145,60 @@ static size_t change_word(uint8_t *bytes, size_t count, size_t most) {
     return replace(bytes, count, most, span, word, strlen(word));
 }
 
-/* Puts a group of another text, or of this one, in the place of a group, before it, or nothing. */
+/* A text that is put together. */
+struct draft {
+    uint8_t bytes[65536];
+    size_t count;
+};
+
+static void add(struct draft *draft, const void *bytes, size_t count) {
+    if (count <= sizeof draft->bytes - draft->count) {
+        memcpy(draft->bytes + draft->count, bytes, count);
+        draft->count += count;
+    }
+}
+
+static void add_text(struct draft *draft, const char *text) {
+    add(draft, text, strlen(text));
+}
+
+/* Takes a group of another text, or of this one, and puts it in the place of a group of its kind,
+ * before that, or makes one solid of both; or leaves the group out. */
 static size_t change_group(uint8_t *bytes, size_t count, size_t most, const uint8_t *other,
                            size_t other_count) {
-    static uint8_t copy[65536];
+    static const char *const operations[] = {"union", "intersection", "difference"};
+    static struct draft draft;
+    const uint8_t kind = choose(4) > 0 ? '{' : '(';
     struct span span, from;
-    if (!find_group(bytes, count, &span) || !find_group(other, other_count, &from) ||
-        from.count > sizeof copy - 2) {
+    if (!find_group(bytes, count, kind, &span) || !find_group(other, other_count, kind, &from)) {
         return count;
     }
-    size_t length = from.count;
-    memcpy(copy, other + from.first, length);
-    switch (choose(4)) {
-    case 0: /* one more of the list's elements */
-        copy[length++] = ',';
-        span.count = 0;
+    const uint8_t *group = bytes + span.first;
+    draft.count = 0;
+    switch (choose(5)) {
+    case 0: /* one fewer in a list */
+        span.count += span.first + span.count < count && group[span.count] == ',';
         break;
-    case 1: /* one fewer */
-        length = 0;
-        span.count += span.first + span.count < count && bytes[span.first + span.count] == ',';
+    case 1: /* one more */
+        add(&draft, other + from.first, from.count);
+        add_text(&draft, ", ");
+        add(&draft, group, span.count);
+        break;
+    case 2:
+    case 3:
+        add_text(&draft, "{ ");
+        add_text(&draft, operations[choose(3)]);
+        add_text(&draft, " = ( ");
+        add(&draft, group, span.count);
+        add_text(&draft, ", ");
+        add(&draft, other + from.first, from.count);
+        add_text(&draft, " ); }");
         break;
     default:
+        add(&draft, other + from.first, from.count);
         break;
     }
-    return replace(bytes, count, most, span, copy, length);
+    return replace(bytes, count, most, span, draft.bytes, draft.count);
 }
 
 size_t LLVMFuzzerCustomMutator(uint8_t *bytes, size_t count, size_t most, unsigned seed) {
