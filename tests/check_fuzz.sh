@@ -2,13 +2,16 @@
 # SPDX-License-Identifier: MIT
 # Runs the fuzzers from their kept corpora: check_fuzz.sh [SECONDS [NAME]], see docs/fuzzing.md
 #
-# Two at a time, 15 seconds each. First comes every file of the corpus, then what the last run has
-# left in $BUILD/fuzz/NAME/found, and whatever is found goes there. An input that fails goes to
-# $BUILD/fuzz/NAME. Exit status: 0 none did, 1 one did, 2 nothing was run.
+# Two at a time. First comes every file of the corpus, then what the last run has left in
+# $BUILD/fuzz/NAME/found, where whatever is found goes; without arguments, 15 seconds from the corpus
+# alone. An input that fails goes to $BUILD/fuzz/NAME. Exit status: 0 none did, 1 one did, 2 nothing
+# was run.
 set -u
 cd "$(dirname "$0")/.." || exit 2
 BUILD=${BUILD:-build}
-export BUILD
+[ $# -gt 0 ] || FUZZ_FOUND=found-by-test
+FUZZ_FOUND=${FUZZ_FOUND:-found}
+export BUILD FUZZ_FOUND
 seconds=${1:-15}
 
 if [ $# -lt 2 ]; then
@@ -28,11 +31,13 @@ if ! [ -x "$program" ] || ! [ -d "$corpus" ]; then
     echo "check_fuzz: no fuzzer \"$name\" with a corpus" >&2
     exit 2
 fi
-mkdir -p "$folder/found" || exit 2
+found=$folder/$FUZZ_FOUND
+rm -rf "$folder/found-by-test"
+mkdir -p "$found" || exit 2
 set -- -max_total_time="$seconds" -timeout=20 -rss_limit_mb=2048 -max_len=8192 \
     -artifact_prefix="$folder/" -print_final_stats=1
 [ ! -f "tests/fuzz/$name.dict" ] || set -- "$@" -dict="tests/fuzz/$name.dict"
-if "$program" "$@" "$folder/found" "$corpus" > "$log" 2>&1; then
+if "$program" "$@" "$found" "$corpus" > "$log" 2>&1; then
     sed -n "s/^#\([0-9]*\).*DONE *cov: \([0-9]*\) ft: \([0-9]*\) .*/$name: \1 inputs, \2 edges, \3 features/p" "$log"
     exit 0
 fi

@@ -13,6 +13,7 @@ enum {
     HEIGHT_MOST = 12,
     DEPTH_MOST = 5,
     ROWS = 3,
+    INTENSITY_MOST = 32768,
     SOLID_TESTS_MOST = 1000000, /* no further row is begun beyond these: 128 lights cost time */
     OBJECT_AIR = 0
 };
@@ -36,6 +37,19 @@ static bool leak_is_known(const struct compiled_scene *compiled) {
            !compiled->materials[object->material].transparent;
 }
 
+/* Checks that the pixels of a row are numbers; a NaN would be black on the board. */
+static void check_intensities(const struct scene *scene, const struct compiled_scene *compiled,
+                              const struct arithmetic *arithmetic, unsigned y) {
+    struct render_counts counts = {0};
+    for (unsigned x = 0; x < compiled->width; x++) {
+        double intensity[3];
+        arithmetic->pixel(scene, (uint16_t)x, (uint16_t)y, intensity, &counts, NULL);
+        for (int i = 0; i < 3; i++) {
+            assert(intensity[i] >= 0 && intensity[i] <= INTENSITY_MOST);
+        }
+    }
+}
+
 static void draw(const struct compiled_scene *compiled, const struct arithmetic *arithmetic) {
     struct scene_error error = {""};
     struct render_counts counts = {0};
@@ -49,6 +63,7 @@ static void draw(const struct compiled_scene *compiled, const struct arithmetic 
         arithmetic->image->row(scene, (uint16_t)((compiled->height - 1U) * i / (ROWS - 1)), rgb,
                                &counts);
     }
+    check_intensities(scene, compiled, arithmetic, compiled->height / 2U);
     assert(counts.rays >= compiled->width);
     assert(counts.leaked_rays == 0 || leak_is_known(compiled));
     free(scene);
