@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Fuzzes floppies: the input is what the disk begins with, its boot sector first. Whatever the
  * program does, the run ends, says why, and keeps to its number of instructions. */
+#include <sanitizer/lsan_interface.h>
 #include <string.h>
 
 #include "board.h"
@@ -18,8 +19,6 @@ static uint8_t disk[PC98_DISK_BYTES];
 static struct board board;
 
 /* Unicorn 2.0.1 loses 512 bytes where a program writes to its own code; that is not looked at. */
-const char *__lsan_default_suppressions(void);
-
 const char *__lsan_default_suppressions(void) {
     return "leak:libunicorn";
 }
