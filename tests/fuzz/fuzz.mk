@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 # The fuzzers of tests/fuzz, see docs/fuzzing.md; read by Makefile.
 
-# Only clang brings libFuzzer.
-$(BUILD)/fuzzed/%: private CC := clang
+# Only clang brings libFuzzer, whatever compiler the caller has chosen.
+$(BUILD)/fuzzed/%: private override CC := clang
 
 # A fuzzer takes from this library what it calls. A processor needs Unicorn.
 FUZZED_HOST    := $(addprefix $(BUILD)/fuzzed/host/,scene_%.o compile%.o affine.o bounds.o quadric_form.o usb_%.o processor/%.o)
