@@ -109,9 +109,9 @@ static void read_bytes(void *bytes, size_t count, struct told *to) {
 
 static void read_unreadable(struct told *to) {
     struct unreadable_file unreadable;
-    assert(unreadable_file_open(&unreadable, file.bytes, file.count));
+    bool is_open = unreadable_file_open(&unreadable, file.bytes, file.count);
     FILE *opened = fdopen(unreadable.reader, "rb");
-    assert(opened != NULL);
+    assert(is_open && opened != NULL);
     read_all(opened, to);
     fclose(opened);
     close(unreadable.writer);
