@@ -27,16 +27,26 @@ static void check_refusal(const struct scene_error *error) {
     assert(strchr(error->text, '\n') == NULL);
 }
 
-/* True for an eye within an opaque object without an end: it sees nothing, and its rays count as
- * leaked. */
-static bool eye_is_buried(const struct compiled_scene *compiled) {
-    const struct compiled_object *object = &compiled->objects[compiled->camera.object];
-    bool has_end = true;
+static bool has_end(const struct compiled_object *object) {
+    bool ends = true;
     for (int i = 0; i < 3; i++) {
-        has_end = has_end && isfinite(object->low[i]) && isfinite(object->high[i]);
+        ends = ends && isfinite(object->low[i]) && isfinite(object->high[i]);
     }
-    return compiled->camera.object != OBJECT_AIR && !has_end &&
-           !compiled->materials[object->material].transparent;
+    return ends;
+}
+
+/* True for an eye within an opaque material of which an object has no end: the rays that go on into
+ * that one see nothing, and count as leaked. */
+static bool eye_is_buried(const struct compiled_scene *compiled) {
+    const uint8_t material = compiled->objects[compiled->camera.object].material;
+    bool is_endless = false;
+    for (int i = 0; i < compiled->object_count; i++) {
+        const struct compiled_object *object = &compiled->objects[i];
+        is_endless =
+            is_endless || (i != OBJECT_AIR && object->material == material && !has_end(object));
+    }
+    return compiled->camera.object != OBJECT_AIR && is_endless &&
+           !compiled->materials[material].transparent;
 }
 
 /* True for a quadric so flat that fx holds fewer than four bits of a coefficient, which makes
