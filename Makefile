@@ -27,12 +27,15 @@ MISSING     := $(if $(filter yes,$(QUADMATH)),,f128)
 # For `superframe measure` alone: what fx is measured against.
 EXAMPLES    := q16 q16_epsilon
 
-# A configuration is one build of everything: release for use, checked for the tests.
-CONFIGURATIONS := release sanitized
+# A configuration is one build of everything: release for use, sanitized for the tests, fuzzed for
+# the fuzzers.
+CONFIGURATIONS := release sanitized fuzzed
 CFLAGS_release   := $(OPTIMISE) $(DEBUG)
 CFLAGS_sanitized := -O1 $(DEBUG) -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+CFLAGS_fuzzed    := -O1 $(DEBUG) -fsanitize=fuzzer-no-link,address,undefined,float-cast-overflow -fno-sanitize-recover=all -fno-omit-frame-pointer
 LDFLAGS_release   :=
 LDFLAGS_sanitized := -fsanitize=address,undefined
+LDFLAGS_fuzzed    := -fsanitize=fuzzer,address,undefined
 
 HAL_SOURCES      := $(wildcard hal/*.c) $(wildcard hal/usb/*.c)
 EMULATOR_SOURCES := $(wildcard emulator/*.c)
@@ -239,6 +242,7 @@ $(BUILD)/superframe_without_f128: $(WITHOUT_F128) $(BUILD)/sources
 include install.mk
 include firmware/targets/targets.mk
 include usb.mk
+include tests/fuzz/fuzz.mk
 include tests/measures.mk
 include tests/cost/cost.mk
 include tests/proofs/proofs.mk
@@ -303,7 +307,7 @@ TEST_SCRIPTS := tests/float_matrix.sh \
                 tests/check_symbols.sh \
                 tests/check_recursion.sh \
                 tests/check_adapter.sh \
-                tests/check_usb_fuzz.sh \
+                tests/check_fuzz.sh \
                 tests/check_usb_bytes.sh \
                 tests/check_without_usb.sh \
                 tests/check_without_f128.sh \
@@ -319,7 +323,7 @@ TEST_SCRIPTS := tests/float_matrix.sh \
                 tests/check_uninitialised.sh
 
 .PHONY: test
-test: $(TEST_PROGRAMS) $(REAL_TEST_PROGRAMS) $(BUILD)/superframe $(BUILD)/sanitized/superframe $(FIRMWARE_IMAGES) strict fresh-prefix $(BUILD)/usb_bytes $(BUILD)/superframe_without_usb $(BUILD)/superframe_without_f128 $(USB_TEST_PROGRAMS) $(BENCH_TOOLS) ## Run every test (under the address and undefined-behaviour sanitizers)
+test: $(TEST_PROGRAMS) $(REAL_TEST_PROGRAMS) $(BUILD)/superframe $(BUILD)/sanitized/superframe $(FIRMWARE_IMAGES) strict fresh-prefix $(BUILD)/usb_bytes $(BUILD)/superframe_without_usb $(BUILD)/superframe_without_f128 $(USB_TEST_PROGRAMS) $(BENCH_TOOLS) $(FUZZERS) ## Run every test (under the address and undefined-behaviour sanitizers)
 	@$(if $(TEST_SKIPPED),echo 'skipped without libquadmath: $(TEST_SKIPPED)')
 	@sh tests/run.sh $(BUILD) $(TEST_SCRIPTS) $(TEST_PROGRAMS) $(REAL_TEST_PROGRAMS) $(USB_TEST_PROGRAMS)
 
@@ -371,6 +375,7 @@ SETUP_FOR_measure := paper
 SETUP_FOR_library := test
 SETUP_FOR_install := test
 SETUP_FOR_coverage := test coverage
+SETUP_FOR_fuzz := test
 SETUP_FOR_mutants := test
 SETUP_FOR_lint-style := lint
 SETUP_FOR_lint-cppcheck := lint

@@ -68,7 +68,8 @@ static void report(struct board *board, enum board_behaviour behaviour, struct a
 
 /* ---- Pixels --------------------------------------------------------------------------------- */
 
-/* What a pixel access away from the shown 640 x 400 has to report. False: there is no pixel. */
+/* What a pixel access away from the shown 640 x 400 has to report. False: there is no pixel. A
+ * board that was read back from a file may have any place. */
 static bool pixel_is_there(struct board *board, struct access access) {
     if (board->place < 0 || board->is_wrapped) {
         report(board, access.is_read ? BOARD_OUTSIDE_READ : BOARD_OUTSIDE_WRITE, access);
@@ -76,7 +77,7 @@ static bool pixel_is_there(struct board *board, struct access access) {
     if (board->place >= BOARD_WIDTH * BOARD_HEIGHT * 3) {
         board_note_use(board, BOARD_HIDDEN_ACCESS);
     }
-    return board->place >= 0;
+    return board->place >= 0 && board->place <= BOARD_MEMORY_BYTES - 3;
 }
 
 static inline void write_primary(struct board *board, unsigned primary, struct access access) {
@@ -260,6 +261,9 @@ void board_write_any(struct board *board, uint16_t port, uint16_t value, unsigne
     unsigned offset = (uint16_t)(port - board->desc.base);
     bool is_decoded = offset < BOARD_PORTS;
     struct access access = {port, value, (uint8_t)width, false};
+    if (!board_width_is_there(width)) {
+        return;
+    }
     board->accesses++;
     if (is_decoded) {
         board->writes[offset][width - 1]++;
@@ -340,6 +344,9 @@ static uint8_t read_half(struct board *board, uint16_t port) {
 uint16_t board_read(struct board *board, uint16_t port, unsigned width) {
     unsigned offset = (uint16_t)(port - board->desc.base);
     struct access access = {port, width == BUS_BYTE ? 0x00FF : 0xFFFF, (uint8_t)width, true};
+    if (!board_width_is_there(width)) {
+        return access.value;
+    }
     board->accesses++;
     if (offset < BOARD_PORTS) {
         board->reads[offset][width - 1]++;

@@ -188,10 +188,11 @@ bool board_init(struct board *board, const struct board_desc *desc);
 /* The machine's reset: registers as at power-on; memory, counters and log stay (grade A). */
 void board_reset(struct board *board);
 
-/* One OUT. width is 1 or 2 bytes; of the value its low `width` bytes count. Any port. */
+/* One OUT. width is 1 or 2 bytes; of the value its low `width` bytes count. Any port. Another width
+ * is no access: a 32-bit OUT is two of 16 bits on the PC-98's bus. */
 void board_write(struct board *board, uint16_t port, uint16_t value, unsigned width);
 
-/* One IN: 0..FFh for width 1, 0..FFFFh for width 2. Any port. */
+/* One IN: 0..FFh for width 1, 0..FFFFh for width 2. Any port. Another width gives FFFFh. */
 uint16_t board_read(struct board *board, uint16_t port, unsigned width);
 
 /* How many violations there were. One access can hold two (a word at an odd port). */

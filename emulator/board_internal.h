@@ -35,6 +35,11 @@ static inline bool board_decodes(const struct board *board, uint16_t port) {
     return (uint16_t)(port - board->desc.base) < BOARD_PORTS;
 }
 
+/* True for the widths that a 16-bit bus has. */
+static inline bool board_width_is_there(unsigned width) {
+    return width == BUS_BYTE || width == BUS_WORD;
+}
+
 /* Counts a use of a behaviour; for those that are no violation in either profile. */
 static inline void board_note_use(struct board *board, enum board_behaviour behaviour) {
     struct board_note *entry = &board->notes[behaviour];

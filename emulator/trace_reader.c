@@ -17,6 +17,11 @@ static enum trace_status fail_at(struct trace_reader *reader, enum trace_status 
     return status;
 }
 
+/* Tells that the file could not be read at the next byte. */
+static enum trace_status fail_to_read(struct trace_reader *reader) {
+    return fail_at(reader, TRACE_IO_ERROR, reader->offset, strerror(errno));
+}
+
 static enum trace_status fail_on_line(struct trace_reader *reader, const char *message) {
     fail_at(reader, TRACE_BAD_LINE, reader->offset, message);
     reader->error.line = reader->line;
@@ -33,7 +38,7 @@ static bool read_bytes(struct trace_reader *reader, uint8_t *bytes, size_t size,
         return true;
     }
     if (ferror(reader->file)) {
-        fail_at(reader, TRACE_IO_ERROR, reader->offset, strerror(errno));
+        (void)fail_to_read(reader);
     } else {
         char message[TRACE_MESSAGE_SIZE];
         snprintf(message, sizeof message,
@@ -92,6 +97,9 @@ static enum trace_status read_end(struct trace_reader *reader) {
     }
     if (getc(reader->file) != EOF) {
         return fail_at(reader, TRACE_CORRUPT, reader->offset, "bytes follow the end of the trace");
+    }
+    if (ferror(reader->file)) {
+        return fail_to_read(reader);
     }
     reader->error.status = TRACE_END;
     return TRACE_END;
@@ -206,30 +214,24 @@ static enum trace_status next_binary(struct trace_reader *reader, struct trace_a
                        "the block is malformed: its bytes don't make accesses");
     }
     reader->block_done++;
-    reader->accesses++;
     if (reader->block_done == reader->block_accesses && reader->used != reader->size) {
         return fail_at(reader, TRACE_CORRUPT,
                        reader->block_offset + TRACE_BLOCK_HEADER_SIZE + reader->used,
                        "the block is malformed: bytes follow its last access");
     }
+    reader->accesses++;
     return TRACE_OK;
 }
 
 /* ---- The text form -------------------------------------------------------------------------- */
 
-/* Reads a line without its end; TRACE_END if there is none. */
+/* Reads a line without its end; TRACE_END if there is none. The last line may lack its end, but a
+ * part of a line that could not be read further is no line. */
 static enum trace_status read_line(struct trace_reader *reader, char line[LONGEST_LINE + 1]) {
     unsigned length = 0;
-    int c = getc(reader->file);
+    int c;
     reader->line++;
-    if (c == EOF) {
-        if (ferror(reader->file)) {
-            return fail_at(reader, TRACE_IO_ERROR, reader->offset, strerror(errno));
-        }
-        reader->error.status = TRACE_END;
-        return TRACE_END;
-    }
-    for (; c != EOF && c != '\n'; c = getc(reader->file)) {
+    while ((c = getc(reader->file)) != EOF && c != '\n') {
         reader->offset++;
         if (c == '\0') {
             return fail_on_line(reader, "a zero byte; allowed is plain text");
@@ -239,7 +241,14 @@ static enum trace_status read_line(struct trace_reader *reader, char line[LONGES
         }
         line[length++] = (char)c;
     }
-    reader->offset++;
+    if (c == EOF && ferror(reader->file)) {
+        return fail_to_read(reader);
+    }
+    if (c == EOF && length == 0) {
+        reader->error.status = TRACE_END;
+        return TRACE_END;
+    }
+    reader->offset += c == '\n';
     line[length] = '\0';
     return TRACE_OK;
 }
@@ -272,7 +281,7 @@ enum trace_status trace_reader_open(struct trace_reader *reader, FILE *file) {
     int first = getc(file);
     if (first == EOF) {
         return ferror(file)
-                   ? fail_at(reader, TRACE_IO_ERROR, 0, strerror(errno))
+                   ? fail_to_read(reader)
                    : fail_at(reader, TRACE_NOT_TRACE, 0,
                              "the file is empty; allowed are a binary trace or lines of text");
     }

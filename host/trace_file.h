@@ -19,8 +19,8 @@ void trace_file_close(FILE *file);
 int trace_file_fit(const char *path, struct trace_reader *reader, const struct options *options,
                    struct board_desc *desc);
 
-/* Prints what is wrong with a trace and where. Returns STATUS_FAILED if it was the bus that a trace
- * is replayed into, else STATUS_BAD_INPUT. */
+/* Prints what is wrong with a trace and where. Returns STATUS_FAILED if the bus failed that a trace
+ * is replayed into, or a read behind the file's first byte, else STATUS_BAD_INPUT. */
 int trace_file_complain(const char *path, const struct trace_error *error);
 
 /* The form that a file's name asks for: .txt is text. */

@@ -2,6 +2,8 @@
 /* The board's position and pixel registers, spoken to through ports with literal numbers. */
 #include "board_fixture.h"
 
+#include <limits.h>
+
 static uint64_t count_of(enum board_behaviour behaviour) {
     return board.notes[behaviour].count;
 }
@@ -279,6 +281,50 @@ static void in_1987_a_word_to_red_is_a_byte_and_reported(void **state) {
     assert_int_equal(board.log[0].value, 0x5500);
 }
 
+static void an_access_of_another_width_is_none(void **state) {
+    static const unsigned widths[] = {0, 3, 4, 256, UINT_MAX};
+    static struct board before;
+    (void)state;
+    for (int profile = 0; profile < BOARD_PROFILES; profile++) {
+        power_on_noise((enum board_profile)profile, 1);
+        before = board;
+        for (unsigned port = 0x00CF; port <= 0x00E0; port++) {
+            for (size_t i = 0; i < sizeof widths / sizeof widths[0]; i++) {
+                board_write(&board, (uint16_t)port, 0x1234, widths[i]);
+                assert_int_equal(board_read(&board, (uint16_t)port, widths[i]), 0xFFFF);
+            }
+        }
+        assert_memory_equal(&board, &before, sizeof board);
+    }
+}
+
+/* A board that was kept in a file comes back as that file has it. */
+static void a_restored_board_with_a_bad_place_has_no_pixel_there(void **state) {
+    static const int32_t places[] = {-1,
+                                     INT32_MIN,
+                                     BOARD_MEMORY_BYTES - 2,
+                                     BOARD_MEMORY_BYTES - 1,
+                                     BOARD_MEMORY_BYTES,
+                                     BOARD_MEMORY_BYTES + 3,
+                                     INT32_MAX};
+    static uint8_t before[BOARD_MEMORY_BYTES];
+    (void)state;
+    for (int profile = 0; profile < BOARD_PROFILES; profile++) {
+        for (size_t i = 0; i < sizeof places / sizeof places[0]; i++) {
+            power_on_noise((enum board_profile)profile, 2);
+            memcpy(before, board.memory, sizeof before);
+            board.place = places[i];
+            for (uint16_t port = 0x00D8; port <= 0x00DC; port += 2) {
+                outp(port, 0x12);
+                outpw(port, 0x1234);
+                assert_int_equal(inp(port), 0xFF);
+                assert_int_equal(inpw(port), 0xFFFF);
+            }
+            assert_memory_equal(board.memory, before, sizeof before);
+        }
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_primary_lands_at_once_and_by_itself),
@@ -298,6 +344,8 @@ int main(void) {
         cmocka_unit_test(a_word_zero_to_red_clears_four_pixels_of_the_later_board),
         cmocka_unit_test(a_fill_that_nobody_has_seen_rounds_x_down_and_is_reported),
         cmocka_unit_test(in_1987_a_word_to_red_is_a_byte_and_reported),
+        cmocka_unit_test(an_access_of_another_width_is_none),
+        cmocka_unit_test(a_restored_board_with_a_bad_place_has_no_pixel_there),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

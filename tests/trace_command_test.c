@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* superframe trace, and what replay and render do with the board: pictures, faults, cost. */
 #include "command_fixture.h"
+#include "unreadable_file.h"
 
 #include <xxhash.h>
 
@@ -395,6 +396,27 @@ static void own_ports_are_refused_on_a_pc(void **state) {
     assert_string_equal(text_of("out"), "");
 }
 
+/* A trace from a pipe that fails in the middle of its second line: no malformed line, but a failure
+ * while working. */
+static void a_read_that_fails_half_way_is_a_failure(void **state) {
+    static const char *const lines[] = {"superframe trace - <&9", "superframe replay - -o x <&9",
+                                        "superframe trace - --to binary -o x <&9",
+                                        "echo out8 D8 FF > e; superframe trace - --compare e <&9"};
+    static const char text[] = "out8 00D8 FF\nout8 00D8 F";
+    (void)state;
+    for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++) {
+        struct unreadable_file unreadable;
+        assert_true(unreadable_file_open(&unreadable, text, sizeof text - 1));
+        assert_int_equal(dup2(unreadable.reader, 9), 9);
+        assert_status(lines[i], 1);
+        assert_err("superframe: -: byte 24: Resource temporarily unavailable");
+        assert_false(is_there("x"));
+        close(9);
+        close(unreadable.reader);
+        close(unreadable.writer);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         TEST(every_access_is_told_with_its_number),
@@ -413,6 +435,7 @@ int main(void) {
         TEST(wrong_input),
         TEST(a_later_version_and_a_strange_base_are_named),
         TEST(own_ports_are_refused_on_a_pc),
+        TEST(a_read_that_fails_half_way_is_a_failure),
     };
     return cmocka_run_group_tests(tests, enter_group, leave_group);
 }

@@ -5,16 +5,22 @@
 #include <unistd.h>
 
 #include "trace_fixture.h"
+#include "unreadable_file.h"
+
+#include <errno.h>
 
 static struct trace_reader reader;
 
 /* Reads to the end; the status that ended it. */
 static enum trace_status read_all(FILE *file) {
     struct trace_access access;
+    uint64_t given = 0;
     enum trace_status status = trace_reader_open(&reader, file);
     while (status == TRACE_OK) {
         status = trace_reader_next(&reader, &access);
+        given += status == TRACE_OK;
     }
+    assert_int_equal(reader.accesses, given);
     assert_int_equal(reader.error.status, status);
     return status;
 }
@@ -194,6 +200,39 @@ static void the_last_line_may_lack_its_end(void **state) {
     fclose(file);
 }
 
+/* Reads so many bytes of a trace, behind which the file fails. */
+static void check_failing_read(const void *data, size_t readable, uint64_t accesses) {
+    struct unreadable_file unreadable;
+    assert_true(unreadable_file_open(&unreadable, data, readable));
+    FILE *file = fdopen(unreadable.reader, "rb");
+    assert_non_null(file);
+    assert_int_equal(read_all(file), TRACE_IO_ERROR);
+    assert_int_equal(reader.error.offset, readable);
+    assert_int_equal(reader.error.line, 0);
+    assert_string_equal(reader.error.message, strerror(EAGAIN));
+    assert_int_equal(reader.accesses, accesses);
+    fclose(file);
+    close(unreadable.writer);
+}
+
+static void a_read_that_fails_anywhere_is_told_as_that(void **state) {
+    static const char text[] = "# x\nout8 00D8 FF\n\nin16 00D0 1234 # y\r\nout8 D8 7\n";
+    uint8_t binary[200];
+    (void)state;
+    for (size_t readable = 0; readable < sizeof text; readable++) {
+        uint64_t accesses = 0;
+        for (size_t i = 0; i < readable; i++) {
+            accesses += text[i] == '\n' && i > sizeof "# x" && text[i - 1] != '\n';
+        }
+        check_failing_read(text, readable, accesses);
+    }
+    size_t size = assemble(binary, example_payload, sizeof example_payload, 9, 9);
+    const size_t block_end = size - 24;
+    for (size_t readable = 0; readable <= size; readable++) {
+        check_failing_read(binary, readable, readable < block_end ? 0 : 9);
+    }
+}
+
 /* ---- The recorder's failures ---------------------------------------------------------------- */
 
 static void a_full_disk_fails_the_bus_and_the_recording(void **state) {
@@ -304,6 +343,7 @@ int main(void) {
         cmocka_unit_test(a_file_that_is_no_trace_is_called_so),
         cmocka_unit_test(a_bad_line_is_named_by_its_number),
         cmocka_unit_test(the_last_line_may_lack_its_end),
+        cmocka_unit_test(a_read_that_fails_anywhere_is_told_as_that),
         cmocka_unit_test(a_full_disk_fails_the_bus_and_the_recording),
         cmocka_unit_test(one_write_that_fails_is_remembered_and_nothing_follows_it),
         cmocka_unit_test(a_device_that_fails_fails_the_recorder_but_not_the_trace),

@@ -3,6 +3,8 @@
 #include "processor.h"
 
 #include <inttypes.h>
+#include <setjmp.h>
+#include <signal.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -251,9 +253,36 @@ static void describe_place(struct run *run) {
     }
 }
 
-/* Why Unicorn has come back by itself. */
-static void judge(struct run *run, uc_err error) {
-    if (error != UC_ERR_OK) {
+/* The place that abort() leads to while Unicorn runs: a handler takes no argument of ours. */
+static sigjmp_buf way_out;
+
+static void leave_unicorn(int signal_number) {
+    (void)signal_number;
+    siglongjmp(way_out, 1);
+}
+
+/* Runs the CPU. Version 2.0.1 aborts the program on opcodes that its translator is wrong about,
+ * such as FF DF; false then. */
+static bool start(struct run *run, uc_err *error) {
+    struct sigaction action, before;
+    memset(&action, 0, sizeof action);
+    action.sa_handler = leave_unicorn;
+    (void)sigemptyset(&action.sa_mask);
+    (void)sigaction(SIGABRT, &action, &before);
+    bool has_returned = sigsetjmp(way_out, 1) == 0;
+    if (has_returned) {
+        *error = run->unicorn.emu_start(run->engine, 16 * BOOT_SEGMENT, UINT32_MAX, 0, 0);
+    }
+    (void)sigaction(SIGABRT, &before, NULL);
+    return has_returned;
+}
+
+/* Runs the CPU to the run's end, and says why it ended. */
+static void run_and_judge(struct run *run) {
+    uc_err error = UC_ERR_OK;
+    if (!start(run, &error)) {
+        end_run(run, PROCESSOR_LOST, "Unicorn cannot translate the code there");
+    } else if (error != UC_ERR_OK) {
         end_run(run, PROCESSOR_LOST, "%s", run->unicorn.strerror(error));
     } else if ((get_register(run, UC_X86_REG_EFLAGS) & FLAG_INTERRUPTS) != 0) {
         end_run(run, PROCESSOR_LOST, "waits for an interrupt; there are none");
@@ -279,7 +308,7 @@ void processor_run(const struct processor_job *job, struct processor_report *rep
         return;
     }
     if (prepare(run)) {
-        judge(run, run->unicorn.emu_start(run->engine, 16 * BOOT_SEGMENT, UINT32_MAX, 0, 0));
+        run_and_judge(run);
         describe_place(run);
     } else {
         (void)snprintf(report->reason, sizeof report->reason, "Unicorn could not be set up");

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "fuzz.h"
 #include "usb_bus.h"
 #include "usbip.h"
 
@@ -209,8 +210,6 @@ static void be_host(const uint8_t *bytes, size_t count) {
     }
     usb_bus_free(usb_bus);
 }
-
-int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t count);
 
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t count) {
     if (count == 0) {

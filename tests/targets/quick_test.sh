@@ -77,6 +77,8 @@ bad_images() {
         disk '\017\377' # 0F FF: no opcode
         expect 1 'an opcode that the CPU does not have; at 0001FC00h in real mode' $run
         expect 1 'cs     00001FC0' $run
+        disk '\377\337' # lcall edi: on this the translator of Unicorn 2.0.1 aborts
+        expect 1 'at 0001FC00h in real mode' $run
         disk '\353\376' # jmp to itself
         expect 1 'no end within 20000000 instructions; at 0001FC00h' $run
         # The stack at 1FC0:0400 grows down into the code: 0FFFh is pushed until it is run.

@@ -1,0 +1,126 @@
+/* SPDX-License-Identifier: MIT */
+/* Fuzzes the way of a scene's text through reader and compiler to three rows in fx and f32: it is
+ * refused in one line that names the file, or no ray leaks. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "arithmetic.h"
+#include "fuzz.h"
+
+enum {
+    WIDTH_MOST = 16,
+    HEIGHT_MOST = 12,
+    DEPTH_MOST = 5,
+    ROWS = 3,
+    INTENSITY_MOST = 32768,
+    SOLID_TESTS_MOST = 1000000, /* no further row is begun beyond these: 128 lights cost time */
+    OBJECT_AIR = 0
+};
+
+static const char path[] = "fuzz.scene";
+
+#define FX_UNIT 0x1p-30 /* the last bit of the role that holds coefficients */
+
+static void check_refusal(const struct scene_error *error) {
+    assert(strncmp(error->text, path, sizeof path - 1) == 0 && error->text[sizeof path - 1] == ':');
+    assert(strchr(error->text, '\n') == NULL);
+}
+
+static bool has_end(const struct compiled_object *object) {
+    bool ends = true;
+    for (int i = 0; i < 3; i++) {
+        ends = ends && isfinite(object->low[i]) && isfinite(object->high[i]);
+    }
+    return ends;
+}
+
+/* True for an eye within an opaque material of which an object has no end: the rays that go on into
+ * that one see nothing, and count as leaked. */
+static bool eye_is_buried(const struct compiled_scene *compiled) {
+    const uint8_t material = compiled->objects[compiled->camera.object].material;
+    bool is_endless = false;
+    for (int i = 0; i < compiled->object_count; i++) {
+        const struct compiled_object *object = &compiled->objects[i];
+        is_endless =
+            is_endless || (i != OBJECT_AIR && object->material == material && !has_end(object));
+    }
+    return compiled->camera.object != OBJECT_AIR && is_endless &&
+           !compiled->materials[material].transparent;
+}
+
+/* True for a quadric so flat that fx holds fewer than four bits of a coefficient, which makes
+ * another form of it: the eye may be outside of that. */
+static bool fx_flattens(const struct compiled_scene *compiled) {
+    bool flattens = false;
+    for (int i = 0; i < 3 * compiled->quadric_count; i++) {
+        double square = fabs(compiled->quadrics[i / 3].square[i % 3]);
+        flattens = flattens || (square > 0 && square < 8 * FX_UNIT);
+    }
+    return flattens;
+}
+
+/* Tells the leaks that are known and not mended yet. */
+static bool leak_is_known(const struct compiled_scene *compiled,
+                          const struct arithmetic *arithmetic) {
+    return eye_is_buried(compiled) || (arithmetic == &arithmetic_fx && fx_flattens(compiled));
+}
+
+/* Checks that the pixels of a row are numbers; a NaN would be black on the board. */
+static void check_intensities(const struct scene *scene, const struct compiled_scene *compiled,
+                              const struct arithmetic *arithmetic, unsigned y) {
+    struct render_counts counts = {0};
+    for (unsigned x = 0; x < compiled->width; x++) {
+        double intensity[3];
+        arithmetic->pixel(scene, (uint16_t)x, (uint16_t)y, intensity, &counts, NULL);
+        for (int i = 0; i < 3; i++) {
+            assert(intensity[i] >= 0 && intensity[i] <= INTENSITY_MOST);
+        }
+    }
+}
+
+static void draw(const struct compiled_scene *compiled, const struct arithmetic *arithmetic) {
+    struct scene_error error = {""};
+    struct render_counts counts = {0};
+    uint8_t rgb[3 * WIDTH_MOST];
+    struct scene *scene = arithmetic->load(compiled, &error);
+    if (scene == NULL) {
+        check_refusal(&error);
+        return;
+    }
+    for (unsigned i = 0; i < ROWS && counts.solid_tests < SOLID_TESTS_MOST; i++) {
+        arithmetic->image->row(scene, (uint16_t)((compiled->height - 1U) * i / (ROWS - 1)), rgb,
+                               &counts);
+    }
+    check_intensities(scene, compiled, arithmetic, compiled->height / 2U);
+    assert(counts.rays >= compiled->width);
+    assert(counts.leaked_rays == 0 || leak_is_known(compiled, arithmetic));
+    free(scene);
+}
+
+static int least(int a, int b) {
+    return a < b ? a : b;
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t count) {
+    struct scene_error error = {""};
+    struct scene_description *description =
+        scene_description_read(path, (const char *)bytes, count, &error);
+    if (description == NULL) {
+        check_refusal(&error);
+        return 0;
+    }
+    description->width = least(description->width, WIDTH_MOST);
+    description->height = least(description->height, HEIGHT_MOST);
+    description->depth = least(description->depth, DEPTH_MOST);
+    struct compiled_scene *compiled = scene_compile(description, &error);
+    if (compiled == NULL) {
+        check_refusal(&error);
+    } else {
+        draw(compiled, &arithmetic_fx);
+        draw(compiled, &arithmetic_f32);
+        free(compiled);
+    }
+    scene_description_free(description);
+    return 0;
+}
