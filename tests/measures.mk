@@ -12,7 +12,7 @@ $(BUILD)/release/ports_bench: tests/bench/ports_bench.c $(release_HAL) $(release
 MUTANT_PROGRAMS ?=
 .PHONY: mutants
 mutants: | setup ## Break the source in small ways and see whether the tests notice (SEED= COUNT= SECONDS= FILES=)
-	@SEED='$(SEED)' COUNT='$(COUNT)' LIMIT='$(SECONDS)' FILES='$(FILES)' CC='$(CC)' \
+	@SEED='$(SEED)' FIRST='$(FIRST)' COUNT='$(COUNT)' LIMIT='$(SECONDS)' FILES='$(FILES)' SANITIZED='$(SANITIZED)' CC='$(CC)' \
 	    sh tests/mutants/run.sh $(BUILD) $(MUTANT_PROGRAMS) $(patsubst $(BUILD)/%,%,$(TEST_PROGRAMS) $(REAL_TEST_PROGRAMS) $(USB_TEST_PROGRAMS))
 
 # The suites of hal/ and emulator/, linked with those two built once more, their branches counted. What

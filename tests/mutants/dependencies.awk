@@ -7,11 +7,12 @@
         if ($i ~ /\.o:$/) {
             object = substr($i, 1, length($i) - 3)
             sub(/^build\//, "", object)
-            if (match(object, /^sanitized\/stream\/[^\/]*\//)) {
-                object = "sanitized/stream_" substr(object, 18, RLENGTH - 18) ".o"
-            } else if (object ~ /^sanitized\/[^\/]*\/(firmware|host)\//) {
+            if (object ~ /^[a-z]+\/stream\/[^\/]*\//) {
                 split(object, parts, "/")
-                object = "sanitized/image_" parts[2] ".o"
+                object = parts[1] "/stream_" parts[3] ".o"
+            } else if (object ~ /^[a-z]+\/[^\/]*\/(firmware|host)\//) {
+                split(object, parts, "/")
+                object = parts[1] "/image_" parts[2] ".o"
             } else {
                 object = object ".o"
             }

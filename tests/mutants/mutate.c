@@ -54,12 +54,13 @@ static int by_place(const void *left, const void *right) {
     return a->end != b->end ? (a->end < b->end ? -1 : 1) : strcmp(a->text, b->text);
 }
 
+/* Draws a line, then one of its mutations. The list is sorted by place, and not empty. */
 static const struct mutation *draw(const struct mutations *mutations, uint64_t state) {
     const struct mutation *list = mutations->list;
-    size_t lines = 0, line, first = 0, last;
+    size_t lines = 1, line, first = 0, last;
 
-    for (size_t i = 0; i < mutations->count; i++) {
-        lines += i == 0 || !is_same_line(&list[i - 1], &list[i]);
+    for (size_t i = 1; i < mutations->count; i++) {
+        lines += !is_same_line(&list[i - 1], &list[i]);
     }
     line = (size_t)(splitmix64(&state) % lines);
     while (line > 0) {
@@ -77,9 +78,7 @@ static void put(FILE *to, const char *text, size_t length, bool on_one_line, boo
     for (size_t i = 0; i < length; i++) {
         bool is_space = isspace((unsigned char)text[i]);
 
-        if (!on_one_line) {
-            (void)fputc(text[i], to);
-        } else if (!is_space) {
+        if (!on_one_line || !is_space) {
             (void)fputc(text[i], to);
         } else if (!*is_blank) {
             (void)fputc(' ', to);

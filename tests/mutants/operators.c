@@ -137,7 +137,7 @@ static void replace_sign(struct mutations *mutations, const struct source *sourc
 
 static void replace_by_sibling(struct mutations *mutations, const struct source *source, size_t i,
                                const struct siblings *siblings) {
-    struct sibling wanted;
+    struct sibling wanted = {{0}, {0}};
     const struct sibling *found;
 
     copy_token(wanted.name, sizeof wanted.name, source, i);

@@ -7,8 +7,9 @@
 # PROGRAMs are paths below BUILD: cmocka suites, or anything else whose exit status tells. Everything
 # happens in BUILD/mutants/tree, a copy of the source as it stands, committed or not.
 #
-# Environment: SEED (1), COUNT of mutants that change code (20), LIMIT in seconds from the first mutant
-# on (1800), FILES to draw from, as a shell's patterns (all that the programs are made of).
+# Environment: SEED (1); FIRST, the number of the first draw (1); COUNT of mutants that change code (20);
+# LIMIT in seconds from the first mutant on (1800); FILES to draw from, as a shell's patterns (all that the
+# programs are made of); SANITIZED=yes to run what `make test` runs, under the sanitizers (no: as released).
 #
 # Exit status: 0 no mutant survived but those of tests/mutants/equivalent, 1 one did, 2 it can't be told.
 set -u
@@ -19,28 +20,37 @@ set -u
 }
 # What make was called with is not for the copy's make.
 unset MAKEFLAGS MFLAGS MAKEOVERRIDES MAKELEVEL
+mkdir -p "$1" || exit 2
 work=$(cd "$1" && pwd)/mutants
 shift
 here=tests/mutants
 source=$PWD
-tree=$work/tree
+# The code of the release is quicker by far than that under the sanitizers, which find a little more.
+if [ "${SANITIZED:-no}" = yes ]; then
+    built=sanitized
+else
+    built=release
+fi
+tree=$work/$built
+costs=$work/costs_$built
 seed=${SEED:-1}
+first=${FIRST:-1}
 count=${COUNT:-20}
 limit=${LIMIT:-1800}
 CC=${CC:-gcc}
-superframe=sanitized/superframe
+superframe=$built/superframe
 
 mkdir -p "$tree" "$work/saved" || exit 2
 : > "$work/green"
 : > "$work/red"
 : > "$work/tried"
 : > "$work/results"
-touch "$work/history" "$work/costs"
+touch "$work/history" "$costs"
 printf '%s\n' "$@" > "$work/programs"
-for number in "$seed" "$count" "$limit"; do
+for number in "$seed" "$first" "$count" "$limit"; do
     case $number in
     '' | *[!0-9]*)
-        echo "mutants: \"$number\" is no number; SEED, COUNT and SECONDS are whole numbers" >&2
+        echo "mutants: \"$number\" is no number; SEED, FIRST, COUNT and SECONDS are whole numbers" >&2
         exit 2
         ;;
     esac
@@ -58,11 +68,16 @@ copy_source() {
     done < "$work/files"
 }
 
-# Makes targets, paths below the copy's build/, without debugging information: code alone counts.
+# Makes targets, paths below the copy's build/.
 make_targets() {
-    printf 'build/%s\n' "$@" |
-        (cd "$tree" && xargs timeout -k 10 1800 make -j2 -s CC="$CC" SETUP=no DEBUG= BUILD=build) \
-            > "$work/make.log" 2>&1
+    for target; do
+        set -- "$@" "build/$target"
+        shift
+    done
+    # shellcheck disable=SC2016 # for make
+    [ $built = sanitized ] || set -- 'CFLAGS_sanitized=-O1 -Wno-maybe-uninitialized' LDFLAGS_sanitized= \
+        'sanitized_HAL=$(release_HAL)' 'sanitized_LIBRARY=$(release_LIBRARY)' "$@"
+    (cd "$tree" && timeout -k 10 1800 make -j2 -s CC="$CC" SETUP=no BUILD=build "$@") > "$work/make.log" 2>&1
 }
 
 # Prints the objects, paths below the copy's build/, that a file is compiled into.
@@ -81,9 +96,9 @@ with_images() {
 find_sight() {
     (
         cd "$tree/build" || exit 2
-        find sanitized -name '*.d' -exec cat {} + | awk -f "$source/$here/dependencies.awk" > "$work/files_of"
-        find sanitized -name '*.o' ! -path 'sanitized/stream/*' ! -path 'sanitized/*/firmware/*' \
-            ! -path 'sanitized/*/host/*' -exec nm -A -g -P {} + > "$work/symbols"
+        find $built sanitized/tests sanitized/emulator/testing -name '*.d' -exec cat {} + | awk -f "$source/$here/dependencies.awk" > "$work/files_of"
+        find $built sanitized/tests sanitized/emulator/testing -name '*.o' ! -path '*/stream/*' \
+            ! -path "$built/*/firmware/*" ! -path "$built/*/host/*" -exec nm -A -g -P {} + > "$work/symbols"
         find sanitized/tests -name '*.o' -exec grep -lF SUPERFRAME {} + | sed 's/\.o$//' > "$work/runners"
     )
     awk -f $here/sees.awk "$work/programs" "$work/symbols" "$work/files_of" "$work/runners" \
@@ -111,12 +126,14 @@ save() {
     printf '%s\n' "$superframe" > "$work/linked"
 }
 
-# Compares the mutant's code with the original's, at -O2. 0: it differs; 1: it does not; 2: the
+# Compares the mutant's code with the original's, as released and without what is for debuggers. 0: it differs; 1: it does not; 2: the
 # mutant does not compile.
 changes_code() {
     while IFS= read -r object; do
         make_targets "$object" || return 2
-        cmp -s "$tree/build/$object" "$work/saved/$object" || return 0
+        strip -g -o "$work/code" "$tree/build/$object" &&
+            strip -g -o "$work/code_before" "$work/saved/$object" || return 2
+        cmp -s "$work/code" "$work/code_before" || return 0
     done < "$work/compared"
     return 1
 }
@@ -140,18 +157,18 @@ run_program() {
         BUILD=build SUPERFRAME=build/$superframe ASAN_OPTIONS=hard_rss_limit_mb=3000 \
             exec timeout -k 5 "$2" "build/$1"
     ) > "$work/run.log" 2>&1 || return
-    printf '%s %s\n' "$1" $(($(date +%s) - run_began)) >> "$work/costs"
+    printf '%s %s\n' "$1" $(($(date +%s) - run_began)) >> "$costs"
 }
 
 # Prints the programs to run for a file, the most promising for their time first.
 in_order() {
-    awk -v file="$1" -f $here/order.awk "$work/sight" "$work/costs" "$work/history"
+    awk -v file="$1" -f $here/order.awk "$work/sight" "$costs" "$work/history"
 }
 
 # Prints the seconds that a program may take: ten times what it took last, and twenty more.
 seconds_of() {
     awk -v program="$1" '$1 == program { seconds = 10 * $2 + 20 }
-        END { print (seconds > 0 ? seconds : 300) }' "$work/costs"
+        END { print (seconds > 0 ? seconds : 300) }' "$costs"
 }
 
 # Runs programs until one is red twice in a row. Sets `outcome` to caught, survived, open (the time
@@ -212,8 +229,7 @@ listed_reason() {
 
 # Sets `outcome` for the drawn mutant, with the copy as it was before and after.
 try_mutant() {
-    objects_of "$file" | grep '^sanitized/' | grep -v '^sanitized/tests/' |
-        sed 's|^sanitized/|release/|' > "$work/compared"
+    objects_of "$file" | grep -v '^sanitized/tests/' | sed 's|^sanitized/|release/|' | sort -u > "$work/compared"
     outcome=broken
     [ -s "$work/compared" ] || return
     # shellcheck disable=SC2046 # paths without spaces
@@ -234,7 +250,7 @@ try_mutant() {
 note() {
     case $outcome in
     caught) words="caught by ${by##*/}" ;;
-    survived) words=SURVIVED ;;
+    survived) words="SURVIVED (number $number)" ;;
     open) words='not settled, the time is up' ;;
     listed) words="equivalent ($(listed_reason))" ;;
     esac
@@ -246,7 +262,7 @@ note() {
 
 copy_source || exit 2
 $CC -std=c99 -D_POSIX_C_SOURCE=200809L -O1 -Ihal -o "$work/mutate" $here/*.c || exit 2
-objects=$(sed -e '/\/usb\//!s/_test[a-z0-9_]*$/&.o/' "$work/programs")
+objects=$(sed '/\/usb\/\|testkit/!s/_test[a-z0-9_]*$/&.o/' "$work/programs")
 echo 'mutants: building what the programs are made of'
 # shellcheck disable=SC2086 # paths without spaces
 make_targets $superframe $objects || {
@@ -258,9 +274,9 @@ cut -d " " -f 2 "$work/sight" | sort -u > "$work/sources"
 
 began=$(date +%s)
 deadline=$((began + limit))
-number=0
+number=$((first - 1))
 judged=0
-while [ $judged -lt "$count" ] && [ "$(date +%s)" -lt $deadline ] && [ $number -lt $((20 * count + 100)) ]; do
+while [ $judged -lt "$count" ] && [ "$(date +%s)" -lt $deadline ] && [ $number -lt $((first + 20 * count + 100)) ]; do
     number=$((number + 1))
     draw $number
     ! grep -qxF "$file $line $new" "$work/tried" || continue
@@ -277,5 +293,5 @@ while [ $judged -lt "$count" ] && [ "$(date +%s)" -lt $deadline ] && [ $number -
     esac
 done
 
-awk -F '\t' -v seed="$seed" -v seconds=$(($(date +%s) - began)) -f $here/summary.awk "$work/results"
+awk -F '\t' -v draws="$first to $number of SEED=$seed" -v seconds=$(($(date +%s) - began)) -f $here/summary.awk "$work/results"
 ! grep -q '^survived' "$work/results"

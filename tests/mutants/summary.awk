@@ -23,7 +23,7 @@ END {
             of[place, "equal"] + of[place, "listed"], of[place, "broken"], of[place, "open"]
     }
     judged = all["caught"] + all["survived"]
-    printf "SEED=%s: %d caught of %d (%.1f %%), %d survived; %d of equal code, %d listed as equivalent, %d that do not compile, %d not settled; %d s\n", \
-        seed, all["caught"], judged, (judged > 0 ? 100 * all["caught"] / judged : 0), all["survived"], \
+    printf "draws %s: %d caught of %d (%.1f %%), %d survived; %d of equal code, %d listed as equivalent, %d that do not compile, %d not settled; %d s\n", \
+        draws, all["caught"], judged, (judged > 0 ? 100 * all["caught"] / judged : 0), all["survived"], \
         all["equal"], all["listed"], all["broken"], all["open"], seconds
 }
