@@ -21,6 +21,7 @@ FILENAME == ARGV[3] { caught[$2] += $1 == file ? 4 : folder($1) == folder(file) 
 END {
     for (program in is_asked) {
         cost = program in seconds ? seconds[program] : 2
-        printf "%.6f %s\n", (caught[program] + 10 / seen[program]) / (cost + 0.5), program | "sort -k1,1gr -k2 | cut -d ' ' -f 2"
+        worth = (caught[program] + 10 / seen[program]) / (cost + 0.5)
+        printf "%.6f %s\n", worth, program | "sort -k1,1gr -k2 | cut -d ' ' -f 2"
     }
 }

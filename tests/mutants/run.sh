@@ -5,7 +5,7 @@
 # usage: tests/mutants/run.sh BUILD PROGRAM...      (from the project's folder, as `make mutants` does)
 #
 # PROGRAMs are paths below BUILD: cmocka suites, or anything else whose exit status tells. Everything
-# happens in BUILD/mutants/tree, a copy of the source as it stands, committed or not.
+# happens in BUILD/mutants/release, a copy of the source as it stands, committed or not.
 #
 # Environment: SEED (1); FIRST, the number of the first draw (1); COUNT of mutants that change code (20);
 # LIMIT in seconds from the first mutant on (1800); FILES to draw from, as a shell's patterns (all that the
@@ -40,6 +40,7 @@ limit=${LIMIT:-1800}
 CC=${CC:-gcc}
 superframe=$built/superframe
 
+rm -rf "$work/saved"
 mkdir -p "$tree" "$work/saved" || exit 2
 : > "$work/green"
 : > "$work/red"
@@ -96,10 +97,12 @@ with_images() {
 find_sight() {
     (
         cd "$tree/build" || exit 2
-        find $built sanitized/tests sanitized/emulator/testing -name '*.d' -exec cat {} + | awk -f "$source/$here/dependencies.awk" > "$work/files_of"
+        find $built sanitized/tests sanitized/emulator/testing -name '*.d' -exec cat {} + |
+            awk -f "$source/$here/dependencies.awk" > "$work/files_of"
         find $built sanitized/tests sanitized/emulator/testing -name '*.o' ! -path '*/stream/*' \
             ! -path "$built/*/firmware/*" ! -path "$built/*/host/*" -exec nm -A -g -P {} + > "$work/symbols"
-        find sanitized/tests -name '*.o' -exec grep -lF SUPERFRAME {} + | sed 's/\.o$//' > "$work/runners"
+        find sanitized/tests -name '*.o' -exec grep -lF SUPERFRAME {} + |
+            sed 's/\.o$//' > "$work/runners"
     )
     awk -f $here/sees.awk "$work/programs" "$work/symbols" "$work/files_of" "$work/runners" \
         > "$work/sight"
@@ -126,8 +129,8 @@ save() {
     printf '%s\n' "$superframe" > "$work/linked"
 }
 
-# Compares the mutant's code with the original's, as released and without what is for debuggers. 0: it differs; 1: it does not; 2: the
-# mutant does not compile.
+# Compares the mutant's code with the original's, as released and without what is for debuggers.
+# 0: it differs; 1: it does not; 2: the mutant does not compile.
 changes_code() {
     while IFS= read -r object; do
         make_targets "$object" || return 2
@@ -147,7 +150,7 @@ make_program() {
     fi
 }
 
-# Runs a program of the copy for at most some seconds, and notes what it took if it is green.
+# Runs a program of the copy for at most some seconds. Notes that it can be green, and what it took.
 run_program() {
     run_began=$(date +%s)
     (
@@ -158,6 +161,7 @@ run_program() {
             exec timeout -k 5 "$2" "build/$1"
     ) > "$work/run.log" 2>&1 || return
     printf '%s %s\n' "$1" $(($(date +%s) - run_began)) >> "$costs"
+    printf '%s\n' "$1" >> "$work/green"
 }
 
 # Prints the programs to run for a file, the most promising for their time first.
@@ -200,10 +204,7 @@ judge() {
 # Tells if a program is green without a mutant; one that is not is left out from then on.
 is_green() {
     ! grep -qxF "$1" "$work/green" || return 0
-    if make_program "$1" && run_program "$1" "$(seconds_of "$1")"; then
-        printf '%s\n' "$1" >> "$work/green"
-        return 0
-    fi
+    ! { make_program "$1" && run_program "$1" "$(seconds_of "$1")"; } || return 0
     printf '%s\n' "$1" >> "$work/red"
     echo "left out, for it fails without a mutant: $1"
     return 1
@@ -276,7 +277,8 @@ began=$(date +%s)
 deadline=$((began + limit))
 number=$((first - 1))
 judged=0
-while [ $judged -lt "$count" ] && [ "$(date +%s)" -lt $deadline ] && [ $number -lt $((first + 20 * count + 100)) ]; do
+while [ $judged -lt "$count" ] && [ "$(date +%s)" -lt $deadline ] &&
+    [ $number -lt $((first + 20 * count + 100)) ]; do
     number=$((number + 1))
     draw $number
     ! grep -qxF "$file $line $new" "$work/tried" || continue
