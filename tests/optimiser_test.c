@@ -127,6 +127,21 @@ static void solids_that_are_the_same_are_shared(void **state) {
     unload(&loaded);
 }
 
+static void the_first_solid_of_a_scene_may_be_a_shared_one(void **state) {
+    (void)state;
+    static const char balls[] =
+        "  { material = \"glass\"; solid = " BALL "; },\n"
+        "  { material = \"glass\"; solid = { intersection = ( " BALL ", " EGG " ); }; }";
+    const char *objects = strstr(scene_head, "objects = (") + strlen("objects = (");
+    char text[TEXT_SIZE];
+    (void)snprintf(text, sizeof text, "%.*s\n%s,%s\n);\n", (int)(objects - scene_head), scene_head,
+                   balls, objects);
+    struct loaded_scene loaded = load_text(text, "fx");
+    assert_int_equal(loaded.compiled->report.shared, 1);
+    assert_int_equal(loaded.compiled->primitive_count, 3);
+    unload(&loaded);
+}
+
 #define FRUSTUM                                                                                    \
     "polyhedron = { planes = ( { normal = (0, 0, -1); offset = 1; }, { normal = (0, 0, 1); "       \
     "offset = 1; }, { normal = (2, 0, 1); offset = 2; }, { normal = (-2, 0, 1); offset = 2; }, "   \
@@ -283,6 +298,7 @@ int main(void) {
         cmocka_unit_test(operations_that_say_nothing_are_left_out),
         cmocka_unit_test(an_object_of_which_nothing_is_left_takes_its_name_along),
         cmocka_unit_test(solids_that_are_the_same_are_shared),
+        cmocka_unit_test(the_first_solid_of_a_scene_may_be_a_shared_one),
         cmocka_unit_test(what_cannot_be_met_from_within_another_one_is_counted),
         cmocka_unit_test(what_is_cut_off_changes_no_point),
         cmocka_unit_test(a_solid_is_cut_off_only_beyond_all_of_its_uses),
