@@ -125,7 +125,22 @@ static bool follows_operand(const struct source *source, size_t i) {
            source_is(source, i - 1, "]");
 }
 
+/* Tells if the asterisk at token i makes a pointer of a type, as far as the tokens before it say.
+ */
+static bool is_pointer(const struct source *source, size_t i) {
+    static const char *const tags[] = {"struct", "union", "enum", NULL};
+    static const char *const types[] = {"void",   "char", "bool",  "int",
+                                        "double", "FILE", "const", NULL};
+
+    return source_is(source, i, "*") &&
+           (source->tokens[i].function == NO_FUNCTION || (i > 0 && is_any(source, i - 1, types)) ||
+            (i > 1 && is_any(source, i - 2, tags)));
+}
+
 static void replace_sign(struct mutations *mutations, const struct source *source, size_t i) {
+    if (is_pointer(source, i)) {
+        return;
+    }
     for (size_t k = 0; k < sizeof replacements / sizeof *replacements; k++) {
         if (source_is(source, i, replacements[k].from) &&
             (replacements[k].operands == ANY_OPERANDS ||
