@@ -8,7 +8,7 @@ bench-ports: $(BUILD)/release/ports_bench ## Measure what a port write costs, in
 $(BUILD)/release/ports_bench: tests/bench/ports_bench.c $(release_HAL) $(release_EMULATOR) $(BUILD)/flags | setup
 	$(CC) $(WARNINGS) $(POSIX) $(CFLAGS_release) $(INCLUDE_emulator) -o $@ $(filter %.c %.o,$^) -lpng -lxxhash -ldeflate
 
-# Besides the suites, whatever tells by its exit status: MUTANT_PROGRAMS=release/x for build/release/x.
+# Besides the suites, whatever tells by its exit status: MUTANT_PROGRAMS=release/x,1,2 for build/release/x 1 2.
 MUTANT_PROGRAMS ?=
 .PHONY: mutants
 mutants: | setup ## Break the source in small ways and see whether the tests notice (SEED= COUNT= SECONDS= FILES=)

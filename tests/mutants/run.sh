@@ -4,8 +4,8 @@
 #
 # usage: tests/mutants/run.sh BUILD PROGRAM...      (from the project's folder, as `make mutants` does)
 #
-# PROGRAMs are paths below BUILD: cmocka suites, or anything else whose exit status tells. Everything
-# happens in BUILD/mutants/release, a copy of the source as it stands, committed or not.
+# PROGRAMs are paths below BUILD: cmocka suites, or anything else whose exit status tells; arguments stand
+# behind commas, as in release/x,some,more. Everything happens in BUILD/mutants/release, a copy of the source as it stands, committed or not.
 #
 # Environment: SEED (1); FIRST, the number of the first draw (1); COUNT of mutants that change code (20);
 # LIMIT in seconds from the first mutant on (1800); FILES to draw from, as a shell's patterns (all that the
@@ -146,7 +146,7 @@ make_program() {
     if grep -qxF "$1" "$work/runners"; then
         make_targets "$1" $superframe
     else
-        make_targets "$1"
+        make_targets "${1%%,*}"
     fi
 }
 
@@ -157,8 +157,14 @@ run_program() {
         cd "$tree" || exit 2
         # A mutant may write or allocate without an end.
         ulimit -f 4000000
+        patience=$2
+        IFS=,
+        # shellcheck disable=SC2086 # the program and its arguments
+        set -- $1
+        program=build/$1
+        shift
         BUILD=build SUPERFRAME=build/$superframe ASAN_OPTIONS=hard_rss_limit_mb=3000 \
-            exec timeout -k 5 "$2" "build/$1"
+            exec timeout -k 5 "$patience" "$program" "$@"
     ) > "$work/run.log" 2>&1 || return
     printf '%s %s\n' "$1" $(($(date +%s) - run_began)) >> "$costs"
     printf '%s\n' "$1" >> "$work/green"
@@ -181,7 +187,7 @@ judge() {
     outcome=survived
     for by in $(in_order "$1"); do
         ! grep -qxF "$by" "$work/red" || continue
-        printf '%s\n' "$by" >> "$work/linked"
+        printf '%s\n' "${by%%,*}" >> "$work/linked"
         make_program "$by" || {
             outcome=broken
             return
@@ -266,7 +272,7 @@ copy_source || exit 2
 $CC -std=c99 -D_POSIX_C_SOURCE=200809L -O1 -Ihal -o "$work/mutate" $here/*.c || exit 2
 lenient=$(printf '_Pragma("GCC diagnostic ignored \\"-W%s\\"") ' parentheses unused-function unused-parameter \
     unused-variable unused-but-set-variable)
-objects=$(sed '/\/usb\/\|testkit/!s/_test[a-z0-9_]*$/&.o/' "$work/programs")
+objects=$(sed 's/,.*//; /\/usb\/\|testkit/!s/_test[a-z0-9_]*$/&.o/' "$work/programs")
 echo 'mutants: building what the programs are made of'
 # shellcheck disable=SC2086 # paths without spaces
 make_targets $superframe $objects || {

@@ -7,8 +7,8 @@
 # DEPENDENCIES  "object file" for each file that an object is compiled from
 # RUNNERS       a program on each line that starts the command, which is made of everything
 #
-# Names lead from an object to those that define them. A program without an object of its own is taken to see
-# everything.
+# Names lead from an object to those that define them. What is no suite, or has no object of its
+# own, is taken to see everything.
 
 FNR == 1 { part++ }
 part == 1 { programs[++program_count] = $1 }
@@ -29,7 +29,7 @@ END {
     for (p = 1; p <= program_count; p++) {
         program = programs[p]
         split("", found)
-        if (program in sees_all || !((program ".o") in needed)) {
+        if (program in sees_all || program !~ /_test[a-z0-9_]*$/ || !((program ".o") in needed)) {
             for (file in everything) {
                 found[file] = 1
             }
