@@ -21,7 +21,8 @@ set -u
 # What make was called with is not for the copy's make.
 unset MAKEFLAGS MFLAGS MAKEOVERRIDES MAKELEVEL
 mkdir -p "$1" || exit 2
-work=$(cd "$1" && pwd)/mutants
+build=$(cd "$1" && pwd)
+work=$build/mutants
 shift
 here=tests/mutants
 source=$PWD
@@ -40,8 +41,15 @@ limit=${LIMIT:-1800}
 CC=${CC:-gcc}
 superframe=$built/superframe
 
+if kill -0 "$(cat "$work/running" 2> /dev/null)" 2> /dev/null; then
+    echo "mutants: process $(cat "$work/running") is at work in $work" >&2
+    exit 2
+fi
 rm -rf "$work/saved"
 mkdir -p "$tree/build/release" "$tree/build/sanitized" "$work/saved" || exit 2
+printf '%s\n' $$ > "$work/running"
+trap 'rm -f "$work/running"' EXIT
+trap 'exit 130' INT TERM
 : > "$work/green"
 : > "$work/red"
 : > "$work/tried"
@@ -59,7 +67,7 @@ done
 
 # Makes the copy what the source is. A file that is the same keeps its time, and its objects.
 copy_source() {
-    find . \( -path ./build -o -path ./.git -o -path "./${work##"$PWD"/}" \) -prune -o -type f -print |
+    find . \( -path ./build -o -path ./.git -o -path "./${build#"$PWD"/}" \) -prune -o -type f -print |
         sort > "$work/files"
     (cd "$tree" && find . -path ./build -prune -o -type f -print) | sort > "$work/copied"
     comm -13 "$work/files" "$work/copied" | (cd "$tree" && xargs -r rm -f) || return 1
