@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Prints "object file" for each source file of the project in the compiler's lists of dependencies. An object of a
-# firmware's image, or of a stream engine, is named as the one that it is linked into.
+# firmware's image, or of a stream engine, is named as the one that it is linked into; a/b/../c.h is a/c.h.
 
 {
     for (i = 1; i <= NF; i++) {
@@ -17,7 +17,10 @@
                 object = object ".o"
             }
         } else if ($i ~ /^(hal|firmware|emulator|host)\/.*\.[ch]$/) {
-            print object, $i
+            file = $i
+            while (sub(/[^\/]+\/\.\.\//, "", file)) {
+            }
+            print object, file
         }
     }
 }

@@ -89,9 +89,11 @@ make_targets() {
     (cd "$tree" && timeout -k 10 1800 make -j2 -s CC="$CC" SETUP=no BUILD=build "$@") > "$work/make.log" 2>&1
 }
 
-# Prints the objects, paths below the copy's build/, that a file is compiled into.
+# Prints the objects, paths below the copy's build/, that a file is compiled into. The compiler may call the
+# file firmware/real/fx/../fixed.h.
 objects_of() {
-    (cd "$tree/build" && find release sanitized -name '*.d' -exec grep -lE "(^| )$1( |:|\$)" {} + |
+    pattern="(^| )${1%/*}/([^ ]*/\\.\\./)?${1##*/}( |:|\$)"
+    (cd "$tree/build" && find release sanitized -name '*.d' -exec grep -lE "$pattern" {} + |
         sed 's/\.d$/.o/')
 }
 
