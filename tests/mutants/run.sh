@@ -45,6 +45,8 @@ if kill -0 "$(cat "$work/running" 2> /dev/null)" 2> /dev/null; then
     echo "mutants: process $(cat "$work/running") is at work in $work" >&2
     exit 2
 fi
+# A run that was ended amid a mutant may have left objects of the mutant, or a compiler that still writes one.
+[ ! -e "$tree/mutated" ] || rm -rf "$tree"
 rm -rf "$work/saved"
 mkdir -p "$tree/build/release" "$tree/build/sanitized" "$work/saved" || exit 2
 printf '%s\n' $$ > "$work/running"
@@ -127,10 +129,12 @@ restore() {
     done
     (cd "$tree/build" && xargs -r rm -f) < "$work/linked"
     : > "$work/linked"
+    rm -f "$tree/mutated"
 }
 
 # Saves a file and its objects, before the mutant of the file is put in its place.
 save() {
+    : > "$tree/mutated"
     cp -p "$tree/$1" "$work/original"
     while IFS= read -r object; do
         [ -e "$tree/build/$object" ] || continue
