@@ -320,7 +320,8 @@ TEST_SCRIPTS := tests/float_matrix.sh \
                 tests/check_32_bits.sh \
                 tests/check_bench.sh \
                 tests/check_manual.sh \
-                tests/check_uninitialised.sh
+                tests/check_uninitialised.sh \
+                tests/check_mutants.sh
 
 .PHONY: test
 test: $(TEST_PROGRAMS) $(REAL_TEST_PROGRAMS) $(BUILD)/superframe $(BUILD)/sanitized/superframe $(FIRMWARE_IMAGES) strict fresh-prefix $(BUILD)/usb_bytes $(BUILD)/superframe_without_usb $(BUILD)/superframe_without_f128 $(USB_TEST_PROGRAMS) $(BENCH_TOOLS) $(FUZZERS) ## Run every test (under the address and undefined-behaviour sanitizers)

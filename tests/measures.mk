@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# What is measured of hal/ and emulator/: speed, coverage, mutants; read by Makefile.
+# What is measured of the tests and of ports: speed, coverage, mutants; read by Makefile.
 
 .PHONY: bench-ports
 bench-ports: $(BUILD)/release/ports_bench ## Measure what a port write costs, in nanoseconds
@@ -8,9 +8,12 @@ bench-ports: $(BUILD)/release/ports_bench ## Measure what a port write costs, in
 $(BUILD)/release/ports_bench: tests/bench/ports_bench.c $(release_HAL) $(release_EMULATOR) $(BUILD)/flags | setup
 	$(CC) $(WARNINGS) $(POSIX) $(CFLAGS_release) $(INCLUDE_emulator) -o $@ $(filter %.c %.o,$^) -lpng -lxxhash -ldeflate
 
+# Besides the suites, whatever tells by its exit status: MUTANT_PROGRAMS=release/x,1,2 for build/release/x 1 2.
+MUTANT_PROGRAMS ?=
 .PHONY: mutants
-mutants: | setup ## Break the board's register code in small ways and see whether the suites notice
-	sh tests/mutants.sh $(BUILD)
+mutants: | setup ## Break the source in small ways and see whether the tests notice (SEED= COUNT= SECONDS= FILES=)
+	@SEED='$(SEED)' FIRST='$(FIRST)' COUNT='$(COUNT)' LIMIT='$(SECONDS)' FILES='$(FILES)' SANITIZED='$(SANITIZED)' CC='$(CC)' \
+	    sh tests/mutants/run.sh $(BUILD) $(MUTANT_PROGRAMS) $(patsubst $(BUILD)/%,%,$(TEST_PROGRAMS) $(REAL_TEST_PROGRAMS) $(USB_TEST_PROGRAMS))
 
 # The suites of hal/ and emulator/, linked with those two built once more, their branches counted. What
 # the processor's own ports need is no test's to run: hal/ports_linux.c.

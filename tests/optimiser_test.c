@@ -127,6 +127,21 @@ static void solids_that_are_the_same_are_shared(void **state) {
     unload(&loaded);
 }
 
+static void the_first_solid_of_a_scene_may_be_a_shared_one(void **state) {
+    (void)state;
+    static const char balls[] =
+        "  { material = \"glass\"; solid = " BALL "; },\n"
+        "  { material = \"glass\"; solid = { intersection = ( " BALL ", " EGG " ); }; }";
+    const char *objects = strstr(scene_head, "objects = (") + strlen("objects = (");
+    char text[TEXT_SIZE];
+    (void)snprintf(text, sizeof text, "%.*s\n%s,%s\n);\n", (int)(objects - scene_head), scene_head,
+                   balls, objects);
+    struct loaded_scene loaded = load_text(text, "fx");
+    assert_int_equal(loaded.compiled->report.shared, 1);
+    assert_int_equal(loaded.compiled->primitive_count, 3);
+    unload(&loaded);
+}
+
 #define FRUSTUM                                                                                    \
     "polyhedron = { planes = ( { normal = (0, 0, -1); offset = 1; }, { normal = (0, 0, 1); "       \
     "offset = 1; }, { normal = (2, 0, 1); offset = 2; }, { normal = (-2, 0, 1); offset = 2; }, "   \
@@ -160,6 +175,40 @@ static void what_cannot_be_met_from_within_another_one_is_counted(void **state) 
         if (loaded.compiled->report.hidden != cases[i].hidden) {
             fail_msg("%u pairs instead of %u of %s", loaded.compiled->report.hidden,
                      cases[i].hidden, cases[i].solid);
+        }
+        unload(&loaded);
+    }
+}
+
+/* Each of them lies within all that stand before it. */
+static const char *const nested[] = {
+    "{ box = { min = (-3, -3, -1.1); max = (3, 3, 4); }; }",
+    "{ ellipsoid = { centre = (0, 0, 0.4); radii = (1.5, 1.3, 1.4); }; }",
+    "{ ball = { centre = (0, 0.1, 0.4); radius = 0.7; }; }",
+    "{ box = { min = (-0.15, -0.1, 0.3); max = (0.1, 0.15, 0.5); }; rotate = (0, 0, 30); }",
+};
+enum { NESTED = 4 };
+
+static void the_enclosure_is_the_innermost_of_all_around(void **state) {
+    (void)state;
+    static const int orders[][NESTED] = {{0, 1, 2, 3}, {3, 2, 1, 0}, {2, 0, 3, 1}, {1, 3, 0, 2}};
+    for (size_t order = 0; order < sizeof orders / sizeof orders[0]; order++) {
+        char text[TEXT_SIZE];
+        int length = snprintf(text, sizeof text, "%s", scene_head), place[NESTED];
+        for (int i = 0; i < NESTED; i++) {
+            place[orders[order][i]] = 1 + i; /* the board is the first */
+            length +=
+                snprintf(text + length, sizeof text - (size_t)length,
+                         ",\n  { material = \"glass\"; solid = %s; }", nested[orders[order][i]]);
+        }
+        (void)snprintf(text + length, sizeof text - (size_t)length, "\n);\n");
+        struct loaded_scene loaded = load_text(text, "fx");
+        const struct compiled_primitive *primitives = loaded.compiled->primitives;
+        assert_int_equal(loaded.compiled->primitive_count, 1 + NESTED);
+        assert_int_equal(primitives[0].enclosure, NO_ENCLOSURE);
+        assert_int_equal(primitives[place[0]].enclosure, NO_ENCLOSURE);
+        for (int i = 1; i < NESTED; i++) {
+            assert_int_equal(primitives[place[i]].enclosure, place[i - 1]);
         }
         unload(&loaded);
     }
@@ -334,8 +383,10 @@ int main(void) {
         cmocka_unit_test(operations_that_say_nothing_are_left_out),
         cmocka_unit_test(an_object_of_which_nothing_is_left_takes_its_name_along),
         cmocka_unit_test(solids_that_are_the_same_are_shared),
+        cmocka_unit_test(the_first_solid_of_a_scene_may_be_a_shared_one),
         cmocka_unit_test(what_cannot_be_met_from_within_another_one_is_counted),
         cmocka_unit_test(a_ray_that_leaves_a_convex_solid_does_not_look_for_it),
+        cmocka_unit_test(the_enclosure_is_the_innermost_of_all_around),
         cmocka_unit_test(what_is_cut_off_changes_no_point),
         cmocka_unit_test(a_solid_is_cut_off_only_beyond_all_of_its_uses),
     };

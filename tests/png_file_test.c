@@ -176,6 +176,8 @@ static void a_png_that_is_cut_anywhere_is_refused(void **state) {
     for (size_t length = 0; length < size; length++) {
         enum png_status status = read_bytes(bytes, length, &image);
         assert_int_equal(status, length < 8 ? PNG_NOT_PNG : PNG_DAMAGED);
+        assert_string_equal(error.message, length < 8 ? "the file is too short for a PNG"
+                                                      : "the file ends too early");
     }
     free(bytes);
 }

@@ -270,6 +270,27 @@ static void trapped_light_ends_and_is_told_of(void **state) {
     scene_description_free(description);
 }
 
+/* The figures are those of docs/design.md. */
+static void a_pixel_may_take_fewer_rays_where_an_error_is_asked_for(void **state) {
+    (void)state;
+    static const struct {
+        double error;
+        unsigned budget;
+    } cases[] = {{0, 1000000}, {0.25, 100000}, {255, 100000}};
+    static const char text[] =
+        "version = 1; camera = { eye = (3, 2, 1); look_at = (0, 0, 0); };\n"
+        "materials = { glass = { colour = [0, 0, 0]; ior = 1.5; }; };\n"
+        "objects = ( { material = \"glass\"; solid = { ball = { radius = 1; }; }; } );\n";
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct scene_description *description = read_text(text);
+        description->error = cases[i].error;
+        struct loaded_scene loaded = load_description(description, "fx");
+        assert_int_equal(loaded.compiled->ray_budget, cases[i].budget);
+        unload(&loaded);
+        scene_description_free(description);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(an_estimate_is_worth_a_lower_threshold),
@@ -279,6 +300,7 @@ int main(void) {
         cmocka_unit_test(a_branch_is_worth_what_is_where_it_goes),
         cmocka_unit_test(what_was_not_seen_says_nothing),
         cmocka_unit_test(trapped_light_ends_and_is_told_of),
+        cmocka_unit_test(a_pixel_may_take_fewer_rays_where_an_error_is_asked_for),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
