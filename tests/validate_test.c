@@ -123,14 +123,10 @@ static const char *const scenes[] = {
 };
 enum { SCENES = sizeof scenes / sizeof scenes[0] };
 
-static void make_scene(char text[TEXT_SIZE], const char *objects) {
-    const int length = snprintf(text, TEXT_SIZE, "%s%s\n);\n", scene_head, objects);
-    assert_in_range(length, 1, TEXT_SIZE - 1);
-}
-
 static struct scene_description *read_objects(const char *objects) {
     char text[TEXT_SIZE];
-    make_scene(text, objects);
+    const int length = snprintf(text, TEXT_SIZE, "%s%s\n);\n", scene_head, objects);
+    assert_in_range(length, 1, TEXT_SIZE - 1);
     return read_text(text);
 }
 
