@@ -55,7 +55,7 @@ static const char scene_head[] =
 static const char *const scenes[] = {
     ON(BALL),
     ON(UNION(BALL ", " BALL)),
-    ON(LESS(EGG ", " EGG)) ",\n" OBJECT("glass", BALL),
+    ON(LESS(EGG ", " EGG)) ",\n" OBJECT("smoke", BALL),
     ON(LESS(BOX ", " BALL)),
     ON(UNION("{ box = { min = (-1, -1, -1); max = (0.3, 1, 1); }; }, "
              "{ box = { min = (0.3, -1, -1); max = (1, 1, 1); }; }")),
@@ -73,6 +73,8 @@ static const char *const scenes[] = {
     ON(UNION(BOTH(EGG ", " SLAB("-0.3")) ", " LESS(BOTH(EGG ", " CUT("0.7")) ", " ROD))),
     ON(BOTH(BOX ", { box = { min = (-0.5, -3, -3); max = (3, 0.1, 3); }; }")),
     ON(LESS(ROD ", { box = { min = (-1, -4, 0.3); max = (4, 4, 0.9); }; rotate = (0, 20, 0); }")),
+    ON(LESS(EGG ", " HALF("0, 0, 1"))),
+    ON(BOTH(UNION(EGG ", " ROD) ", " SLAB("-0.3"))),
     /* Bounded: what has no end, and what goes beyond all that is seen of it. */
     ON(BOTH(BOX ", { quadric = { coefficients = (1, -0.5, 0, 0, 0, 0, 0, 0, -1, 0); }; }")),
     ON(LESS(BOX ", " HALF("0.2, 0.4, 1") ", " HALF("0, 0, -1"))),
@@ -121,14 +123,10 @@ static const char *const scenes[] = {
 };
 enum { SCENES = sizeof scenes / sizeof scenes[0] };
 
-static void make_scene(char text[TEXT_SIZE], const char *objects) {
-    const int length = snprintf(text, TEXT_SIZE, "%s%s\n);\n", scene_head, objects);
-    assert_in_range(length, 1, TEXT_SIZE - 1);
-}
-
 static struct scene_description *read_objects(const char *objects) {
     char text[TEXT_SIZE];
-    make_scene(text, objects);
+    const int length = snprintf(text, TEXT_SIZE, "%s%s\n);\n", scene_head, objects);
+    assert_in_range(length, 1, TEXT_SIZE - 1);
     return read_text(text);
 }
 
