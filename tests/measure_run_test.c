@@ -55,10 +55,10 @@ static void the_rows_that_are_announced_are_drawn(void **state) {
         "--model simple --quiet"};
     uint64_t random = 5;
     (void)state;
-    for (unsigned i = 0; i < 4; i++) {
-        struct measure *measure = plan_scenes(lines[i % 2]);
+    for (unsigned i = 0; i < 3; i++) {
+        struct measure *measure = plan_scenes(lines[i > 0 ? 1 : 0]);
         for (size_t j = 0; j < measure->points.count; j++) {
-            measure->points.points[j].is_done = i >= 2 && splitmix64(&random) % 2 == 0;
+            measure->points.points[j].is_done = i == 2 && splitmix64(&random) % 2 == 0;
         }
         run_and_count(measure);
         discard_measure(measure);
@@ -141,7 +141,7 @@ static void assert_judgement(struct measure *measure, const struct measure_point
 static void points_are_judged_against_the_converged_picture_and_their_twin(void **state) {
     static const char *const lines[] = {
         "measure glass.scene -o m --depth 6 --threshold 1/256 --size 100x2 --model fresnel --quiet",
-        "measure glass.scene -o m --arith f32 --tail estimate --depth 2 --error 4 --size 60x2 "
+        "measure glass.scene -o m --arith f32 --depth 2 --threshold 1/64 --size 60x2 "
         "--colour bits:4 --model fresnel --quiet"};
     size_t wrong = 0, apart = 0, count = 0;
     (void)state;

@@ -270,10 +270,12 @@ static enum usb_link_status take_anything(struct usb_link *link, const uint8_t *
     return USB_LINK_OK;
 }
 
-/* What an adapter of version 2 says to whatever it is told. */
-static enum usb_link_status speak_version_2(struct usb_link *link, uint8_t *bytes, size_t room,
-                                            unsigned timeout_ms, size_t *count) {
-    const struct usb_header header = {2, USB_KIND_REPLY, 0, 0, 0, 0, USB_STATUS_BAD_VERSION, 1};
+/* What an adapter says to whatever it is told: its version, and whether it minds ours. */
+static uint8_t version_told, status_told;
+
+static enum usb_link_status tell_version(struct usb_link *link, uint8_t *bytes, size_t room,
+                                         unsigned timeout_ms, size_t *count) {
+    const struct usb_header header = {version_told, USB_KIND_REPLY, 0, 0, 0, 0, status_told, 1};
     (void)link;
     (void)timeout_ms;
     assert_true(room >= USB_OVERHEAD);
@@ -282,16 +284,24 @@ static enum usb_link_status speak_version_2(struct usb_link *link, uint8_t *byte
 }
 
 static void another_version_of_the_protocol_is_refused(void **state) {
-    static const struct usb_link_operations of_another_version = {take_anything, speak_version_2,
-                                                                  NULL, NULL};
+    static const struct usb_link_operations of_another_version = {take_anything, tell_version, NULL,
+                                                                  NULL};
+    static const uint8_t told[][2] = {{2, USB_STATUS_BAD_VERSION},
+                                      {2, USB_STATUS_UNKNOWN_SESSION},
+                                      {USB_VERSION, USB_STATUS_BAD_VERSION}};
     struct usb_link link = {.operations = &of_another_version};
     struct usb_limits limits = quick_limits(1);
     (void)state;
-    struct usb_bus *usb_bus = usb_bus_new(&link, 0x00D0, &limits);
-    assert_non_null(usb_bus);
-    assert_int_equal(usb_bus->bus.status, BUS_PROTOCOL);
-    assert_non_null(strstr(usb_bus->reason, "version 2 of the protocol; allowed is 1"));
-    usb_bus_free(usb_bus);
+    for (size_t i = 0; i < 3; i++) {
+        version_told = told[i][0];
+        status_told = told[i][1];
+        struct usb_bus *usb_bus = usb_bus_new(&link, 0x00D0, &limits);
+        assert_non_null(usb_bus);
+        assert_int_equal(usb_bus->bus.status, BUS_PROTOCOL);
+        assert_non_null(strstr(usb_bus->reason, "of the protocol; allowed is 1"));
+        assert_int_equal(strstr(usb_bus->reason, "version 2") != NULL, version_told == 2);
+        usb_bus_free(usb_bus);
+    }
 }
 
 static void another_base_than_the_adapters_is_refused(void **state) {
