@@ -217,6 +217,7 @@ include tests/proofs/proofs.mk
 include tests/pov/pov.mk
 include tests/bench/bench.mk
 include tests/accuracy/accuracy.mk
+include tests/relations/relations.mk
 
 # ---- Running --------------------------------------------------------------------------------
 
