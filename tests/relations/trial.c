@@ -125,7 +125,9 @@ static void compare_forms(const struct relation *relation, int arithmetic, struc
         result_fail(result, FAULT_REFUSED, "only the rewritten scene: %.200s",
                     rewritten.error.text);
     } else if (result->applies) {
-        judge_alone(&room->second, "the rewritten scene", result);
+        if (first->leaked == 0 && !first->is_wrong) {
+            judge_alone(&room->second, "the rewritten scene", result);
+        }
         judge(relation, first, &room->second, result);
     }
     form_end(&rewritten);
@@ -166,7 +168,9 @@ static void run_f128(const struct relation *relation, struct trial_cache *cache,
     result->applies = first != NULL;
     if (first != NULL &&
         rendering_draw(&cache->form, &arithmetic_f128, ORACLE_AIR, &room->second)) {
-        judge_alone(&room->second, "f128", result);
+        if (first->leaked == 0 && !first->is_wrong) {
+            judge_alone(&room->second, "f128", result);
+        }
         judge(relation, first, &room->second, result);
     }
 }
