@@ -43,6 +43,9 @@ static struct bounds content_bounds(const struct scene_description *description)
     return all;
 }
 
+/* Coordinates of a file that were rounded a few times on their way: relative to the farthest. */
+#define FILE_ROUNDING 0x1p-50
+
 bool compile_scaling(struct compiler *compiler) {
     struct compiled_scene *scene = compiler->scene;
     struct bounds all = content_bounds(compiler->description);
@@ -58,6 +61,11 @@ bool compile_scaling(struct compiler *compiler) {
                             reach);
     }
     scene->exponent = (int)floor(log2(COMPILE_EXTENT / reach));
+    double farthest = 0;
+    for (int i = 0; i < 3; i++) {
+        farthest = fmax(farthest, fmax(fabs(all.low[i]), fabs(all.high[i])));
+    }
+    compiler->same = fmax(COMPILE_SAME, ldexp(FILE_ROUNDING * farthest, scene->exponent));
     compiler->scaling = affine_identity;
     for (int i = 0; i < 3; i++) {
         compiler->scaling.m[i][i] = ldexp(1, scene->exponent);
@@ -75,6 +83,9 @@ struct compiled_scene *scene_compile(const struct scene_description *description
         snprintf(error->text, sizeof error->text, "%.100s: out of memory", description->path);
     } else {
         compiler->description = description;
+        memcpy(compiler->directions, (double[3][3]){{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+               3 * sizeof compiler->directions[0]);
+        compiler->direction_count = 3;
         compiler->scene = scene;
         compiler->error = error;
         snprintf(scene->path, sizeof scene->path, "%s", description->path);

@@ -44,8 +44,8 @@ static void move_faces(struct moves *moves, struct compiled_scene *scene, struct
 static uint8_t move_polyhedron(struct moves *moves, struct compiled_scene *scene, uint8_t index) {
     const struct compiled_polyhedron *from = &moves->old.polyhedra[index];
     struct compiled_polyhedron *to = &scene->polyhedra[scene->polyhedron_count];
+    *to = *from;
     to->first = scene->plane_count;
-    to->count = from->count;
     for (int i = 0; i < from->count; i++) {
         struct compiled_plane *plane = &scene->planes[scene->plane_count++];
         *plane = moves->old.planes[from->first + i];

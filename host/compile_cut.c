@@ -69,10 +69,10 @@ int cut_planes(const struct compiled_scene *scene, int index,
     return polyhedron->count;
 }
 
-/* A frame whose third axis is a plane's normal. */
+/* A frame that has a plane's normal for an axis. */
 static int frame_across(struct compiler *compiler, const double normal[3]) {
-    double axis[3][3];
-    int least = 0;
+    double axis[3][3], sign[3];
+    int permutation[3], least = 0;
     for (int i = 1; i < 3; i++) {
         least = fabs(normal[i]) < fabs(normal[least]) ? i : least;
     }
@@ -80,15 +80,22 @@ static int frame_across(struct compiler *compiler, const double normal[3]) {
     vector_cross(normal, affine_identity.m[least], axis[0]);
     vector_normalise(axis[0]);
     vector_cross(axis[2], axis[0], axis[1]);
-    return compile_frame(compiler, axis);
+    return compile_frame(compiler, axis, false, permutation, sign);
+}
+
+/* The axis of a frame that a plane lies across, -1 if there is none. */
+static int axis_across(const struct compiled_scene *scene, uint8_t frame, const double normal[3]) {
+    int axis = 2;
+    while (axis >= 0 && compile_parallel(normal, compiled_axis(scene, frame, axis)) == 0) {
+        axis--;
+    }
+    return axis;
 }
 
 int cut_axis(struct compiler *compiler, struct cut_quadric *cut, const double normal[3]) {
-    for (int i = 0; i < 3; i++) {
-        const double *axis = compiled_axis(compiler->scene, cut->frame, i);
-        if (compile_same(fabs(vector_dot(normal, axis)), 1)) {
-            return i;
-        }
+    int axis = axis_across(compiler->scene, cut->frame, normal);
+    if (axis >= 0) {
+        return axis;
     }
     if (!cut->is_ball || cut->frame != WORLD_FRAME || cut->quadric.cuts != 0) {
         return -1;
@@ -98,7 +105,7 @@ int cut_axis(struct compiler *compiler, struct cut_quadric *cut, const double no
         return -1;
     }
     cut->frame = (uint8_t)frame;
-    return 2;
+    return axis_across(compiler->scene, cut->frame, normal);
 }
 
 void cut_across(struct cut_quadric *cut, int axis, double along, double offset) {

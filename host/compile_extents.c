@@ -136,7 +136,7 @@ static double polyhedron_reach(const struct compiled_scene *scene,
         }
     }
     for (int i = polyhedron->first; i < polyhedron->first + polyhedron->count; i++) {
-        if (compile_same_point(direction, scene->planes[i].normal)) {
+        if (compile_parallel(direction, scene->planes[i].normal) > 0) {
             reach = fmin(reach, scene->planes[i].offset);
         }
     }

@@ -12,9 +12,10 @@
 #define COMPILE_EXTENT 512.0
 #define COMPILE_WORLD  1024.0
 
-/* Surfaces and coordinates (in scaled units) nearer than this are one: some units in the last place
- * of a double at 512. */
-#define COMPILE_SAME 0x1p-40
+/* Surfaces and coordinates (in scaled units) nearer than this are one, or than what the file's own
+ * numbers resolve: 32 units in the last place of a double at 512, for placements that are composed
+ * one after the other. */
+#define COMPILE_SAME 0x1p-38
 
 /* Farther than this inside: what rounding of an arithmetic could turn over is not strictly inside.
  */
@@ -32,20 +33,26 @@
 
 /* A plane in scaled world coordinates, for finding faces that coincide. */
 struct compile_plane {
-    double normal[3]; /* the first component that is not zero is positive */
+    double normal[3];
     double offset;
 };
+
+/* The world's axes, those of frames, and the normals of planes. */
+enum { COMPILED_DIRECTIONS_MOST = 3 + 3 * COMPILED_FRAMES_MOST + COMPILED_SURFACES_MOST };
 
 struct compiler {
     const struct scene_description *description;
     struct compiled_scene *scene;
     struct scene_error *error;
     struct affine scaling;   /* the file's coordinates to scaled ones */
+    double same;             /* lengths that differ by no more are one, in scaled units */
     unsigned line;           /* of the node or object at work */
     unsigned lost_line;      /* of a half-space of the object, none of it in the world; 0: no */
     const char *object_name; /* of the object at work */
     struct compile_plane planes[COMPILED_SURFACES_MOST]; /* by surface; normal null: no plane */
-    struct bounds object_bounds[COMPILED_OBJECTS_MOST];  /* by compiled object, scaled */
+    double directions[COMPILED_DIRECTIONS_MOST][3];      /* that were met, either way */
+    int direction_count;
+    struct bounds object_bounds[COMPILED_OBJECTS_MOST]; /* by compiled object, scaled */
 };
 
 /* Records why the scene is refused (line 0: of the whole file) and returns false. */
@@ -82,6 +89,8 @@ int compile_half_space(struct compiler *compiler, const struct scene_plane *plan
                        const struct affine *placement);
 int compile_polyhedron(struct compiler *compiler, const struct scene_plane *planes, size_t count,
                        const struct affine *placement);
+int compile_placed_polyhedron(struct compiler *compiler, const struct scene_plane *planes,
+                              size_t count);
 int compile_quadric(struct compiler *compiler, const struct solid_node *leaf,
                     const struct affine *placement);
 
@@ -89,27 +98,40 @@ int compile_quadric(struct compiler *compiler, const struct solid_node *leaf,
 int compile_new_primitive(struct compiler *compiler, uint8_t kind, uint8_t index, uint8_t frame,
                           bool left_for_good);
 
-/* The frame with these axes; -1 with the failure recorded. */
-int compile_frame(struct compiler *compiler, double axis[3][3]);
+/* Whether two scaled lengths are one to the compiler. */
+bool compile_same(const struct compiler *compiler, double a, double b);
 
-/* Sorts axes that are the world's, up to order and sign, into the world's order. permutation[i] is
- * the axis that became axis i, sign[i] its sign. False, and nothing sorted, if they are not. */
-bool compile_straighten(double axis[3][3], int permutation[3], double sign[3]);
+/* Replaces a direction of length 1 by one that was met before, or by its opposite, if they are one:
+ * coincident faces have the same normal to the last bit. False with the failure recorded. */
+bool compile_direction(struct compiler *compiler, double direction[3]);
 
-/* Whether two scaled numbers, or points, are one to the compiler: COMPILE_SAME. */
-bool compile_same(double a, double b);
-bool compile_same_point(const double a[3], const double b[3]);
+/* 1 if two directions are the same to the last bit, -1 if they are opposite, else 0. */
+double compile_parallel(const double a[3], const double b[3]);
 
-/* A plane after a placement: its outward normal, of length 1, and its offset. */
-struct scene_plane compile_placed_plane(const struct scene_plane *plane,
-                                        const struct affine *placement);
+/* The frame with these axes up to their order and signs, which a solid of the frame has to follow:
+ * permutation[i] is the axis that became axis i of the frame, sign[i] its sign. third_stays: axis 2
+ * is to be axis 2 of the frame. WORLD_FRAME if the axes are the world's; -1 with the failure
+ * recorded. */
+int compile_frame(struct compiler *compiler, double axis[3][3], bool third_stays,
+                  int permutation[3], double sign[3]);
 
-/* The surface of a plane, given in scaled world coordinates; one that coincides is found again.
- * Returns SURFACE number, or -1 with the failure recorded. */
+/* Places a plane by its normal, of length 1, and one of its points; false with the failure
+ * recorded.
+ */
+bool compile_placed_plane(struct compiler *compiler, const double normal[3], const double point[3],
+                          const struct affine *placement, struct scene_plane *placed);
+
+/* The surface of a plane, given in scaled world coordinates by a direction of compile_direction();
+ * one that coincides is found again. Returns its number, or -1 with the failure recorded. */
 int compile_plane_surface(struct compiler *compiler, const double normal[3], double offset);
 
 /* Where the plane of a surface crosses an axis that it lies across. */
 double compile_place_of_plane(const struct compiler *compiler, int surface, const double axis[3]);
+
+/* The ball or quadric whose curved surface is that of a form, -1 if there is none; *opposite says
+ * that it lies on the other side. */
+int compile_same_curve(const struct compiler *compiler, const struct quadric_axes *form,
+                       bool *opposite);
 
 /* A new surface of its own. */
 int compile_new_surface(struct compiler *compiler);

@@ -6,29 +6,39 @@
 #include "compile_internal.h"
 
 /* A normal goes by the inverse transpose; the matrix of cofactors is that times the determinant. */
-struct scene_plane compile_placed_plane(const struct scene_plane *plane,
-                                        const struct affine *placement) {
-    double column[3][3], cofactor[3][3], on_plane[3], image[3];
-    struct scene_plane placed = {{0, 0, 0}, 0};
+bool compile_placed_plane(struct compiler *compiler, const double normal[3], const double point[3],
+                          const struct affine *placement, struct scene_plane *placed) {
+    double column[3][3], cofactor[3][3], image[3];
+    memset(placed, 0, sizeof *placed);
     for (int i = 0; i < 3; i++) {
         affine_axis(placement, i, column[i]);
-        on_plane[i] = plane->normal[i] * plane->offset;
     }
     for (int i = 0; i < 3; i++) {
         vector_cross(column[(i + 1) % 3], column[(i + 2) % 3], cofactor[i]);
         for (int j = 0; j < 3; j++) {
-            placed.normal[j] += plane->normal[i] * cofactor[i][j];
+            placed->normal[j] += normal[i] * cofactor[i][j];
         }
     }
     if (vector_dot(cofactor[0], column[0]) < 0) {
         for (int j = 0; j < 3; j++) {
-            placed.normal[j] = -placed.normal[j]; /* the placement mirrors */
+            placed->normal[j] = -placed->normal[j]; /* the placement mirrors */
         }
     }
-    vector_normalise(placed.normal);
-    affine_point(placement, on_plane, image);
-    placed.offset = vector_dot(placed.normal, image);
-    return placed;
+    vector_normalise(placed->normal);
+    affine_point(placement, point, image);
+    if (!compile_direction(compiler, placed->normal)) {
+        return false;
+    }
+    placed->offset = vector_dot(placed->normal, image);
+    return true;
+}
+
+/* Places a plane that is given by its offset. */
+static bool place_plane(struct compiler *compiler, const struct scene_plane *plane,
+                        const struct affine *placement, struct scene_plane *placed) {
+    const double foot[3] = {plane->normal[0] * plane->offset, plane->normal[1] * plane->offset,
+                            plane->normal[2] * plane->offset};
+    return compile_placed_plane(compiler, plane->normal, foot, placement, placed);
 }
 
 /* The same surfaces, each with its inside on the same side: the halves of a solid have the plane
@@ -59,9 +69,8 @@ static void set_bounds(struct compiled_polyhedron *polyhedron, const struct scen
     memcpy(polyhedron->high, bounds.high, sizeof polyhedron->high);
 }
 
-/* A polyhedron of planes in scaled coordinates. */
-static int add_polyhedron(struct compiler *compiler, const struct scene_plane *planes,
-                          size_t count) {
+int compile_placed_polyhedron(struct compiler *compiler, const struct scene_plane *planes,
+                              size_t count) {
     struct compiled_scene *scene = compiler->scene;
     int surfaces[SCENE_PLANES_MOST];
     for (size_t i = 0; i < count; i++) {
@@ -94,7 +103,7 @@ static int add_polyhedron(struct compiler *compiler, const struct scene_plane *p
     for (size_t i = 0; i < count; i++) {
         struct compiled_plane *plane = &scene->planes[scene->plane_count++];
         memcpy(plane->normal, planes[i].normal, sizeof plane->normal);
-        plane->offset = planes[i].offset;
+        plane->offset = compile_place_of_plane(compiler, surfaces[i], plane->normal);
         plane->surface = (uint16_t)surfaces[i];
     }
     return primitive;
@@ -107,9 +116,11 @@ int compile_polyhedron(struct compiler *compiler, const struct scene_plane *plan
         count = SCENE_PLANES_MOST; /* the reader lets no more through */
     }
     for (size_t i = 0; i < count; i++) {
-        placed[i] = compile_placed_plane(&planes[i], placement);
+        if (!place_plane(compiler, &planes[i], placement, &placed[i])) {
+            return -1;
+        }
     }
-    return add_polyhedron(compiler, placed, count);
+    return compile_placed_polyhedron(compiler, placed, count);
 }
 
 /* Whether no point of the world lies behind the plane. */
@@ -126,14 +137,16 @@ static bool misses_world(const struct scene_plane *plane) {
 int compile_half_space(struct compiler *compiler, const struct scene_plane *plane,
                        const struct affine *placement) {
     struct scene_plane planes[7] = {{{0, 0, 0}, 0}};
-    planes[0] = compile_placed_plane(plane, placement);
+    if (!place_plane(compiler, plane, placement, &planes[0])) {
+        return -1;
+    }
     size_t count = 1;
     if (misses_world(&planes[0])) {
         compiler->lost_line = compiler->line;
     }
     for (int i = 0; i < 3; i++) {
         double along = planes[0].normal[i];
-        if (compile_same(fabs(along), 1)) {
+        if (fabs(along) == 1) {
             double low[3] = {-COMPILE_WORLD, -COMPILE_WORLD, -COMPILE_WORLD};
             double high[3] = {COMPILE_WORLD, COMPILE_WORLD, COMPILE_WORLD};
             *(along > 0 ? &high[i] : &low[i]) = planes[0].offset * along;
@@ -145,5 +158,5 @@ int compile_half_space(struct compiler *compiler, const struct scene_plane *plan
         planes[count].normal[i % 3] = side;
         planes[count++].offset = COMPILE_WORLD;
     }
-    return add_polyhedron(compiler, planes, count);
+    return compile_placed_polyhedron(compiler, planes, count);
 }

@@ -7,13 +7,6 @@
 
 static int compile_ball(struct compiler *compiler, const double centre[3], double radius) {
     struct compiled_scene *scene = compiler->scene;
-    for (int i = 0; i < scene->primitive_count; i++) {
-        const struct compiled_ball *other = &scene->balls[scene->primitives[i].index];
-        if (scene->primitives[i].kind == KIND_BALL && compile_same_point(centre, other->centre) &&
-            compile_same(radius, other->radius)) {
-            return i;
-        }
-    }
     int primitive =
         compile_new_primitive(compiler, KIND_BALL, scene->ball_count, WORLD_FRAME, true);
     int surface = primitive < 0 ? -1 : compile_new_surface(compiler);
@@ -27,91 +20,115 @@ static int compile_ball(struct compiler *compiler, const double centre[3], doubl
     return primitive;
 }
 
-static bool same_quadric(const struct compiled_quadric *a, const struct compiled_quadric *b) {
-    return compile_same_point(a->centre, b->centre) && compile_same_point(a->square, b->square) &&
-           compile_same(a->linear, b->linear) &&
-           fabs(a->constant - b->constant) <= COMPILE_SAME * COMPILE_EXTENT;
-}
-
 static int add_quadric(struct compiler *compiler, const struct compiled_quadric *quadric,
-                       int frame) {
-    struct compiled_scene *scene = compiler->scene;
-    for (int i = 0; i < scene->primitive_count; i++) {
-        const struct compiled_primitive *other = &scene->primitives[i];
-        if (other->kind == KIND_QUADRIC && other->frame == frame &&
-            same_quadric(quadric, &scene->quadrics[other->index])) {
-            return i;
-        }
-    }
+                       uint8_t frame) {
     const double *square = quadric->square;
     bool convex = square[0] >= 0 && square[1] >= 0 && square[2] >= 0;
+    struct compiled_scene *scene = compiler->scene;
     int primitive =
-        compile_new_primitive(compiler, KIND_QUADRIC, scene->quadric_count, (uint8_t)frame, convex);
-    int surface = primitive < 0 ? -1 : compile_new_surface(compiler);
-    if (surface < 0) {
-        return -1;
+        compile_new_primitive(compiler, KIND_QUADRIC, scene->quadric_count, frame, convex);
+    if (primitive >= 0) {
+        scene->quadrics[scene->quadric_count++] = *quadric;
     }
-    scene->quadrics[scene->quadric_count] = *quadric;
-    scene->quadrics[scene->quadric_count++].surface = (uint16_t)surface;
     return primitive;
 }
 
-/* Axes that are the world's need no frame. The third one takes the linear part with it. */
-static int quadric_frame(struct compiler *compiler, double axis[3][3],
-                         struct compiled_quadric *quadric) {
+/* Makes a quadric of a ball: the other side of its surface rounds as it does, then. */
+static void make_quadric(struct compiled_scene *scene, struct compiled_primitive *primitive) {
+    const struct compiled_ball *ball = &scene->balls[primitive->index];
+    struct compiled_quadric quadric = {.square = {1, 1, 1}, .surface = ball->surface};
+    memcpy(quadric.centre, ball->centre, sizeof quadric.centre);
+    quadric.constant = -ball->radius * ball->radius;
+    primitive->kind = KIND_QUADRIC;
+    primitive->index = scene->quadric_count;
+    scene->quadrics[scene->quadric_count++] = quadric;
+}
+
+/* The other side of a surface that is there, by the same numbers. */
+static int add_opposite(struct compiler *compiler, int twin) {
+    struct compiled_primitive *primitive = &compiler->scene->primitives[twin];
+    if (primitive->kind == KIND_BALL) {
+        make_quadric(compiler->scene, primitive);
+    }
+    struct compiled_quadric quadric = compiler->scene->quadrics[primitive->index];
+    for (int i = 0; i < 3; i++) {
+        quadric.square[i] = -quadric.square[i];
+    }
+    quadric.linear = -quadric.linear;
+    quadric.constant = -quadric.constant;
+    return add_quadric(compiler, &quadric, primitive->frame);
+}
+
+/* Whether a form is a ball's: its radius is the same along all axes. */
+static bool is_round(const struct compiler *compiler, const struct quadric_axes *axes) {
+    double radius = sqrt(fabs(axes->constant));
+    for (int i = 0; i < 3; i++) {
+        if (axes->square[i] <= 0 || !compile_same(compiler, axes->square[i] * radius, radius)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* A surface that no primitive has: the third axis takes the linear part with it. */
+static int add_curve(struct compiler *compiler, struct quadric_axes *axes) {
+    struct compiled_quadric quadric;
+    double sign[3];
     int permutation[3];
-    double sign[3], square[3];
-    bool upright = quadric->linear <= 0 || compile_same(fabs(axis[2][2]), 1);
-    if (!upright || !compile_straighten(axis, permutation, sign)) {
-        return compile_frame(compiler, axis);
+    int frame = compile_frame(compiler, axes->axis, axes->linear > 0, permutation, sign);
+    int surface = frame < 0 ? -1 : compile_new_surface(compiler);
+    if (surface < 0) {
+        return -1;
+    }
+    memset(&quadric, 0, sizeof quadric);
+    memcpy(quadric.centre, axes->origin, sizeof quadric.centre);
+    for (int i = 0; i < 3; i++) {
+        quadric.square[i] = axes->square[permutation[i]];
+    }
+    quadric.linear = axes->linear * sign[2];
+    quadric.constant = axes->constant;
+    quadric.surface = (uint16_t)surface;
+    return add_quadric(compiler, &quadric, (uint8_t)frame);
+}
+
+/* Why a form cannot be a primitive of the firmware; NULL if it can. */
+static const char *fault_of(const struct quadric_axes *axes) {
+    if (axes->square[0] > 0 && axes->square[1] > 0 && axes->square[2] > 0 && axes->constant >= 0) {
+        return "a quadric that holds no point: its form has to be negative somewhere";
+    }
+    if (fabs(axes->linear) >= 2 * COMPILE_WORLD ||
+        fabs(axes->constant) >= 4 * COMPILE_WORLD * COMPILE_WORLD) {
+        return "a quadric that is nearly flat over the whole scene: use a half_space, or make it "
+               "smaller";
     }
     for (int i = 0; i < 3; i++) {
-        square[i] = quadric->square[permutation[i]];
+        if (fabs(axes->origin[i]) >= COMPILE_WORLD) {
+            return "a quadric whose centre or apex lies outside of the scene, at more than twice "
+                   "its size: use a half_space, or move it";
+        }
     }
-    memcpy(quadric->square, square, sizeof square);
-    quadric->linear *= sign[2];
-    return WORLD_FRAME;
+    return NULL;
 }
 
 int compile_quadric(struct compiler *compiler, const struct solid_node *leaf,
                     const struct affine *placement) {
     struct quadric_axes axes;
-    struct compiled_quadric quadric;
+    bool opposite;
     if (!quadric_axes_of_leaf(leaf, placement, &axes)) {
         compile_fail(compiler, compiler->line,
                      "a quadric without a quadratic term: use a half_space");
         return -1;
     }
-    bool definite = axes.square[0] > 0 && axes.square[1] > 0 && axes.square[2] > 0;
-    if (definite && axes.constant >= 0) {
-        compile_fail(compiler, compiler->line,
-                     "a quadric that holds no point: its form has to be negative somewhere");
+    const char *fault = fault_of(&axes);
+    if (fault) {
+        compile_fail(compiler, compiler->line, "%s", fault);
         return -1;
     }
-    if (definite && compile_same(axes.square[0], 1) && compile_same(axes.square[1], 1) &&
-        compile_same(axes.square[2], 1)) {
-        return compile_ball(compiler, axes.origin, sqrt(-axes.constant));
+    int twin = compile_same_curve(compiler, &axes, &opposite);
+    if (twin >= 0) {
+        return opposite ? add_opposite(compiler, twin) : twin;
     }
-    memset(&quadric, 0, sizeof quadric);
-    memcpy(quadric.centre, axes.origin, sizeof quadric.centre);
-    memcpy(quadric.square, axes.square, sizeof quadric.square);
-    quadric.linear = axes.linear;
-    quadric.constant = axes.constant;
-    if (fabs(quadric.linear) >= 2 * COMPILE_WORLD ||
-        fabs(quadric.constant) >= 4 * COMPILE_WORLD * COMPILE_WORLD) {
-        compile_fail(compiler, compiler->line,
-                     "a quadric that is nearly flat over the whole scene: use a half_space, or "
-                     "make it smaller");
-        return -1;
-    }
-    for (int i = 0; i < 3; i++) {
-        if (fabs(axes.origin[i]) >= COMPILE_WORLD) {
-            compile_fail(compiler, compiler->line,
-                         "a quadric whose centre or apex lies outside of the scene, at more than "
-                         "twice its size: use a half_space, or move it");
-            return -1;
-        }
-    }
-    int frame = quadric_frame(compiler, axes.axis, &quadric);
-    return frame < 0 ? -1 : add_quadric(compiler, &quadric, frame);
+    return is_round(compiler, &axes)
+               ? compile_ball(compiler, axes.origin, sqrt(fabs(axes.constant)))
+               : add_curve(compiler, &axes);
 }

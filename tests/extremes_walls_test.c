@@ -136,7 +136,7 @@ static void solids_stand_on_each_other(void **state) {
 
 /* All within +-400 and symmetric: one unit of the file is one scaled unit, and 0 is the middle.
  * Walls are at 100, where a length's last bit is 2^-20, 2^-17 and 2^-46; the compiler makes
- * surfaces nearer than 2^-40 one. */
+ * surfaces nearer than 2^-38 one. */
 static const char shell_head[] =
     "version = 1; size = [16, 10]; depth = 12; background = [40, 40, 40];\n"
     "camera = { eye = (10, 20, -400); look_at = (0, 0, 0); up = (0, 1, 0); field_of_view = 40; };\n"
@@ -147,7 +147,7 @@ static const char shell_head[] =
     "400, "
     "400); }; }; },\n{ material = \"glass\"; solid = ";
 
-static const double last_bit[EXTREME_ARITHMETICS] = {0x1p-20, 0x1p-17, 0x1p-39};
+static const double last_bit[EXTREME_ARITHMETICS] = {0x1p-20, 0x1p-17, 0x1p-37};
 
 static void box_shell(char *text, double wall) {
     double a = 100, b = 100 - wall;
