@@ -206,29 +206,59 @@ bool oracle_start(struct oracle *oracle, const struct syntax *syntax, const doub
 
 enum belongs { OUT, NEAR, IN };
 
+/* How a limit looks from a point: its value, its slope there, and how much it bends. */
+struct view {
+    double value, slope[3], length, bend;
+};
+
+static struct view view_limit(const struct oracle_limit *limit, const double p[3]) {
+    struct view view = {limit->constant, {0, 0, 0}, 0, 0};
+    for (int i = 0; i < 3; i++) {
+        double along = 0;
+        for (int j = 0; j < 3; j++) {
+            along += limit->square[i][j] * p[j];
+            view.bend = fmax(view.bend, fabs(limit->square[i][j]));
+        }
+        view.value += (along + limit->linear[i]) * p[i];
+        view.slope[i] = 2 * along + limit->linear[i];
+        view.length += view.slope[i] * view.slope[i];
+    }
+    view.length = sqrt(view.length);
+    return view;
+}
+
 /* Asks a leaf: how far a limit's surface is follows from its value and its slope. */
 static enum belongs leaf_holds(const struct oracle *oracle, const struct oracle_node *node,
                                const double p[3]) {
     enum belongs belongs = IN;
     for (int k = node->first; k < node->first + node->count; k++) {
-        const struct oracle_limit *limit = &oracle->limits[k];
-        double value = limit->constant, slope = 0, bend = 0;
-        for (int i = 0; i < 3; i++) {
-            double along = 0;
-            for (int j = 0; j < 3; j++) {
-                along += limit->square[i][j] * p[j];
-                bend = fmax(bend, fabs(limit->square[i][j]));
-            }
-            value += (along + limit->linear[i]) * p[i];
-            slope += pow(2 * along + limit->linear[i], 2);
-        }
-        double near = oracle->tolerance * (sqrt(slope) + bend * oracle->tolerance);
-        if (value > near) {
+        const struct view view = view_limit(&oracle->limits[k], p);
+        double near = oracle->tolerance * (view.length + view.bend * oracle->tolerance);
+        if (view.value > near) {
             return OUT;
         }
-        belongs = value > -near ? NEAR : belongs;
+        belongs = view.value > -near ? NEAR : belongs;
     }
     return belongs;
+}
+
+bool oracle_is_smooth(const struct oracle *oracle, const double point[3], const double normal[3]) {
+    const double reach = 4 * oracle->tolerance, touch = oracle->tolerance / 50;
+    for (int k = 0; k < oracle->limit_count; k++) {
+        const struct view view = view_limit(&oracle->limits[k], point);
+        double distance = fabs(view.value), along = 0;
+        if (distance > reach * (view.length + view.bend * reach)) {
+            continue;
+        }
+        for (int i = 0; i < 3; i++) {
+            along += view.slope[i] * normal[i];
+        }
+        if (distance > touch * view.length || fabs(along) < 0.9999 * view.length ||
+            view.bend * reach > 0.05 * view.length) {
+            return false;
+        }
+    }
+    return true;
 }
 
 static enum belongs holds(const struct oracle *oracle, int index, const double p[3], int *material);

@@ -36,6 +36,10 @@ struct oracle {
 bool oracle_start(struct oracle *oracle, const struct syntax *syntax, const double centre[3],
                   int exponent);
 
+/* Checks whether a boundary's point lies in one smooth surface with nothing else near: what is just
+ * behind it is told by the normal there then. */
+bool oracle_is_smooth(const struct oracle *oracle, const double point[3], const double normal[3]);
+
 /* Returns the material that fills a point, ORACLE_AIR or ORACLE_UNKNOWN. */
 int oracle_material(const struct oracle *oracle, const double point[3]);
 

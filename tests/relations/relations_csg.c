@@ -184,7 +184,7 @@ bool rewrite_cutter(struct syntax *scene, uint64_t *random) {
     int last = scene->solid_count - 1, cutter = scene->solids[last].children[1];
     scene->solids[cutter].a[2] = -40 - chance_step(random, 0, 4);
     scene->solids[cutter].b[2] = 40 + chance_step(random, 0, 4);
-    int around = chance_is(random, 50) ? generate_ball(scene, 0, 0, 0, 100)
+    int around = chance_is(random, 50) ? generate_upright(scene, SYNTAX_CYLINDER, 0, 0, -45, 46, 8)
                                        : generate_box(scene, -50, -50, -44.5, 50, 50, 45);
     scene->solids[last].children[1] = syntax_combine(scene, SYNTAX_INTERSECTION, cutter, around);
     return scene->solids[last].kind == SYNTAX_DIFFERENCE;

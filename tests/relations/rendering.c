@@ -148,7 +148,9 @@ static void ask_node(struct painter *painter, const struct observed_node *node) 
         behind[i] = node->where[i] - 2.5 * painter->oracle->tolerance * node->normal[i];
     }
     ask_between(painter, from, node->where, material_of(painter, node->before), "a segment");
-    ask(painter, behind, material_of(painter, node->after), "the place behind a boundary");
+    if (oracle_is_smooth(painter->oracle, node->where, node->normal)) {
+        ask(painter, behind, material_of(painter, node->after), "the place behind a boundary");
+    }
 }
 
 /* Asks along an eye ray that leaves the scene; the ray is reckoned anew from the file's camera. */
