@@ -242,10 +242,26 @@ static enum belongs leaf_holds(const struct oracle *oracle, const struct oracle_
     return belongs;
 }
 
+/* Compares the bends of two limits that touch in a point, either side of each being the inner one.
+ */
+static bool bend_alike(const struct oracle_limit *a, double a_slope, const struct oracle_limit *b,
+                       double b_slope, double least) {
+    for (int i = 0; i < 9; i++) {
+        double off = a->square[i / 3][i % 3] / a_slope - b->square[i / 3][i % 3] / b_slope;
+        if (fabs(off) > least) {
+            return false;
+        }
+    }
+    return true;
+}
+
 bool oracle_is_smooth(const struct oracle *oracle, const double point[3], const double normal[3]) {
     const double reach = 4 * oracle->tolerance, touch = oracle->tolerance / 50;
+    const struct oracle_limit *first = NULL;
+    double first_slope = 1;
     for (int k = 0; k < oracle->limit_count; k++) {
-        const struct view view = view_limit(&oracle->limits[k], point);
+        const struct oracle_limit *limit = &oracle->limits[k];
+        const struct view view = view_limit(limit, point);
         double distance = fabs(view.value), along = 0;
         if (distance > reach * (view.length + view.bend * reach)) {
             continue;
@@ -254,9 +270,12 @@ bool oracle_is_smooth(const struct oracle *oracle, const double point[3], const 
             along += view.slope[i] * normal[i];
         }
         if (distance > touch * view.length || fabs(along) < 0.9999 * view.length ||
-            view.bend * reach > 0.05 * view.length) {
+            view.bend * reach > 0.05 * view.length ||
+            (first != NULL && !bend_alike(first, first_slope, limit, along, 1e-6))) {
             return false;
         }
+        first = limit;
+        first_slope = along;
     }
     return true;
 }
