@@ -22,7 +22,7 @@ static void set_model(struct syntax *syntax, uint64_t *random) {
     syntax->blinn = chance_is(random, 25);
     syntax->filters = chance_is(random, 10);
     syntax->fades = chance_is(random, 10);
-    syntax->fade_constant = 4 + chance_pick(random, 8);
+    syntax->fade_constant = 2 + chance_pick(random, 5);
     for (int i = 0; i < 3; i++) {
         syntax->background[i] = chance_pick(random, 200);
         syntax->ambient[i] = chance_pick(random, 128);
@@ -84,7 +84,7 @@ void generate_scene(struct syntax *syntax, uint64_t seed) {
     for (int i = 0; i < count; i++) {
         generate_motif(syntax, random, (enum motif)chance_pick(random, MOTIF_AROUND_EYE));
     }
-    if (chance_is(random, 4) && !syntax_has_endless(syntax)) {
+    if (chance_is(random, 8) && !syntax_has_endless(syntax)) {
         generate_motif(syntax, random, MOTIF_AROUND_EYE);
     }
     if (syntax->object_count == 0) {

@@ -5,12 +5,14 @@
 #include <string.h>
 
 #include "chance.h"
+#include "wording.h"
 
 /* Where a motif stands, and the scene it goes to. */
 struct site {
     struct syntax *syntax;
     uint64_t *random;
     double x, y;
+    double scale[3], rotate[3];
 };
 
 static int any_material(const struct site *site) {
@@ -23,13 +25,16 @@ static int transparent(const struct site *site) {
     return materials[chance_pick(site->random, 5)];
 }
 
-/* Adds an object that is moved to its site. */
+/* Adds an object that is placed as its site is. */
 static void stand(const struct site *site, int material, int solid) {
     struct syntax *syntax = site->syntax;
     int placed = syntax_add(syntax, SYNTAX_UNION);
+    struct syntax_solid *wrapper = &syntax->solids[placed];
     syntax_adopt(syntax, placed, solid);
-    syntax->solids[placed].translate[0] = site->x;
-    syntax->solids[placed].translate[1] = site->y;
+    wrapper->translate[0] = site->x;
+    wrapper->translate[1] = site->y;
+    memcpy(wrapper->scale, site->scale, sizeof wrapper->scale);
+    memcpy(wrapper->rotate, site->rotate, sizeof wrapper->rotate);
     syntax_add_object(syntax, material, placed);
 }
 
@@ -37,8 +42,28 @@ static double some(const struct site *site) {
     return 0.5 + chance_step(site->random, 0, 1) / 2;
 }
 
+/* Adds a box with a smaller one in it that has a face in common, as a filling or a cavity. */
+static void add_flush(const struct site *site) {
+    struct syntax *syntax = site->syntax;
+    double size = some(site);
+    int outer = generate_box(syntax, -size, -size, 0.5, size, size, 2);
+    int inner = generate_box(syntax, -size / 2, -size, 0.75, size / 2, size / 2, 2);
+    if (chance_is(site->random, 50)) {
+        int cavity = syntax_copy(syntax, inner);
+        outer = syntax_combine(syntax, SYNTAX_DIFFERENCE, outer, cavity);
+    }
+    stand(site, any_material(site), outer);
+    if (chance_is(site->random, 70)) {
+        stand(site, any_material(site), inner);
+    }
+}
+
 static void add_touching(const struct site *site) {
     struct syntax *syntax = site->syntax;
+    if (chance_is(site->random, 40)) {
+        add_flush(site);
+        return;
+    }
     double depth = some(site), height = some(site), left = some(site), right = some(site);
     stand(site, any_material(site),
           generate_box(syntax, -left, -depth, 0.25, 0, depth, height + 1));
@@ -64,23 +89,26 @@ static void add_standing(const struct site *site) {
                              : generate_upright(syntax, kind, 0, 0, 0, height, radius));
 }
 
-/* Adds two halves of one ball, the second written as an ellipsoid. */
+/* Adds two halves of one solid, the second in other words; or what one leaves of the other. */
 static void add_reworded(const struct site *site) {
     struct syntax *syntax = site->syntax;
-    double radius = some(site), height = 1.5;
-    int first =
-        syntax_combine(syntax, SYNTAX_INTERSECTION, generate_ball(syntax, 0.25, 0, height, radius),
-                       generate_box(syntax, -4, -4, -4, 0.5, 4, 4));
-    int other = syntax_add(syntax, SYNTAX_ELLIPSOID);
-    struct syntax_solid *ellipsoid = &syntax->solids[other];
-    ellipsoid->a[0] = 0.25;
-    ellipsoid->a[2] = height;
-    ellipsoid->b[0] = ellipsoid->b[1] = ellipsoid->b[2] = radius;
-    int cut = syntax_add(syntax, SYNTAX_HALF_SPACE);
-    syntax_plane(syntax, cut, -2, 0, 0, -1);
-    int second = syntax_combine(syntax, SYNTAX_INTERSECTION, other, cut);
-    stand(site, any_material(site), first);
-    stand(site, any_material(site), second);
+    int first = generate_leaf(syntax, site->random);
+    int second = syntax_copy(syntax, first);
+    (void)wording_ends(&syntax->solids[second]);
+    (void)wording_leaf(&syntax->solids[second], site->random);
+    int cutter = generate_cutter(syntax, site->random);
+    int halves[2] = {
+        syntax_combine(syntax, SYNTAX_INTERSECTION, first, cutter),
+        syntax_combine(syntax, SYNTAX_DIFFERENCE, second, syntax_copy(syntax, cutter))};
+    if (chance_is(site->random, 20)) {
+        halves[1] = syntax_combine(syntax, SYNTAX_DIFFERENCE, second, syntax_copy(syntax, first));
+    }
+    for (int i = 0; i < 2; i++) {
+        int raised = syntax_add(syntax, SYNTAX_UNION);
+        syntax_adopt(syntax, raised, halves[i]);
+        syntax->solids[raised].translate[2] = 1.25;
+        stand(site, any_material(site), raised);
+    }
 }
 
 /* Adds a tube, what fills it, and what goes on above it; each cylinder with its own ends. */
@@ -279,8 +307,16 @@ void generate_motif(struct syntax *syntax, uint64_t *random, enum motif motif) {
         [MOTIF_MIRRORED] = add_mirrored,     [MOTIF_TREE] = add_tree,
         [MOTIF_AROUND_EYE] = add_around_eye,
     };
-    const struct site site = {syntax, random, chance_step(random, -2, 2),
-                              chance_step(random, -2, 2)};
+    struct site site = {syntax,    random,   chance_step(random, -2, 2), chance_step(random, -2, 2),
+                        {1, 1, 1}, {0, 0, 0}};
+    if (chance_is(random, 12)) {
+        site.rotate[chance_pick(random, 3)] = 10 * (1 + chance_pick(random, 35));
+        syntax->motifs |= 1u << MOTIF_TURNED;
+    }
+    if (chance_is(random, 12)) {
+        static const double factors[] = {-1, 0.75, 1.25, 2};
+        site.scale[chance_pick(random, 3)] = factors[chance_pick(random, 4)];
+    }
     adders[motif](&site);
     syntax->motifs |= 1u << motif;
 }

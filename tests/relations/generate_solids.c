@@ -166,6 +166,9 @@ int generate_tree(struct syntax *syntax, uint64_t *random, int levels) {
     int solid = syntax_add(syntax, kind);
     syntax_adopt(syntax, solid, generate_tree(syntax, random, levels - 1));
     int others = chance_is(random, 30) ? 2 : 1;
+    if (chance_is(random, 8)) { /* the first once more */
+        syntax_adopt(syntax, solid, syntax_copy(syntax, syntax->solids[solid].children[0]));
+    }
     for (int i = 0; i < others; i++) {
         bool is_endless = kind != SYNTAX_UNION && chance_is(random, 40);
         syntax_adopt(syntax, solid,

@@ -27,6 +27,7 @@ static void add_limit(struct oracle *oracle, const struct place *inverse,
             limit->constant += inverse->move[i] * own->square[i][j] * inverse->move[j];
         }
     }
+    limit->bend = 0;
     for (int i = 0; i < 3; i++) {
         limit->linear[i] = 0;
         for (int k = 0; k < 3; k++) {
@@ -38,6 +39,7 @@ static void add_limit(struct oracle *oracle, const struct place *inverse,
                 limit->square[i][j] +=
                     inverse->map[k / 3][i] * own->square[k / 3][k % 3] * inverse->map[k % 3][j];
             }
+            limit->bend = fmax(limit->bend, fabs(limit->square[i][j]));
         }
     }
 }
@@ -206,18 +208,17 @@ bool oracle_start(struct oracle *oracle, const struct syntax *syntax, const doub
 
 enum belongs { OUT, NEAR, IN };
 
-/* How a limit looks from a point: its value, its slope there, and how much it bends. */
+/* How a limit looks from a point: its value and its slope there. */
 struct view {
-    double value, slope[3], length, bend;
+    double value, slope[3], length;
 };
 
 static struct view view_limit(const struct oracle_limit *limit, const double p[3]) {
-    struct view view = {limit->constant, {0, 0, 0}, 0, 0};
+    struct view view = {limit->constant, {0, 0, 0}, 0};
     for (int i = 0; i < 3; i++) {
         double along = 0;
-        for (int j = 0; j < 3; j++) {
+        for (int j = 0; j < 3 && limit->bend > 0; j++) {
             along += limit->square[i][j] * p[j];
-            view.bend = fmax(view.bend, fabs(limit->square[i][j]));
         }
         view.value += (along + limit->linear[i]) * p[i];
         view.slope[i] = 2 * along + limit->linear[i];
@@ -232,8 +233,9 @@ static enum belongs leaf_holds(const struct oracle *oracle, const struct oracle_
                                const double p[3]) {
     enum belongs belongs = IN;
     for (int k = node->first; k < node->first + node->count; k++) {
-        const struct view view = view_limit(&oracle->limits[k], p);
-        double near = oracle->tolerance * (view.length + view.bend * oracle->tolerance);
+        const struct oracle_limit *limit = &oracle->limits[k];
+        const struct view view = view_limit(limit, p);
+        double near = oracle->tolerance * (view.length + limit->bend * oracle->tolerance);
         if (view.value > near) {
             return OUT;
         }
@@ -263,14 +265,14 @@ bool oracle_is_smooth(const struct oracle *oracle, const double point[3], const 
         const struct oracle_limit *limit = &oracle->limits[k];
         const struct view view = view_limit(limit, point);
         double distance = fabs(view.value), along = 0;
-        if (distance > reach * (view.length + view.bend * reach)) {
+        if (distance > reach * (view.length + limit->bend * reach)) {
             continue;
         }
         for (int i = 0; i < 3; i++) {
             along += view.slope[i] * normal[i];
         }
         if (distance > touch * view.length || fabs(along) < 0.9999 * view.length ||
-            view.bend * reach > 0.05 * view.length ||
+            limit->bend * reach > 0.05 * view.length ||
             (first != NULL && !bend_alike(first, first_slope, limit, along, 1e-6))) {
             return false;
         }

@@ -13,6 +13,7 @@ enum { ORACLE_NODES_MOST = 1024, ORACLE_LIMITS_MOST = 4096 };
 /* p Q p + b p + c <= 0; a plane has no Q. */
 struct oracle_limit {
     double square[3][3], linear[3], constant;
+    double bend; /* the largest of the squares; 0: a plane */
 };
 
 struct oracle_node {

@@ -140,10 +140,16 @@ static void ask_between(struct painter *painter, const double from[3], const dou
     }
 }
 
+/* Beyond so many events, one in so many nodes is asked about: they are most, and much alike. */
+enum { EVENTS_ALL = 2, EVERY = 4 };
+
 static void ask_node(struct painter *painter, const struct observed_node *node) {
     const double *from =
         node->parent > 0 ? painter->notes[node->parent].where : painter->form->compiled->camera.eye;
     double behind[3];
+    if (node->events > EVENTS_ALL && node->number % EVERY != 0) {
+        return;
+    }
     for (int i = 0; i < 3; i++) {
         behind[i] = node->where[i] - 2.5 * painter->oracle->tolerance * node->normal[i];
     }
@@ -173,10 +179,10 @@ static void ask_leaving(struct painter *painter) {
         int j = (i + 1) % 3, k = (i + 2) % 3;
         up[i] = (right[j] * forward[k] - right[k] * forward[j]) / sqrt(side * length);
     }
-    for (int n = 1; n <= 40; n++) {
+    for (int n = 1; n <= 16; n++) {
         for (int i = 0; i < 3; i++) {
             double d = forward[i] / sqrt(length) + column * right[i] / sqrt(side) - row * up[i];
-            to[i] = painter->form->compiled->camera.eye[i] + 40.0 * n * d;
+            to[i] = painter->form->compiled->camera.eye[i] + 100.0 * n * d;
         }
         ask(painter, to, ORACLE_AIR, "an eye ray that leaves");
     }
