@@ -263,10 +263,10 @@ endef
 $(foreach arithmetic,$(ARITHMETICS),$(eval $(call real_test_rules,$(arithmetic))))
 
 FIRMWARE_IMAGES := $(BUILD)/release/firmware_fx.o $(BUILD)/release/firmware_f32.o $(BUILD)/release/firmware_f64.o
-TEST_SCRIPTS := tests/float_matrix.sh tests/trace_hash_matrix.sh tests/check_includes.sh tests/check_symbols.sh tests/check_recursion.sh tests/check_adapter.sh tests/check_usb_fuzz.sh tests/check_usb_bytes.sh tests/check_without_usb.sh tests/check_install.sh tests/check_measure.sh tests/targets/quick_test.sh tests/targets/probe_test.sh tests/check_porting.sh tests/check_bench.sh tests/check_manual.sh
+TEST_SCRIPTS := tests/float_matrix.sh tests/trace_hash_matrix.sh tests/check_includes.sh tests/check_symbols.sh tests/check_recursion.sh tests/check_adapter.sh tests/check_usb_fuzz.sh tests/check_usb_bytes.sh tests/check_without_usb.sh tests/check_install.sh tests/check_measure.sh tests/targets/quick_test.sh tests/targets/probe_test.sh tests/check_porting.sh tests/check_bench.sh tests/check_manual.sh tests/relations/relations_test.sh
 
 .PHONY: test
-test: $(TEST_PROGRAMS) $(REAL_TEST_PROGRAMS) $(BUILD)/superframe $(BUILD)/sanitized/superframe $(FIRMWARE_IMAGES) strict fresh-prefix $(BUILD)/usb_bytes $(BUILD)/superframe_without_usb $(USB_TEST_PROGRAMS) $(BENCH_TOOLS) ## Run every test (under the address and undefined-behaviour sanitizers)
+test: $(TEST_PROGRAMS) $(REAL_TEST_PROGRAMS) $(BUILD)/superframe $(BUILD)/sanitized/superframe $(FIRMWARE_IMAGES) strict fresh-prefix $(BUILD)/usb_bytes $(BUILD)/superframe_without_usb $(USB_TEST_PROGRAMS) $(BENCH_TOOLS) $(RELATIONS) ## Run every test (under the address and undefined-behaviour sanitizers)
 	@sh tests/run.sh $(BUILD) $(TEST_SCRIPTS) $(TEST_PROGRAMS) $(REAL_TEST_PROGRAMS) $(USB_TEST_PROGRAMS)
 
 # ---- Measuring ------------------------------------------------------------------------------
