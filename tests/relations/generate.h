@@ -27,7 +27,10 @@ void generate_materials(struct syntax *syntax, uint64_t *random);
 /* Appends a random bounded leaf about the origin. */
 int generate_leaf(struct syntax *syntax, uint64_t *random);
 
-/* Appends a leaf that may have no end: a half-space or a general quadric. */
+/* Appends a quadric by its coefficients, off its centre. */
+int generate_quadric(struct syntax *syntax, uint64_t *random);
+
+/* Appends a solid that may have no end, such as a half-space or a quadric. */
 int generate_cutter(struct syntax *syntax, uint64_t *random);
 
 /* Appends such a solid somewhere among the objects. */

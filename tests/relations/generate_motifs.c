@@ -167,15 +167,17 @@ static void add_cut_twice(const struct site *site) {
 
 static void add_off_centre(const struct site *site) {
     struct syntax *syntax = site->syntax;
-    int cutter = generate_cutter(syntax, site->random);
-    while (syntax->solids[cutter].kind != SYNTAX_QUADRIC && !syntax->is_full) {
-        cutter = generate_cutter(syntax, site->random);
+    int cutter = generate_quadric(syntax, site->random);
+    if (chance_is(site->random, 40)) {
+        generate_placement(syntax, site->random, cutter);
     }
     syntax->solids[cutter].translate[2] = 1.25;
     int box = generate_box(syntax, -1, -0.75, 0.25, 0.75, 1, 2.25);
     static const enum syntax_kind kinds[] = {SYNTAX_INTERSECTION, SYNTAX_DIFFERENCE};
-    stand(site, any_material(site),
-          syntax_combine(syntax, kinds[chance_pick(site->random, 2)], box, cutter));
+    int choice = chance_pick(site->random, 3);
+    int solid = choice == 2 ? syntax_combine(syntax, SYNTAX_INTERSECTION, cutter, box)
+                            : syntax_combine(syntax, kinds[choice], box, cutter);
+    stand(site, any_material(site), solid);
     if (chance_is(site->random, 40)) {
         stand(site, any_material(site),
               generate_ball(syntax, 0, 0.25, 1.25, 0.25 + some(site) / 4));

@@ -104,7 +104,7 @@ int generate_leaf(struct syntax *syntax, uint64_t *random) {
 }
 
 /* Appends (x - c)^2 s_x + ... <= r^2 written out, some of the squares 0 or negative. */
-static int quadric(struct syntax *syntax, uint64_t *random) {
+int generate_quadric(struct syntax *syntax, uint64_t *random) {
     static const double squares[][3] = {{1, 1, 2}, {1, 0.5, 0}, {1, 1, -1}, {0, 2, 1}, {1, -1, 0},
                                         {2, 1, 1}, {-1, 1, 1},  {0, 0, 1},  {1, 0, 0}, {0.5, 1, 1}};
     int index = syntax_add(syntax, SYNTAX_QUADRIC);
@@ -124,24 +124,31 @@ static int quadric(struct syntax *syntax, uint64_t *random) {
     return index;
 }
 
-int generate_cutter(struct syntax *syntax, uint64_t *random) {
-    int choice = chance_pick(random, 4);
-    if (choice == 0) {
-        return quadric(syntax, random);
-    }
-    if (choice > 2) {
-        return generate_leaf(syntax, random);
-    }
-    int half_space = syntax_add(syntax, SYNTAX_HALF_SPACE);
+static int half_space(struct syntax *syntax, uint64_t *random) {
+    int solid = syntax_add(syntax, SYNTAX_HALF_SPACE);
     int axis = chance_pick(random, 3);
     double normal[3] = {0, 0, 0};
     normal[axis] = chance_is(random, 50) ? 1 : -1;
     if (chance_is(random, 40)) {
         normal[(axis + 1) % 3] = chance_step(random, -1, 1);
     }
-    syntax_plane(syntax, half_space, normal[0], normal[1], normal[2],
-                 chance_step(random, -1, 1) / 2);
-    return half_space;
+    syntax_plane(syntax, solid, normal[0], normal[1], normal[2], chance_step(random, -1, 1) / 2);
+    return solid;
+}
+
+int generate_cutter(struct syntax *syntax, uint64_t *random) {
+    int choice = chance_pick(random, 16);
+    if (choice == 0) { /* two without an end */
+        int first = generate_cutter(syntax, random);
+        return syntax_combine(syntax, SYNTAX_UNION, first, generate_cutter(syntax, random));
+    }
+    int solid = choice < 5    ? generate_quadric(syntax, random)
+                : choice < 11 ? half_space(syntax, random)
+                              : generate_leaf(syntax, random);
+    if (chance_is(random, 25)) {
+        generate_placement(syntax, random, solid);
+    }
+    return solid;
 }
 
 int generate_any_cutter(struct syntax *scene, uint64_t *random) {
@@ -174,6 +181,11 @@ int generate_tree(struct syntax *syntax, uint64_t *random, int levels) {
         syntax_adopt(syntax, solid,
                      is_endless ? generate_cutter(syntax, random)
                                 : generate_tree(syntax, random, levels - 1));
+    }
+    if (kind == SYNTAX_INTERSECTION && chance_is(random, 30)) { /* the one with an end not first */
+        int *children = syntax->solids[solid].children, first = children[0];
+        children[0] = children[1];
+        children[1] = first;
     }
     if (chance_is(random, 15)) {
         generate_placement(syntax, random, solid);

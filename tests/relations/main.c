@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* Holds relations on generated scenes:
  *
- *     relations OUT [SEEDS=A:B] [RELATION=NAME] [SECONDS=S] [JOBS=N] [COVERED=yes]
+ *     relations OUT [SEEDS=A:B] [RELATION=NAME] [SECONDS=S] [JOBS=N] [COVERED=yes] [WRITE=yes]
  *
  * Seeds A .. B-1, all relations unless one is named. Failures are reduced and written into the
- * folder OUT. COVERED=yes: a count of 0 among what the scenes cover is a failure, too.
+ * folder OUT. COVERED=yes: a count of 0 among what the scenes cover is a failure, too. WRITE=yes:
+ * the scenes are written as OUT/SEED.scene, and nothing is held.
  * Exit status: 0 all hold, 1 one does not, 2 bad usage. */
 #include <errno.h>
 #include <pthread.h>
@@ -37,7 +38,7 @@ struct run {
     const char *out;
     const struct relation *only; /* NULL: all */
     unsigned first, last, jobs;
-    bool must_cover;
+    bool must_cover, writes;
     time_t end;
     volatile sig_atomic_t stop;
 
@@ -57,19 +58,26 @@ struct worker {
     struct failure failure;
 };
 
-static void write_form(const struct run *run, const struct failure *failure,
-                       const struct syntax *form, const char *suffix) {
-    static char text[RENDERING_TEXT_MOST]; /* under the run's lock */
+/* Writes a scene file; to be called under the run's lock. */
+static void write_file(const struct run *run, const char *name, const struct syntax *scene) {
+    static char text[RENDERING_TEXT_MOST];
     char path[1024];
-    (void)snprintf(path, sizeof path, "%s/%s-%llu-%s%s.scene", run->out, failure->relation->name,
-                   (unsigned long long)failure->seed,
-                   relation_arithmetic(failure->arithmetic)->image->name, suffix);
+    (void)snprintf(path, sizeof path, "%s/%s.scene", run->out, name);
     FILE *file = fopen(path, "w");
-    bool good = file != NULL && write_scene(form, text, sizeof text) && fputs(text, file) >= 0;
+    bool good = file != NULL && write_scene(scene, text, sizeof text) && fputs(text, file) >= 0;
     good = (file == NULL || fclose(file) == 0) && good;
     if (!good) {
         (void)fprintf(stderr, "relations: %s: cannot be written: %s\n", path, strerror(errno));
     }
+}
+
+static void write_form(const struct run *run, const struct failure *failure,
+                       const struct syntax *form, const char *suffix) {
+    char name[128];
+    (void)snprintf(name, sizeof name, "%s-%llu-%s%s", failure->relation->name,
+                   (unsigned long long)failure->seed,
+                   relation_arithmetic(failure->arithmetic)->image->name, suffix);
+    write_file(run, name, form);
 }
 
 /* Reduces a failure and hands it out as scene files and one line. */
@@ -148,6 +156,11 @@ static void try_seed(void *context, unsigned seed) {
     bool good = trial_start(&worker->cache, &worker->scene);
     (void)pthread_mutex_lock(&run->lock);
     run->seeds++;
+    if (run->writes) {
+        char name[16];
+        (void)snprintf(name, sizeof name, "%u", seed);
+        write_file(run, name, &worker->scene);
+    }
     if (good) {
         coverage_add(&run->coverage, &worker->scene, worker->cache.form.compiled);
     } else if (run->refused++ == 0) {
@@ -156,7 +169,9 @@ static void try_seed(void *context, unsigned seed) {
     }
     (void)pthread_mutex_unlock(&run->lock);
     if (good) {
-        try_relations(run, worker, seed);
+        if (!run->writes) {
+            try_relations(run, worker, seed);
+        }
         trial_end(&worker->cache);
     }
     free(worker);
@@ -253,7 +268,11 @@ static int read_argument(struct run *run, const char *argument, unsigned *second
         run->must_cover = true;
         return 0;
     }
-    return refuse(argument, "SEEDS=A:B, RELATION=NAME, SECONDS=S, JOBS=N, COVERED=yes");
+    if (strcmp(argument, "WRITE=yes") == 0) {
+        run->writes = true;
+        return 0;
+    }
+    return refuse(argument, "SEEDS=A:B, RELATION=NAME, SECONDS=S, JOBS=N, COVERED=yes, WRITE=yes");
 }
 
 int main(int argc, char **argv) {

@@ -11,8 +11,8 @@ static int first_movable(const struct syntax *scene, int solid) {
     if (node->kind == SYNTAX_UNION) {
         return syntax_names_material(scene, solid) ? node->child_count : 0;
     }
-    if (node->kind == SYNTAX_INTERSECTION) { /* the first has the material, and the end */
-        return 1;
+    if (node->kind == SYNTAX_INTERSECTION) { /* the first has the material */
+        return syntax_names_material(scene, solid) ? 1 : 0;
     }
     return node->kind == SYNTAX_DIFFERENCE ? 1 : node->child_count;
 }
@@ -79,15 +79,21 @@ static bool rewrite_difference(struct syntax *scene, int solid) {
     return true;
 }
 
-/* Makes A - (A - B) of A & B. */
+/* Makes A - (A - B) of A & B, A being one that has an end. */
 static bool rewrite_intersection(struct syntax *scene, int solid) {
     struct syntax_solid *node = &scene->solids[solid];
-    if (node->child_count != 2) {
+    if (node->child_count != 2 || syntax_names_material(scene, node->children[0]) ||
+        syntax_names_material(scene, node->children[1])) {
         return false;
     }
-    int body = node->children[0];
-    node->children[1] =
-        syntax_combine(scene, SYNTAX_DIFFERENCE, syntax_copy(scene, body), node->children[1]);
+    struct extent first = extent_of(scene, node->children[0]);
+    if (!extent_is_within(&first, 1e6)) {
+        int kept = node->children[0];
+        node->children[0] = node->children[1];
+        node->children[1] = kept;
+    }
+    node->children[1] = syntax_combine(scene, SYNTAX_DIFFERENCE,
+                                       syntax_copy(scene, node->children[0]), node->children[1]);
     node->kind = SYNTAX_DIFFERENCE;
     return true;
 }
