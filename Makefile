@@ -214,10 +214,10 @@ include usb.mk
 include tests/measures.mk
 include tests/cost/cost.mk
 include tests/proofs/proofs.mk
+include tests/relations/relations.mk
 include tests/pov/pov.mk
 include tests/bench/bench.mk
 include tests/accuracy/accuracy.mk
-include tests/relations/relations.mk
 
 # ---- Running --------------------------------------------------------------------------------
 
