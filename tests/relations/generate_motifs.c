@@ -171,6 +171,13 @@ static void add_off_centre(const struct site *site) {
     if (chance_is(site->random, 40)) {
         generate_placement(syntax, site->random, cutter);
     }
+    if (chance_is(site->random, 40)) { /* with something small, to either side of what it cuts */
+        static const enum syntax_kind kinds[] = {SYNTAX_UNION, SYNTAX_UNION, SYNTAX_INTERSECTION,
+                                                 SYNTAX_DIFFERENCE};
+        double x = chance_step(site->random, -1, 1), size = 0.25 + some(site) / 4;
+        cutter = syntax_combine(syntax, kinds[chance_pick(site->random, 4)], cutter,
+                                generate_ball(syntax, x, -x, 0, size));
+    }
     syntax->solids[cutter].translate[2] = 1.25;
     int box = generate_box(syntax, -1, -0.75, 0.25, 0.75, 1, 2.25);
     static const enum syntax_kind kinds[] = {SYNTAX_INTERSECTION, SYNTAX_DIFFERENCE};
