@@ -97,13 +97,22 @@ struct object {
 /* Bytes of a program: below PROGRAM_UNION the number of a primitive. */
 enum { PROGRAM_UNION = 0xFD, PROGRAM_INTERSECTION = 0xFE, PROGRAM_DIFFERENCE = 0xFF };
 
-/* Cells of two colours. */
+/* Cells of two colours, along the world's axes. */
 struct pattern {
-    uint8_t frame;
     uint8_t axes; /* bit 0, 1, 2: the colour changes along x, y, z */
+    uint8_t face_count;
+    uint16_t first_face; /* into pattern_faces */
     struct point origin;
     struct point size;
     struct colours colour; /* of the odd cells */
+};
+
+/* A plane face across an axis of a pattern, in which cells end, or nearly: the side of the face
+ * says which cell it has, for a point of it is rounded to either. */
+struct pattern_face {
+    uint16_t surface;
+    uint8_t axis;
+    bool odd_above, odd_below; /* the cell along that axis where the solid is above, or below */
 };
 
 enum { PATTERN_NONE = 0xFF };
@@ -154,7 +163,8 @@ struct light {
  * column and row are scaled up by 2^shift. */
 struct camera {
     struct point eye;
-    struct direction forward;
+    struct direction
+        forward; /* shorter than 1 where pixels are far apart; then column and row are */
     struct direction column, row; /* not of length 1: half the pixel pitch times 2^shift */
     struct direction up;          /* in space, of length 1, wherever the eye looks */
     uint8_t shift;
@@ -199,6 +209,7 @@ struct scene {
     const struct object *objects;     /* [OBJECT_AIR] first */
     const struct material *materials; /* [MATERIAL_AIR] first */
     const struct pattern *patterns;
+    const struct pattern_face *pattern_faces;
     const struct specular_table *specular_tables;
     const struct light *lights;
 

@@ -5,25 +5,50 @@
 #include "optics.h"
 #include "solids.h"
 
+/* The face that a boundary lies on, if cells end in it; NULL if none do. */
+static const struct pattern_face *face_of(const struct scene *scene, const struct pattern *pattern,
+                                          uint16_t surface) {
+    const struct pattern_face *face = &scene->pattern_faces[pattern->first_face];
+    for (uint8_t i = 0; i < pattern->face_count; i++) {
+        if (face[i].surface == surface) {
+            return &face[i];
+        }
+    }
+    return 0;
+}
+
+/* Whether the cell across a face is odd, on the side where the material is. The normal points to
+ * the side that the ray comes from. */
+static bool face_is_odd(const struct scene *scene, const struct pattern_face *face,
+                        const struct material *material, const struct hit *hit) {
+    const struct direction *normal = &hit->normal;
+    bool comes_from_below = unit_is_negative(face->axis == 0   ? normal->x
+                                             : face->axis == 1 ? normal->y
+                                                               : normal->z);
+    bool is_behind = material != &scene->materials[scene->objects[hit->before].material];
+    return comes_from_below == is_behind ? face->odd_above : face->odd_below;
+}
+
 /* Ic there: the material's own, or that of the pattern's odd cells. */
 static struct colours colour_at(const struct scene *scene, const struct material *material,
-                                struct point where) {
+                                const struct hit *hit) {
     if (!FEATURE_PATTERN || material->pattern == PATTERN_NONE) {
         return material->colour;
     }
     const struct pattern *pattern = &scene->patterns[material->pattern];
-    struct point p = where;
-    if (FEATURE_ROTATION && pattern->frame != FRAME_WORLD) {
-        const struct frame *frame = &scene->frames[pattern->frame];
-        struct point q = point_subtract(where, frame->origin);
-        p.x = point_dot(q, frame->axis[0]);
-        p.y = point_dot(q, frame->axis[1]);
-        p.z = point_dot(q, frame->axis[2]);
+    const struct point p = point_subtract(hit->where, pattern->origin);
+    uint8_t axes = pattern->axes;
+    bool odd = false;
+    if (FEATURE_PATTERN_FACES && pattern->face_count > 0) {
+        const struct pattern_face *face = face_of(scene, pattern, hit->surface);
+        if (face) {
+            axes = (uint8_t)(axes & ~(1u << face->axis));
+            odd = face_is_odd(scene, face, material, hit);
+        }
     }
-    p = point_subtract(p, pattern->origin);
-    bool odd = ((pattern->axes & 1) && length_cell_is_odd(p.x, pattern->size.x)) !=
-               ((pattern->axes & 2) && length_cell_is_odd(p.y, pattern->size.y));
-    odd = odd != ((pattern->axes & 4) && length_cell_is_odd(p.z, pattern->size.z));
+    odd = odd != ((axes & 1) && length_cell_is_odd(p.x, pattern->size.x));
+    odd = odd != ((axes & 2) && length_cell_is_odd(p.y, pattern->size.y));
+    odd = odd != ((axes & 4) && length_cell_is_odd(p.z, pattern->size.z));
     return odd ? pattern->colour : material->colour;
 }
 
@@ -99,7 +124,7 @@ static struct colours faded(const struct scene *scene, struct colours colour, st
 struct colours shade(const struct scene *scene, const struct material *material,
                      const struct ray *ray, const struct hit *hit, const struct direction *mirrored,
                      struct render_counts *counts) {
-    struct colours colour = colour_at(scene, material, hit->where);
+    struct colours colour = colour_at(scene, material, hit);
     struct colours ambient =
         colours_add(material->ambient, colours_scaled(colour, material->ambient_share));
     if (!FEATURE_LIGHTS || scene->light_count == 0) {

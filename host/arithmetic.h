@@ -12,6 +12,9 @@
 struct arithmetic {
     const struct image *image;
 
+    /* How far a distance along a ray may be off by rounding, in scaled units. */
+    double noise;
+
     /* The scene's tables in this arithmetic, in one block that free() takes back. NULL with *error
      * filled where the arithmetic cannot hold the scene, or memory is out. */
     struct scene *(*load)(const struct compiled_scene *compiled, struct scene_error *error);

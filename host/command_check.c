@@ -8,6 +8,7 @@
 #include "arithmetic.h"
 #include "command.h"
 #include "load_scene.h"
+#include "remarks.h"
 #include "requirements.h"
 
 static void print_description(const struct scene_description *scene) {
@@ -108,6 +109,7 @@ int run_check(const struct options *options) {
         print_tables(compiled);
         print_optimisations(compiled);
         requirements_print(stdout, compiled);
+        remarks_print(stdout, compiled);
         status = print_arithmetics(compiled);
     }
     free(compiled);

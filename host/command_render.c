@@ -16,6 +16,7 @@
 #include "png_output.h"
 #include "port_chain.h"
 #include "progress.h"
+#include "remarks.h"
 #include "render.h"
 #include "signatures.h"
 #include "stats.h"
@@ -141,6 +142,7 @@ static int render_rows(struct render_run *run) {
     job.context = &progress;
     job.exposed = run->exposures != NULL ? exposures_take : NULL;
     job.exposed_context = run->exposures;
+    remarks_complain(run->compiled, job.arithmetic);
     progress_begin(&progress, job.last_row - job.first_row, options->quiet);
     interrupt_catch();
     (void)bus_bind(port_chain_bus(run->chain, run->stats.file != NULL));

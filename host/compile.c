@@ -65,7 +65,17 @@ bool compile_scaling(struct compiler *compiler) {
     for (int i = 0; i < 3; i++) {
         farthest = fmax(farthest, fmax(fabs(all.low[i]), fabs(all.high[i])));
     }
+    double weld = compiler->description->weld;
     compiler->same = fmax(COMPILE_SAME, ldexp(FILE_ROUNDING * farthest, scene->exponent));
+    compiler->same = fmax(compiler->same, ldexp(weld, scene->exponent));
+    if (compiler->same > COMPILE_WELD_MOST) {
+        return compile_fail(compiler, 0,
+                            weld > 0 ? "'weld' is %g; at most %g is allowed for this scene's size"
+                                     : "the file's numbers are rounded to %g so far from the "
+                                       "origin; at most %g is allowed: move the scene nearer to it",
+                            weld > 0 ? weld : FILE_ROUNDING * farthest,
+                            ldexp(COMPILE_WELD_MOST, -scene->exponent));
+    }
     compiler->scaling = affine_identity;
     for (int i = 0; i < 3; i++) {
         compiler->scaling.m[i][i] = ldexp(1, scene->exponent);
@@ -90,7 +100,8 @@ struct compiled_scene *scene_compile(const struct scene_description *description
         compiler->error = error;
         snprintf(scene->path, sizeof scene->path, "%s", description->path);
         good = compile_scaling(compiler) && compile_materials(compiler) &&
-               compile_objects(compiler) && compile_optimise(compiler) && compile_view(compiler) &&
+               compile_objects(compiler) && compile_optimise(compiler) &&
+               compile_pattern_faces(compiler) && compile_view(compiler) &&
                compile_colour(compiler);
     }
     if (good) {
@@ -98,6 +109,7 @@ struct compiled_scene *scene_compile(const struct scene_description *description
         compile_brightest(compiler);
         compile_shadows(compiler);
         compile_enclosures(compiler);
+        compile_near(compiler);
     }
     free(compiler);
     if (!good) {

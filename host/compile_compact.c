@@ -138,30 +138,19 @@ static bool move_all(struct compiler *compiler, struct moves *moves) {
     return true;
 }
 
-/* Which primitives each surface bounds. */
+/* Notes which primitives each surface bounds. */
 static void bind_surfaces(struct compiled_scene *scene) {
     for (int i = 0; i < scene->primitive_count; i++) {
         const struct compiled_primitive *primitive = &scene->primitives[i];
-        const struct compiled_box *box = &scene->boxes[primitive->index];
-        unsigned axes = primitive->kind == KIND_BOX ? 7 : 0;
+        struct compiled_face faces[COMPILED_FACES_MOST];
+        int count = compiled_faces(scene, i, faces);
+        for (int j = 0; j < count; j++) {
+            compiled_set_include(&scene->surfaces[faces[j].surface], i);
+        }
         if (primitive->kind == KIND_BALL) {
             compiled_set_include(&scene->surfaces[scene->balls[primitive->index].surface], i);
         } else if (primitive->kind == KIND_QUADRIC) {
-            const struct compiled_quadric *quadric = &scene->quadrics[primitive->index];
-            compiled_set_include(&scene->surfaces[quadric->surface], i);
-            box = &scene->boxes[quadric->box];
-            axes = quadric->cuts;
-        } else if (primitive->kind == KIND_POLYHEDRON) {
-            const struct compiled_polyhedron *polyhedron = &scene->polyhedra[primitive->index];
-            for (int j = 0; j < polyhedron->count; j++) {
-                compiled_set_include(&scene->surfaces[scene->planes[polyhedron->first + j].surface],
-                                     i);
-            }
-        }
-        for (int face = 0; face < 6; face++) {
-            if ((axes >> face % 3 & 1) != 0) {
-                compiled_set_include(&scene->surfaces[box->surface[face]], i);
-            }
+            compiled_set_include(&scene->surfaces[scene->quadrics[primitive->index].surface], i);
         }
     }
 }

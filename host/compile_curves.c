@@ -36,8 +36,8 @@ static void find_spans(const struct quadric_axes *form, double span[3]) {
         most = fmax(most, form->square[i]);
         least = fmin(least, form->square[i]);
     }
-    if (form->linear > 0) {
-        square = form->linear * COMPILE_EXTENT;
+    if (form->linear != 0) {
+        square = fabs(form->linear) * COMPILE_EXTENT;
     } else if (most > 0 && least < 0) {
         square = fmax(square, 1); /* not at the tip, where cones are alike */
     }
@@ -79,9 +79,14 @@ static int meet_line(const struct quadric_axes *form, const double start[3], con
 
 /* Points of a surface, spread over what of it lies in the world: their number. */
 static int curve_points(const struct quadric_axes *form, double points[POINTS_MOST + 1][3]) {
+    static const double axes[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, centre[3] = {0, 0, 0};
     uint64_t state = 1;
     double span[3];
     int count = 0;
+    bool is_cone = form->square[0] < 0 || form->square[1] < 0 || form->square[2] < 0;
+    for (int i = 0; i < 3 && !is_cone; i++) { /* the ends of axes, which move most */
+        count += meet_line(form, centre, axes[i], &points[count]);
+    }
     find_spans(form, span);
     for (int line = 0; line < LINES && count < POINTS_MOST; line++) {
         double start[3], way[3];
@@ -94,53 +99,66 @@ static int curve_points(const struct quadric_axes *form, double points[POINTS_MO
     return count;
 }
 
-/* The form of a ball or a quadric, without the planes that cut it; false for other kinds. */
+static struct quadric_axes form_of_quadric(const struct compiled_scene *scene, uint8_t frame,
+                                           const struct compiled_quadric *quadric) {
+    struct quadric_axes form;
+    for (int i = 0; i < 3; i++) {
+        memcpy(form.axis[i], compiled_axis(scene, frame, i), sizeof form.axis[i]);
+    }
+    memcpy(form.origin, quadric->centre, sizeof form.origin);
+    memcpy(form.square, quadric->square, sizeof form.square);
+    form.linear = quadric->linear;
+    form.constant = quadric->constant;
+    return form;
+}
+
+/* Gives the form of a ball or a quadric, without the planes that cut it; false for other kinds. */
 static bool curve_of_primitive(const struct compiled_scene *scene, int index,
                                struct quadric_axes *form) {
     const struct compiled_primitive *primitive = &scene->primitives[index];
-    memset(form, 0, sizeof *form);
-    for (int i = 0; i < 3; i++) {
-        memcpy(form->axis[i], compiled_axis(scene, primitive->frame, i), sizeof form->axis[i]);
-        form->square[i] = 1;
-    }
+    struct compiled_quadric quadric = {.square = {1, 1, 1}};
     if (primitive->kind == KIND_BALL) {
         const struct compiled_ball *ball = &scene->balls[primitive->index];
-        memcpy(form->origin, ball->centre, sizeof form->origin);
-        form->constant = -ball->radius * ball->radius;
-        return true;
+        memcpy(quadric.centre, ball->centre, sizeof quadric.centre);
+        quadric.constant = -ball->radius * ball->radius;
+    } else if (primitive->kind == KIND_QUADRIC) {
+        quadric = scene->quadrics[primitive->index];
+    } else {
+        return false;
     }
-    if (primitive->kind == KIND_QUADRIC) {
-        const struct compiled_quadric *quadric = &scene->quadrics[primitive->index];
-        memcpy(form->origin, quadric->centre, sizeof form->origin);
-        memcpy(form->square, quadric->square, sizeof form->square);
-        form->linear = quadric->linear;
-        form->constant = quadric->constant;
-        return true;
-    }
-    return false;
+    *form = form_of_quadric(scene, primitive->frame, &quadric);
+    return true;
 }
 
-/* Whether points lie on a surface: value over gradient is the distance. */
-static bool lie_on(const struct quadric_axes *form, double points[][3], int count, double same) {
+/* Measures the distance of points from a surface, at most: each is value over gradient. */
+static double stray(const struct quadric_axes *form, double points[][3], int count) {
+    double most = 0;
     for (int i = 0; i < count; i++) {
         double half[3];
         double value = form_at(form, points[i], half);
-        if (!(fabs(value) <= 2 * same * vector_length(half))) {
-            return false;
-        }
+        most = fmax(most, fabs(value) / fmax(2 * vector_length(half), 1e-300));
     }
-    return count >= POINTS_LEAST;
+    return most;
+}
+
+double compiled_quadric_strays(const struct compiled_scene *scene, uint8_t frame,
+                               const struct compiled_quadric *from,
+                               const struct compiled_quadric *other) {
+    double points[POINTS_MOST + 1][3];
+    struct quadric_axes form = form_of_quadric(scene, frame, from);
+    struct quadric_axes moved = form_of_quadric(scene, frame, other);
+    return stray(&moved, points, curve_points(&form, points));
 }
 
 int compile_same_curve(const struct compiler *compiler, const struct quadric_axes *form,
                        bool *opposite) {
     double points[POINTS_MOST + 1][3];
     int count = curve_points(form, points);
-    for (int i = 0; i < compiler->scene->primitive_count; i++) {
+    for (int i = 0; i < compiler->scene->primitive_count && count >= POINTS_LEAST; i++) {
         struct quadric_axes other;
         double here[3], there[3];
         if (curve_of_primitive(compiler->scene, i, &other) &&
-            lie_on(&other, points, count, compiler->same)) {
+            stray(&other, points, count) <= compiler->same) {
             (void)form_at(form, points[0], here);
             (void)form_at(&other, points[0], there);
             *opposite = vector_dot(here, there) < 0;
@@ -148,4 +166,22 @@ int compile_same_curve(const struct compiler *compiler, const struct quadric_axe
         }
     }
     return -1;
+}
+
+/* The number of the curved surface of a ball or a quadric. */
+static uint16_t curve_number(const struct compiled_scene *scene, int index) {
+    const struct compiled_primitive *primitive = &scene->primitives[index];
+    return primitive->kind == KIND_BALL ? scene->balls[primitive->index].surface
+                                        : scene->quadrics[primitive->index].surface;
+}
+
+double compile_curve_distance(const struct compiled_scene *scene, int one, int other) {
+    struct quadric_axes form, there;
+    double points[POINTS_MOST + 1][3];
+    if (!curve_of_primitive(scene, one, &form) || !curve_of_primitive(scene, other, &there) ||
+        curve_number(scene, one) == curve_number(scene, other)) {
+        return HUGE_VAL;
+    }
+    int count = curve_points(&form, points);
+    return count < POINTS_LEAST ? HUGE_VAL : stray(&there, points, count);
 }

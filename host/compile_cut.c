@@ -42,33 +42,6 @@ bool cut_start(const struct compiled_scene *scene, int index, struct cut_quadric
     return true;
 }
 
-int cut_planes(const struct compiled_scene *scene, int index,
-               struct cut_plane planes[CUT_PLANES_MOST]) {
-    const struct compiled_primitive *primitive = &scene->primitives[index];
-    if (primitive->kind == KIND_BOX) {
-        const struct compiled_box *box = &scene->boxes[primitive->index];
-        for (int i = 0; i < 6; i++) {
-            double sign = i < 3 ? -1 : 1;
-            const double *axis = compiled_axis(scene, primitive->frame, i % 3);
-            for (int j = 0; j < 3; j++) {
-                planes[i].normal[j] = sign * axis[j];
-            }
-            planes[i].offset = sign * (i < 3 ? box->minimum[i] : box->maximum[i - 3]);
-        }
-        return 6;
-    }
-    if (primitive->kind != KIND_POLYHEDRON) {
-        return 0;
-    }
-    const struct compiled_polyhedron *polyhedron = &scene->polyhedra[primitive->index];
-    for (int i = 0; i < polyhedron->count; i++) {
-        const struct compiled_plane *plane = &scene->planes[polyhedron->first + i];
-        memcpy(planes[i].normal, plane->normal, sizeof plane->normal);
-        planes[i].offset = plane->offset;
-    }
-    return polyhedron->count;
-}
-
 /* A frame that has a plane's normal for an axis. */
 static int frame_across(struct compiler *compiler, const double normal[3]) {
     double axis[3][3], sign[3];

@@ -14,20 +14,8 @@ struct cut_quadric {
     unsigned line;
 };
 
-/* The points with normal . p < offset, in scaled coordinates. */
-struct cut_plane {
-    double normal[3];
-    double offset;
-};
-
-enum { CUT_PLANES_MOST = SCENE_PLANES_MOST + 6 };
-
 /* Begins with a ball or a quadric, perhaps one that is cut already; false for other kinds. */
 bool cut_start(const struct compiled_scene *scene, int primitive, struct cut_quadric *cut);
-
-/* The planes of a box or a polyhedron: their number, 0 for other kinds. */
-int cut_planes(const struct compiled_scene *scene, int primitive,
-               struct cut_plane planes[CUT_PLANES_MOST]);
 
 /* The axis that a plane lies across, -1 if there is none. A ball takes on axes for its first one.
  */

@@ -9,20 +9,23 @@
 
 /* Whether a plane leaves something of a primitive and takes something away. */
 static bool plane_cuts(const struct compiled_scene *scene, int primitive,
-                       const struct cut_plane *plane) {
+                       const struct compiled_face *plane) {
     return primitive_reach(scene, primitive, plane->normal) >= plane->offset - COMPILE_STRICTLY;
 }
 
 static bool plane_leaves(const struct compiled_scene *scene, int primitive,
-                         const struct cut_plane *plane) {
+                         const struct compiled_face *plane) {
     double back[3] = {-plane->normal[0], -plane->normal[1], -plane->normal[2]};
     return -primitive_reach(scene, primitive, back) < plane->offset - COMPILE_STRICTLY;
 }
 
-/* Those planes of a solid that cut a primitive: their number, -1 if one of them leaves nothing. */
+/* Those planes of a box or a polyhedron that cut a primitive: their number, -1 if one of them
+ * leaves nothing. */
 static int cutting_planes(const struct compiled_scene *scene, int primitive, int solid,
-                          struct cut_plane planes[CUT_PLANES_MOST]) {
-    int count = cut_planes(scene, solid, planes), kept = 0;
+                          struct compiled_face planes[COMPILED_FACES_MOST]) {
+    uint8_t kind = scene->primitives[solid].kind;
+    bool is_flat = kind == KIND_BOX || kind == KIND_POLYHEDRON;
+    int count = is_flat ? compiled_faces(scene, solid, planes) : 0, kept = 0;
     for (int i = 0; i < count; i++) {
         if (!plane_leaves(scene, primitive, &planes[i])) {
             return -1;
@@ -37,7 +40,7 @@ static int cutting_planes(const struct compiled_scene *scene, int primitive, int
 /* A primitive within a solid, or what of it lies outside of that, as one primitive; -1 if that is
  * none. */
 static int fuse_quadric(struct compiler *compiler, int primitive, int solid, bool outside) {
-    struct cut_plane planes[CUT_PLANES_MOST];
+    struct compiled_face planes[COMPILED_FACES_MOST];
     struct cut_quadric cut;
     int count = cutting_planes(compiler->scene, primitive, solid, planes);
     if (count <= 0 || (outside && count != 1) || !cut_start(compiler->scene, primitive, &cut)) {

@@ -17,6 +17,9 @@
  * one after the other. */
 #define COMPILE_SAME 0x1p-38
 
+/* Faces that are farther apart than this are never made one. */
+#define COMPILE_WELD_MOST 0x1p-5
+
 /* Farther than this inside: what rounding of an arithmetic could turn over is not strictly inside.
  */
 #define COMPILE_STRICTLY 0x1p-30
@@ -133,8 +136,25 @@ double compile_place_of_plane(const struct compiler *compiler, int surface, cons
 int compile_same_curve(const struct compiler *compiler, const struct quadric_axes *form,
                        bool *opposite);
 
+/* Records that faces of one solid have become one surface; returns -1. */
+int compile_fail_thin(struct compiler *compiler);
+
 /* A new surface of its own. */
 int compile_new_surface(struct compiler *compiler);
+
+/* The pattern of a material, if it has one. */
+bool compile_pattern(struct compiler *compiler, const struct scene_material *from,
+                     struct compiled_material *material);
+
+/* Notes the faces in which patterns' cells end, once surfaces have their last numbers. */
+bool compile_pattern_faces(struct compiler *compiler);
+
+/* Notes faces that are nearer to each other than seems to be meant. */
+void compile_near(struct compiler *compiler);
+
+/* Measures how far the curved surfaces of two primitives lie apart, at most; infinite where one of
+ * them has none, or both have the same. */
+double compile_curve_distance(const struct compiled_scene *scene, int one, int other);
 
 /* Camera, lights, materials, and what can throw shadows. */
 bool compile_view(struct compiler *compiler);

@@ -23,28 +23,6 @@ static uint8_t optical_class(const struct compiled_scene *scene, uint8_t materia
     return i;
 }
 
-static void compile_pattern(struct compiler *compiler, const struct scene_material *from,
-                            struct compiled_material *material) {
-    struct compiled_scene *scene = compiler->scene;
-    const struct scene_pattern *pattern = &from->pattern;
-    if (!pattern->present) {
-        material->pattern = NO_PATTERN;
-        return;
-    }
-    material->pattern = scene->pattern_count;
-    struct compiled_pattern *compiled = &scene->patterns[scene->pattern_count++];
-    compiled->line = from->line;
-    compiled->frame = WORLD_FRAME;
-    memcpy(compiled->colour, pattern->colour, sizeof compiled->colour);
-    affine_point(&compiler->scaling, pattern->origin, compiled->origin);
-    for (int i = 0; i < 3; i++) {
-        compiled->size[i] = ldexp(pattern->size[i], scene->exponent);
-        if (pattern->size[i] > 0) {
-            compiled->axes = (uint8_t)(compiled->axes | 1 << i);
-        }
-    }
-}
-
 /* w(theta) by the cosine of theta, the first entry being that of theta = 0. */
 static void compile_specular(struct compiler *compiler, const struct scene_material *from,
                              struct compiled_material *to) {
@@ -125,7 +103,9 @@ bool compile_materials(struct compiler *compiler) {
         }
         compile_specular(compiler, from, to);
         compile_optics(description, from, to);
-        compile_pattern(compiler, from, to);
+        if (!compile_pattern(compiler, from, to)) {
+            return false;
+        }
         to->optical = optical_class(scene, (uint8_t)(i + 1));
         if (!compile_absorption(compiler, from, to)) {
             return false;

@@ -78,6 +78,12 @@ int compile_placed_polyhedron(struct compiler *compiler, const struct scene_plan
         if (surfaces[i] < 0) {
             return -1;
         }
+        for (size_t j = 0; j < i; j++) {
+            if (surfaces[j] == surfaces[i] &&
+                compile_parallel(planes[i].normal, planes[j].normal) < 0) {
+                return compile_fail_thin(compiler);
+            }
+        }
     }
     for (int i = 0; i < scene->primitive_count; i++) {
         const struct compiled_primitive *other = &scene->primitives[i];

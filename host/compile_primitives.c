@@ -59,6 +59,11 @@ int compile_box_in(struct compiler *compiler, uint8_t frame, const double low[3]
     if (!set_faces(compiler, &box, frame, low, high)) {
         return -1;
     }
+    for (int i = 0; i < 3; i++) {
+        if (box.surface[i] == box.surface[i + 3]) {
+            return compile_fail_thin(compiler);
+        }
+    }
     for (int i = 0; i < scene->primitive_count; i++) {
         const struct compiled_primitive *other = &scene->primitives[i];
         if (other->kind == KIND_BOX && other->frame == frame &&

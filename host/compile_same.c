@@ -61,6 +61,14 @@ int compile_new_surface(struct compiler *compiler) {
     return scene->surface_count++;
 }
 
+int compile_fail_thin(struct compiler *compiler) {
+    compile_fail(compiler, compiler->line,
+                 "a solid thinner than %g units: its faces are one; make it thicker, or 'weld' "
+                 "smaller",
+                 ldexp(compiler->same, -compiler->scene->exponent));
+    return -1;
+}
+
 int compile_plane_surface(struct compiler *compiler, const double normal[3], double offset) {
     for (int i = 0; i < compiler->scene->surface_count; i++) {
         const struct compile_plane *plane = &compiler->planes[i];

@@ -111,6 +111,25 @@ static uint8_t object_of(const struct compiled_scene *scene, const struct compil
     return i;
 }
 
+/* An opaque solid without an end is refused around the eye: where the world ends for the firmware,
+ * there is no surface. */
+static bool check_eye(struct compiler *compiler) {
+    const struct compiled_scene *scene = compiler->scene;
+    const struct compiled_object *object = &scene->objects[scene->camera.object];
+    struct bounds bounds;
+    memcpy(bounds.low, object->low, sizeof bounds.low);
+    memcpy(bounds.high, object->high, sizeof bounds.high);
+    if (scene->camera.object == 0 || scene->materials[object->material].transparent ||
+        bounds_are_finite(&bounds)) {
+        return true;
+    }
+    return compile_fail(compiler, compiler->description->camera.line,
+                        "the eye is inside the opaque object of line %u, which has no end: nothing "
+                        "can be seen from there; move the eye out of it, or intersect it with a "
+                        "bounded solid",
+                        object->line);
+}
+
 static void compile_camera(struct compiler *compiler, const double right[3], const double up[3],
                            double pitch) {
     struct compiled_scene *scene = compiler->scene;
@@ -124,9 +143,16 @@ static void compile_camera(struct compiler *compiler, const double right[3], con
     while (camera->shift < 16 && ldexp(largest, camera->shift + 1) < 1) {
         camera->shift++;
     }
+    /* Few pixels in a wide view are far apart: forward, which need not have length 1, gets shorter.
+     */
+    int less = 0;
+    while (ldexp(largest, -less) >= 1) {
+        less++;
+    }
     for (int i = 0; i < 3; i++) {
-        camera->column[i] = ldexp(camera->column[i], camera->shift);
-        camera->row[i] = ldexp(camera->row[i], camera->shift);
+        camera->forward[i] = ldexp(camera->forward[i], -less);
+        camera->column[i] = ldexp(camera->column[i], camera->shift - less);
+        camera->row[i] = ldexp(camera->row[i], camera->shift - less);
     }
     for (uint8_t i = 0; i < scene->primitive_count; i++) {
         if (compiled_primitive_holds(scene, i, camera->eye)) {
@@ -179,7 +205,7 @@ bool compile_view(struct compiler *compiler) {
     }
     const double half_width = tan(view->field_of_view * 3.14159265358979323846 / 360);
     compile_camera(compiler, right, up, 2 * half_width / description->width);
-    return true;
+    return check_eye(compiler);
 }
 
 void compile_lights(struct compiler *compiler) {

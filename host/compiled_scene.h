@@ -20,7 +20,9 @@ enum {
     COMPILED_PLANES_MOST = 512,
     COMPILED_OBJECTS_MOST = 128,
     COMPILED_PROGRAM_BYTES_MOST = 4096,
-    COMPILED_MATERIALS_MOST = SCENE_MATERIALS_MOST + 1
+    COMPILED_MATERIALS_MOST = SCENE_MATERIALS_MOST + 1,
+    COMPILED_PATTERN_FACES_MOST = 1024,
+    COMPILED_NEAR_MOST = 16
 };
 
 struct compiled_set {
@@ -83,9 +85,15 @@ struct compiled_object {
 
 struct compiled_pattern {
     unsigned line; /* of the material's, in the file */
-    uint8_t frame;
-    uint8_t axes;
+    uint8_t axes, face_count;
+    uint16_t first_face;
     double origin[3], size[3], colour[3];
+};
+
+struct compiled_pattern_face {
+    uint16_t surface;
+    uint8_t axis;
+    bool odd_above, odd_below;
 };
 
 struct compiled_material {
@@ -125,6 +133,12 @@ struct compiled_report {
     unsigned hidden;     /* pairs of primitives of which one is not met from within the other */
 };
 
+/* Two faces that are not one, though nearer to each other than seems to be meant. */
+struct compiled_near {
+    unsigned line, other_line; /* of their solids */
+    double distance;           /* in the file's unit */
+};
+
 struct compiled_scene {
     uint16_t width, height;
     uint8_t depth;
@@ -148,7 +162,7 @@ struct compiled_scene {
 
     uint8_t primitive_count, frame_count, box_count, ball_count, polyhedron_count, quadric_count;
     uint8_t object_count, pattern_count, material_count, light_count, specular_table_count;
-    uint16_t surface_count, program_length, plane_count;
+    uint16_t surface_count, program_length, plane_count, pattern_face_count;
     struct compiled_frame frames[COMPILED_FRAMES_MOST];
     struct compiled_primitive primitives[COMPILED_DRAFTS_MOST];
     struct compiled_box boxes[COMPILED_DRAFTS_MOST];
@@ -162,10 +176,13 @@ struct compiled_scene {
     struct compiled_object objects[COMPILED_OBJECTS_MOST];
     struct compiled_material materials[COMPILED_MATERIALS_MOST];
     struct compiled_pattern patterns[COMPILED_MATERIALS_MOST];
+    struct compiled_pattern_face pattern_faces[COMPILED_PATTERN_FACES_MOST];
     struct compiled_specular_table specular_tables[COMPILED_MATERIALS_MOST];
     struct compiled_light lights[SCENE_LIGHTS_MOST];
 
     struct compiled_report report;
+    unsigned near_count; /* of all; the first ones are kept */
+    struct compiled_near near[COMPILED_NEAR_MOST];
     struct compiled_set shadow_primitives;
     bool has_shadows; /* some light casts them; no part of the firmware's tables */
 
@@ -175,11 +192,9 @@ struct compiled_scene {
 
 /* The numbers that programs and tables are made of; firmware/scene.h has the same, but needs an
  * arithmetic. host/arithmetic/load.c holds the two against each other. */
+enum compiled_kind { KIND_BOX = 0, KIND_BALL = 1, KIND_POLYHEDRON = 2, KIND_QUADRIC = 3 };
+
 enum {
-    KIND_BOX = 0,
-    KIND_BALL = 1,
-    KIND_POLYHEDRON = 2,
-    KIND_QUADRIC = 3,
     CURVED_FACE = 6,
     CODE_UNION = 0xFD,
     CODE_INTERSECTION = 0xFE,
@@ -197,8 +212,27 @@ enum compiled_show { COMPILED_FULL, COMPILED_BITS, COMPILED_DITHER, COMPILED_EXP
 struct compiled_scene *scene_compile(const struct scene_description *description,
                                      struct scene_error *error);
 
+/* A plane face of a primitive, in scaled world coordinates: normal . p < offset inside. */
+struct compiled_face {
+    double normal[3];
+    double offset;
+    uint16_t surface;
+};
+
+enum { COMPILED_FACES_MOST = SCENE_PLANES_MOST + 6 };
+
+/* Lists the plane faces of a primitive; returns their number, which may be 0. */
+int compiled_faces(const struct compiled_scene *scene, int primitive,
+                   struct compiled_face faces[COMPILED_FACES_MOST]);
+
 /* An axis of a frame, or of the world. */
 const double *compiled_axis(const struct compiled_scene *scene, uint8_t frame, int axis);
+
+/* Measures how far the surface of one quadric lies from another one's, both in one frame, at most:
+ * by points spread over what of it lies in the world. 0 where none does. */
+double compiled_quadric_strays(const struct compiled_scene *scene, uint8_t frame,
+                               const struct compiled_quadric *from,
+                               const struct compiled_quadric *other);
 
 /* Whether a point, in scaled coordinates, is strictly inside a primitive. */
 bool compiled_primitive_holds(const struct compiled_scene *scene, uint8_t index,

@@ -167,13 +167,23 @@ static void emit_patterns(FILE *out, const struct compiled_scene *scene) {
     fprintf(out, "\nstatic const struct pattern patterns[] = {\n");
     for (int i = 0; i < scene->pattern_count; i++) {
         const struct compiled_pattern *pattern = &scene->patterns[i];
-        fprintf(out, "    {%u, %u, ", pattern->frame, pattern->axes);
+        fprintf(out, "    {%u, %u, %u, ", pattern->axes, pattern->face_count, pattern->first_face);
         emit_vector(out, "REAL_LENGTH", pattern->origin);
         fprintf(out, ", ");
         emit_vector(out, "REAL_LENGTH", pattern->size);
         fprintf(out, ",\n     ");
         emit_vector(out, "REAL_COLOUR", pattern->colour);
         fprintf(out, "},\n");
+    }
+    fprintf(out, "};\n");
+}
+
+static void emit_pattern_faces(FILE *out, const struct compiled_scene *scene) {
+    fprintf(out, "\nstatic const struct pattern_face pattern_faces[] = {\n");
+    for (int i = 0; i < scene->pattern_face_count; i++) {
+        const struct compiled_pattern_face *face = &scene->pattern_faces[i];
+        fprintf(out, "    {%u, %u, %s, %s},\n", face->surface, face->axis, truth(face->odd_above),
+                truth(face->odd_below));
     }
     fprintf(out, "};\n");
 }
@@ -252,13 +262,14 @@ static void emit_scene(FILE *out, const struct compiled_scene *scene, const char
     fprintf(out, "    %u, %u, %u,\n", scene->primitive_count, scene->object_count,
             scene->light_count);
     fprintf(
-        out, "    %s, %s, %s, %s, %s, %s, %s, %s, %s, %s, objects, materials, %s, %s, %s,\n    ",
+        out,
+        "    %s, %s, %s, %s, %s, %s, %s, %s, %s, %s, objects, materials, %s, %s, %s, %s,\n    ",
         table(scene->frame_count, "frames"), table(scene->primitive_count, "primitives"),
         table(scene->box_count, "boxes"), table(scene->ball_count, "balls"),
         table(scene->polyhedron_count, "polyhedra"), table(scene->plane_count, "planes"),
         table(scene->quadric_count, "quadrics"), table(scene->surface_count, "surfaces"),
         table(scene->primitive_count, "hidden_by"), table(scene->program_length, "programs"),
-        table(scene->pattern_count, "patterns"),
+        table(scene->pattern_count, "patterns"), table(scene->pattern_face_count, "pattern_faces"),
         table(scene->specular_table_count, "specular_tables"), table(scene->light_count, "lights"));
     emit_set(out, &scene->shadow_primitives, features_primitive_words(scene));
     fprintf(out, ",\n    %s, %u, UINT32_C(%lu)};\n", show_names[scene->show], scene->show_bits,
@@ -284,14 +295,14 @@ int scene_emit(FILE *out, const struct compiled_scene *scene, const char *name) 
     fprintf(out, "#include \"scene.h\"\n");
     features_emit_assertions(out, scene);
     void (*const emitters[])(FILE *, const struct compiled_scene *) = {
-        emit_frames,    emit_primitives,      emit_boxes,   emit_balls,
-        emit_polyhedra, emit_quadrics,        emit_objects, emit_materials,
-        emit_patterns,  emit_specular_tables, emit_lights};
+        emit_frames,    emit_primitives,    emit_boxes,           emit_balls,
+        emit_polyhedra, emit_quadrics,      emit_objects,         emit_materials,
+        emit_patterns,  emit_pattern_faces, emit_specular_tables, emit_lights};
     const int counts[] = {
-        scene->frame_count,          scene->primitive_count,  scene->box_count,
-        scene->ball_count,           scene->polyhedron_count, scene->quadric_count,
-        scene->object_count,         scene->material_count,   scene->pattern_count,
-        scene->specular_table_count, scene->light_count};
+        scene->frame_count,        scene->primitive_count,      scene->box_count,
+        scene->ball_count,         scene->polyhedron_count,     scene->quadric_count,
+        scene->object_count,       scene->material_count,       scene->pattern_count,
+        scene->pattern_face_count, scene->specular_table_count, scene->light_count};
     for (size_t i = 0; i < sizeof emitters / sizeof emitters[0]; i++) {
         if (counts[i] > 0) {
             emitters[i](out, scene);

@@ -11,7 +11,7 @@ struct feature {
     int value;
 };
 
-enum { FEATURES = 26 };
+enum { FEATURES = 27 };
 
 /* That firmware/features/full/ has room for: fewer would give another picture. */
 enum { KEPT_BRANCHES = 512 };
@@ -19,11 +19,6 @@ enum { KEPT_BRANCHES = 512 };
 static bool has_rotation(const struct compiled_scene *scene) {
     for (int i = 0; i < scene->primitive_count; i++) {
         if (scene->primitives[i].frame != WORLD_FRAME) {
-            return true;
-        }
-    }
-    for (int i = 0; i < scene->pattern_count; i++) {
-        if (scene->patterns[i].frame != WORLD_FRAME) {
             return true;
         }
     }
@@ -106,6 +101,7 @@ static void find_features(const struct compiled_scene *scene, struct feature fea
         {"SHADOWS", scene->has_shadows},
         {"FADING", scene->fades},
         {"PATTERN", scene->pattern_count > 0},
+        {"PATTERN_FACES", scene->pattern_face_count > 0},
         {"TRANSPARENCY", features_has_transparency(scene)},
         {"ABSORPTION", has_absorption(scene)},
         {"SIMPLE", scene->simple},

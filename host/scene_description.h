@@ -149,6 +149,7 @@ struct scene_description {
     double ambient[3]; /* Ia */
     bool has_attenuation;
     double attenuation_constant; /* C of C + D, >= 0 */
+    double weld; /* faces nearer than this are one; 0: only what rounding explains */
     struct scene_camera camera;
     struct scene_light *lights;
     size_t light_count;

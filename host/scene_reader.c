@@ -15,6 +15,7 @@ enum { SCENE_VERSION = 1, WIDTH_MOST = 640, HEIGHT_MOST = 400 };
 /* Of a light: many times white, for scenes in which it fades with the distance. */
 static const struct scene_range RANGE_LIGHT = {0, 32767};
 static const struct scene_range RANGE_FIELD_OF_VIEW = {1, 170};
+static const struct scene_range RANGE_WELD = {0, 1e9};
 static const struct scene_range RANGE_WAVELENGTH = {380, 780};
 
 /* The spectral primaries of the CIE 1931 RGB system, in nm. */
@@ -218,9 +219,9 @@ static bool read_choices(const struct scene_scope *top) {
 
 static bool read_settings(const struct scene_scope *top) {
     static const char *const keys[] = {
-        "version",     "title",     "size",    "depth",      "threshold",   "model",  "highlight",
-        "mixing",      "colour",    "ambient", "background", "attenuation", "camera", "lights",
-        "wavelengths", "materials", "parts",   "objects",    NULL};
+        "version",     "title",  "size",      "depth",      "threshold",   "model",  "highlight",
+        "mixing",      "colour", "ambient",   "background", "attenuation", "camera", "lights",
+        "wavelengths", "weld",   "materials", "parts",      "objects",     NULL};
     struct scene_reader *reader = top->reader;
     struct scene_description *scene = reader->scene;
     int version = SCENE_VERSION;
@@ -233,6 +234,7 @@ static bool read_settings(const struct scene_scope *top) {
         !read_choices(top) || !read_colour(top) ||
         !scope_numbers(top, "background", OPTIONAL, RANGE_COLOUR, 3, scene->background) ||
         !scope_numbers(top, "ambient", OPTIONAL, RANGE_COLOUR, 3, scene->ambient) ||
+        !scope_number(top, "weld", OPTIONAL, RANGE_WELD, &scene->weld) ||
         !scope_numbers(top, "wavelengths", OPTIONAL, RANGE_WAVELENGTH, 3, reader->wavelengths)) {
         return false;
     }

@@ -82,15 +82,58 @@ static void fx_refuses_what_it_cannot_hold(void **state) {
     assert_string_equal(refusal_of(text, "fx"), "");
     snprintf(text, sizeof text, format, "", 512.0, 1.0);
     assert_refused(text, "fx", "test.scene:3:", "absorption too strong");
-    snprintf(text, sizeof text, format, "", 1.0, 0x1p-26);
+    /* A radius of four times the noise of a distance: 2^-17 in fx, 2^-12 in f32. */
+    snprintf(text, sizeof text, format, "", 1.0, 0x1p-21);
     assert_string_equal(refusal_of(text, "fx"), "");
-    snprintf(text, sizeof text, format, "", 1.0, 0x1p-28);
+    assert_refused(text, "f32", "test.scene:5:", "smaller than this arithmetic resolves");
+    snprintf(text, sizeof text, format, "", 1.0, 0x1.ep-22);
     assert_refused(text, "fx", "test.scene:5:", "smaller than this arithmetic resolves");
+    assert_string_equal(refusal_of(text, "f64"), "");
+    snprintf(text, sizeof text, format, "", 1.0, 0x1p-16);
     assert_string_equal(refusal_of(text, "f32"), "");
     snprintf(text, sizeof text, format, "attenuation = { constant = 15.9; };", 1.0, 1.0);
     assert_string_equal(refusal_of(text, "fx"), "");
     snprintf(text, sizeof text, format, "attenuation = { constant = 16.0; };", 1.0, 1.0);
     assert_refused(text, "fx", "test.scene", "C of C + D is too large");
+}
+
+/* What is round has to be some noises wide, and a quadric must not stray from its numbers. */
+static void curves_that_lose_their_shape_are_refused(void **state) {
+    (void)state;
+    static const char format[] =
+        "version = 1; size = [4, 4];\n"
+        "camera = { eye = (0, -8, 0); look_at = (0, 0, 0); };\n"
+        "materials = { m = { colour = [200, 0, 0]; }; };\n"
+        "objects = ( { material = \"m\"; solid = { box = { min = (-8, -8, -8);"
+        " max = (8, -7, 8); }; }; },\n"
+        "{ material = \"m\"; solid = { %s }; } );";
+    static const struct {
+        const char *solid, *arithmetic, *words;
+    } cases[] = {
+        {"cylinder = { from = (0, 0, 0); to = (3, 4, 1); radius = 1e-7; };", "fx", "narrower"},
+        {"cylinder = { from = (0, 0, 0); to = (3, 4, 1); radius = 1e-6; };", "fx", ""},
+        {"cylinder = { from = (0, 0, 0); to = (3, 4, 1); radius = 1e-6; };", "f32", "narrower"},
+        {"cylinder = { from = (0, 0, 0); to = (3, 4, 1); radius = 1e-4; };", "f32", ""},
+        {"ellipsoid = { radii = (7, 1, 1e-6); };", "f32", "narrower"},
+        {"ellipsoid = { radii = (7, 0.0004, 0.0004); };", "fx", "longer for its width"},
+        {"ellipsoid = { radii = (7, 0.0004, 0.0004); };", "f32", ""},
+        {"ellipsoid = { radii = (7, 0.02, 0.02); };", "fx", ""},
+        {"cone = { from = (0, 0, 0); to = (0, 0.0001, 0.0002); from_radius = 0; to_radius = 7; };",
+         "fx", "longer for its width"},
+        {"cone = { from = (0, 0, 0); to = (0, 0.0001, 0.0002); from_radius = 0; to_radius = 7; };",
+         "f32", ""},
+        {"cone = { from = (0, 0, 0); to = (3, 4, 1); from_radius = 1e-6; to_radius = 1; };", "f32",
+         ""},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        char text[2048];
+        snprintf(text, sizeof text, format, cases[i].solid);
+        if (cases[i].words[0] == '\0') {
+            assert_string_equal(refusal_of(text, cases[i].arithmetic), "");
+        } else {
+            assert_refused(text, cases[i].arithmetic, "test.scene:5:", cases[i].words);
+        }
+    }
 }
 
 static void a_patterns_cell_of_no_size_is_refused(void **state) {
@@ -104,10 +147,10 @@ static void a_patterns_cell_of_no_size_is_refused(void **state) {
         " max = (8, -4, 8); }; }; } );";
     static struct picture seen;
     char text[2048];
-    /* 64 scaled units make one of the file's, and 2^-20 is an LSB: half of one rounds up. */
-    snprintf(text, sizeof text, format, 0x1p-27);
+    /* 64 scaled units make one of the file's, and 2^-20 is an LSB: half of one is rounded. */
+    snprintf(text, sizeof text, format, 0x1p-26);
     render_text(&seen, text, "fx");
-    snprintf(text, sizeof text, format, 0x1p-28);
+    snprintf(text, sizeof text, format, 0x1p-27);
     assert_refused(text, "fx", "test.scene:3:", "a pattern's cell smaller");
     for (int i = F32; i < EXTREME_ARITHMETICS; i++) {
         render_text(&seen, text, extreme_arithmetics[i]);
@@ -178,7 +221,7 @@ static void a_floor_beyond_the_world_is_refused(void **state) {
     } cases[] = {
         {"half_space = { normal = (0, 0, 1); offset = -6.5; };", true},
         {"half_space = { normal = (0, 0, 1); offset = -7.5; };", false},
-        {"half_space = { normal = (0, 0, -1); offset = 7.5; };", true},
+        {"half_space = { normal = (0, 0, -1); offset = -6.5; };", true},
         {"half_space = { normal = (1, 2, 3); through = (-6, -6.5, -6.5); };", true},
         {"half_space = { normal = (1, 2, 3); through = (-7, -7.5, -7.5); };", false},
         {"union = ( { ball = { radius = 1; }; },"
@@ -209,6 +252,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(each_is_refused_with_its_line_and_what_is_allowed),
         cmocka_unit_test(fx_refuses_what_it_cannot_hold),
+        cmocka_unit_test(curves_that_lose_their_shape_are_refused),
         cmocka_unit_test(a_patterns_cell_of_no_size_is_refused),
         cmocka_unit_test(more_solids_than_a_program_holds_are_refused),
         cmocka_unit_test(unbounded_glass_is_refused),

@@ -31,6 +31,20 @@ static void the_narrowest_and_the_widest_view_are_f128s(void **state) {
     }
 }
 
+/* The pitch of pixels is up to 23 times the way to the picture's middle. */
+static void few_pixels_in_a_wide_view_are_f128s(void **state) {
+    (void)state;
+    static const int sizes[][2] = {{1, 1}, {2, 2}, {4, 4}, {3, 40}, {9, 2}};
+    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
+        char text[EXTREME_TEXT_SIZE];
+        make_scene(text, sizes[i][0], sizes[i][1], 170,
+                   "{ material = \"chalk\"; solid = { box = { min = (-8, -15, -7); max = (8, 9, "
+                   "-6); }; }; },\n{ material = \"glass\"; solid = { ball = { centre = (1, -8, 7); "
+                   "radius = 3; }; }; }");
+        check_against_f128(text);
+    }
+}
+
 /* Up to 1,000 times as long as wide. The coefficients of a quadric are of its shortest axis' size:
  * of the longest one's there are few bits left, and its edge is a little off. */
 static void squeezed_solids_are_f128s(void **state) {
@@ -131,6 +145,7 @@ static void as_many_solids_as_there_may_be_render_and_one_more_is_refused(void *
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_narrowest_and_the_widest_view_are_f128s),
+        cmocka_unit_test(few_pixels_in_a_wide_view_are_f128s),
         cmocka_unit_test(squeezed_solids_are_f128s),
         cmocka_unit_test(a_mirrored_solid_is_the_mirror_image),
         cmocka_unit_test(what_is_empty_is_not_seen),

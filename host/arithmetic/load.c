@@ -5,7 +5,7 @@
 
 #include "arithmetic.h"
 #include "compiled_scene.h"
-#include "distinct.h"
+#include "holds.h"
 #include "learn.h"
 #include "observe.h"
 #include "scene.h"
@@ -51,6 +51,7 @@ struct loaded {
     struct object objects[COMPILED_OBJECTS_MOST];
     struct material materials[COMPILED_MATERIALS_MOST];
     struct pattern patterns[COMPILED_MATERIALS_MOST];
+    struct pattern_face pattern_faces[COMPILED_PATTERN_FACES_MOST];
     struct specular_table specular_tables[COMPILED_MATERIALS_MOST];
     struct light lights[SCENE_LIGHTS_MOST];
 };
@@ -182,11 +183,21 @@ static void load_materials(struct loaded *to, const struct compiled_scene *from)
     }
     for (int i = 0; i < from->pattern_count; i++) {
         const struct compiled_pattern *source = &from->patterns[i];
-        to->patterns[i].frame = source->frame;
         to->patterns[i].axes = source->axes;
+        to->patterns[i].face_count = source->face_count;
+        to->patterns[i].first_face = source->first_face;
         to->patterns[i].origin = point_of(source->origin);
         to->patterns[i].size = point_of(source->size);
         to->patterns[i].colour = colours_of(source->colour);
+    }
+}
+
+static void load_pattern_faces(struct loaded *to, const struct compiled_scene *from) {
+    for (int i = 0; i < from->pattern_face_count; i++) {
+        to->pattern_faces[i].surface = from->pattern_faces[i].surface;
+        to->pattern_faces[i].axis = from->pattern_faces[i].axis;
+        to->pattern_faces[i].odd_above = from->pattern_faces[i].odd_above;
+        to->pattern_faces[i].odd_below = from->pattern_faces[i].odd_below;
     }
 }
 
@@ -254,6 +265,7 @@ static void load_scene(struct loaded *to, const struct compiled_scene *from) {
     scene->objects = to->objects;
     scene->materials = to->materials;
     scene->patterns = to->patterns;
+    scene->pattern_faces = to->pattern_faces;
     scene->specular_tables = to->specular_tables;
     scene->lights = to->lights;
     scene->shadow_primitives = set_of(&from->shadow_primitives);
@@ -263,7 +275,7 @@ static void load_scene(struct loaded *to, const struct compiled_scene *from) {
 }
 
 static struct scene *load(const struct compiled_scene *from, struct scene_error *error) {
-    if (!surfaces_are_distinct(from, error)) {
+    if (!arithmetic_holds(from, error)) {
         return NULL;
     }
     struct loaded *loaded = calloc(1, sizeof *loaded);
@@ -275,6 +287,7 @@ static struct scene *load(const struct compiled_scene *from, struct scene_error 
     load_solids(loaded, from);
     load_objects(loaded, from);
     load_materials(loaded, from);
+    load_pattern_faces(loaded, from);
     load_specular_tables(loaded, from);
     load_lights(loaded, from);
     return &loaded->scene;
@@ -292,4 +305,5 @@ static void learn(struct scene *scene, struct estimate *estimate, struct render_
 
 extern const struct image IMAGE;
 
-const struct arithmetic ARITHMETIC = {&IMAGE, load, learn, observe_pixel};
+const struct arithmetic ARITHMETIC = {&IMAGE, LENGTH_VALUE(LENGTH_NOISE), load, learn,
+                                      observe_pixel};

@@ -6,44 +6,48 @@
 
 #include "optics.h"
 
-static void turn_points(struct point_lanes *restrict turned, const struct frame *frame,
-                        const struct point_lanes *restrict world) {
-    const struct frame f = *frame;
+/* Finds out which cells along one axis are odd. */
+static void find_odd(const real_length where[restrict LANES], real_length origin, real_length size,
+                     uint32_t odd[restrict LANES]) {
     for (int i = 0; i < LANES; i++) {
-        const struct point there = point_in(world, i);
-        struct point q = point_subtract(there, f.origin);
-        turned->x[i] = point_dot(q, f.axis[0]);
-        turned->y[i] = point_dot(q, f.axis[1]);
-        turned->z[i] = point_dot(q, f.axis[2]);
+        odd[i] = length_cell_is_odd(length_subtract(where[i], origin), size) ? 1 : 0;
     }
 }
 
-/* Adds the cells along one axis. */
-static void add_cells(const real_length where[restrict LANES], real_length origin, real_length size,
-                      uint32_t odd[restrict LANES]) {
+/* Corrects the cells of lanes on a face in which cells end: face_is_odd() of firmware/shade.c. */
+static void set_odd_on_face(const struct pattern_face face, const uint32_t surface[restrict LANES],
+                            const real_unit normal[restrict LANES], bool is_behind,
+                            uint32_t odd[restrict LANES]) {
     for (int i = 0; i < LANES; i++) {
-        bool is_odd = length_cell_is_odd(length_subtract(where[i], origin), size);
-        odd[i] ^= is_odd ? 1 : 0;
+        bool is_above = unit_is_negative(normal[i]) == is_behind;
+        uint32_t there = is_above ? face.odd_above : face.odd_below;
+        odd[i] = surface[i] == face.surface ? there : odd[i];
     }
 }
 
-/* Adds 1 where the pattern has its other colour: colour_at() of firmware/shade.c. */
+/* Adds 1 where the pattern has its other colour: colour_at() of firmware/shade.c. is_behind: the
+ * material with the pattern is behind the boundary. */
 static void find_cells(const struct scene *scene, const struct pattern *pattern,
-                       const struct point_lanes *where, uint32_t odd[LANES]) {
-    struct point_lanes turned;
-    const struct point_lanes *place = where;
-    if (pattern->frame != FRAME_WORLD) {
-        turn_points(&turned, &scene->frames[pattern->frame], where);
-        place = &turned;
-    }
-    if (pattern->axes & 1) {
-        add_cells(place->x, pattern->origin.x, pattern->size.x, odd);
-    }
-    if (pattern->axes & 2) {
-        add_cells(place->y, pattern->origin.y, pattern->size.y, odd);
-    }
-    if (pattern->axes & 4) {
-        add_cells(place->z, pattern->origin.z, pattern->size.z, odd);
+                       const struct hit_lanes *hit, bool is_behind, uint32_t odd[LANES]) {
+    const real_length *where[3] = {hit->where.x, hit->where.y, hit->where.z};
+    const real_unit *normal[3] = {hit->normal.x, hit->normal.y, hit->normal.z};
+    const real_length origin[3] = {pattern->origin.x, pattern->origin.y, pattern->origin.z};
+    const real_length size[3] = {pattern->size.x, pattern->size.y, pattern->size.z};
+    for (int axis = 0; axis < 3; axis++) {
+        uint32_t cells[LANES];
+        if ((pattern->axes >> axis & 1) == 0) {
+            continue;
+        }
+        find_odd(where[axis], origin[axis], size[axis], cells);
+        for (int j = 0; j < pattern->face_count; j++) {
+            const struct pattern_face face = scene->pattern_faces[pattern->first_face + j];
+            if (face.axis == axis) {
+                set_odd_on_face(face, hit->surface, normal[axis], is_behind, cells);
+            }
+        }
+        for (int i = 0; i < LANES; i++) {
+            odd[i] ^= cells[i];
+        }
     }
 }
 
@@ -52,6 +56,7 @@ struct meeting_place {
     struct colours own, own_ambient;     /* Ic and the ambient term */
     struct colours other, other_ambient; /* of the pattern's odd cells */
     const struct pattern *pattern;       /* NULL: none */
+    bool is_behind;                      /* the material that these are of */
     real_energy diffuse, specular;
     uint32_t gloss;
     real_index eta, n;
@@ -77,6 +82,7 @@ static struct meeting_place meeting_place(const struct scene *scene, uint32_t be
                                         other,
                                         ambient_of(owner, other),
                                         pattern,
+                                        !near_owns,
                                         owner->diffuse,
                                         owner->specular,
                                         owner->gloss,
@@ -137,7 +143,7 @@ void borders_find(const struct scene *scene, const struct hit_lanes *restrict hi
             odd[i] = 0;
         }
         if (place.pattern) {
-            find_cells(scene, place.pattern, &hit->where, odd);
+            find_cells(scene, place.pattern, hit, place.is_behind, odd);
         }
         apply_place(place, here, odd, fresh, border);
         fresh = false;

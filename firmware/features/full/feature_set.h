@@ -21,6 +21,7 @@ enum {
     FEATURE_SHADOWS = 1,
     FEATURE_FADING = 1, /* C + D */
     FEATURE_PATTERN = 1,
+    FEATURE_PATTERN_FACES = 1, /* faces in which a pattern's cells end */
     FEATURE_TRANSPARENCY = 1,
     FEATURE_ABSORPTION = 1,
     FEATURE_ESTIMATE = 1,       /* cut branches count as what they are worth on average */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Whether surfaces and cells that differ in the file still differ in an arithmetic. */
-#include "distinct.h"
+/* Whether an arithmetic can hold a scene: what differs still differs, and keeps its shape. */
+#include "holds.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -38,50 +38,18 @@ struct face {
 
 enum { FACES_MOST = 6 * COMPILED_PRIMITIVES_MOST + COMPILED_PLANES_MOST };
 
-static void add_face(struct face *face, const double normal[3], double offset, uint16_t surface,
-                     unsigned line) {
+static void set_face(struct face *face, const struct compiled_face *from, unsigned line) {
     int first = 0;
-    while (first < 2 && same_unit(normal[first], 0)) {
+    while (first < 2 && same_unit(from->normal[first], 0)) {
         first++;
     }
-    double sign = normal[first] < 0 ? -1 : 1;
+    double sign = from->normal[first] < 0 ? -1 : 1;
     for (int i = 0; i < 3; i++) {
-        face->normal[i] = sign * normal[i];
+        face->normal[i] = sign * from->normal[i];
     }
-    face->offset = sign * offset;
-    face->surface = surface;
+    face->offset = sign * from->offset;
+    face->surface = from->surface;
     face->line = line;
-}
-
-/* The faces of one primitive, at `faces`: their number. */
-static int primitive_faces(const struct compiled_scene *scene,
-                           const struct compiled_primitive *primitive, struct face *faces) {
-    static const double world[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    int count = 0;
-    if (primitive->kind == PRIMITIVE_BOX || primitive->kind == PRIMITIVE_QUADRIC) {
-        /* The frames of boxes have their origin where the scene has its own. */
-        bool is_box = primitive->kind == PRIMITIVE_BOX;
-        const struct compiled_quadric *quadric = &scene->quadrics[primitive->index];
-        const struct compiled_box *box = &scene->boxes[is_box ? primitive->index : quadric->box];
-        for (int i = 0; i < 6; i++) {
-            if (!is_box && (quadric->cuts >> i % 3 & 1) == 0) {
-                continue;
-            }
-            const double *normal = primitive->frame == FRAME_WORLD
-                                       ? world[i % 3]
-                                       : scene->frames[primitive->frame].axis[i % 3];
-            add_face(&faces[count++], normal, i < 3 ? box->minimum[i] : box->maximum[i - 3],
-                     box->surface[i], primitive->line);
-        }
-    } else if (primitive->kind == PRIMITIVE_POLYHEDRON) {
-        const struct compiled_polyhedron *polyhedron = &scene->polyhedra[primitive->index];
-        for (int i = 0; i < polyhedron->count; i++) {
-            const struct compiled_plane *plane = &scene->planes[polyhedron->first + i];
-            add_face(&faces[count++], plane->normal, plane->offset, plane->surface,
-                     primitive->line);
-        }
-    }
-    return count;
 }
 
 static bool same_faces(const struct face *a, const struct face *b) {
@@ -93,7 +61,11 @@ static bool faces_are_distinct(const struct compiled_scene *scene, struct scene_
     struct face faces[FACES_MOST];
     int count = 0;
     for (int i = 0; i < scene->primitive_count; i++) {
-        count += primitive_faces(scene, &scene->primitives[i], &faces[count]);
+        struct compiled_face own[COMPILED_FACES_MOST];
+        int more = compiled_faces(scene, i, own);
+        for (int j = 0; j < more; j++) {
+            set_face(&faces[count++], &own[j], scene->primitives[i].line);
+        }
     }
     for (int i = 0; i < count; i++) {
         for (int j = 0; j < i; j++) {
@@ -139,9 +111,6 @@ static bool curves_are_distinct(const struct compiled_scene *scene, struct scene
         const struct compiled_primitive *primitive = &scene->primitives[i];
         const struct compiled_ball *ball = &scene->balls[primitive->index];
         const struct compiled_quadric *quadric = &scene->quadrics[primitive->index];
-        if (primitive->kind == PRIMITIVE_BALL && same_length(ball->radius, 0)) {
-            return fail(scene, primitive->line, "a ball smaller", "larger", error);
-        }
         for (int j = 0; j < i; j++) {
             const struct compiled_primitive *other = &scene->primitives[j];
             bool same =
@@ -158,12 +127,91 @@ static bool curves_are_distinct(const struct compiled_scene *scene, struct scene
     return true;
 }
 
-/* Cells of no size have no number. */
-static bool cells_are_distinct(const struct compiled_scene *scene, struct scene_error *error) {
+/* A distance along a ray is uncertain by the noise: what is not a few times as large has no shape.
+ */
+static bool is_too_small(double radius) {
+    return radius < 4 * LENGTH_VALUE(LENGTH_NOISE);
+}
+
+/* Finds the least radius of an ellipsoid or a cylinder; infinite for other forms. */
+static double least_radius(const struct compiled_quadric *quadric) {
+    double least = HUGE_VAL;
+    for (int i = 0; i < 3; i++) {
+        if (quadric->square[i] < 0 || quadric->linear != 0) {
+            return HUGE_VAL;
+        }
+        if (quadric->square[i] > 0) {
+            least = fmin(least, sqrt(fmax(0, -quadric->constant) / quadric->square[i]));
+        }
+    }
+    return least;
+}
+
+/* Moves a quadric's numbers to those that this arithmetic has. */
+static struct compiled_quadric rounded(const struct compiled_quadric *quadric) {
+    struct compiled_quadric moved = *quadric;
+    for (int i = 0; i < 3; i++) {
+        moved.square[i] = UNIT_VALUE(REAL_UNIT(quadric->square[i]));
+        moved.centre[i] = LENGTH_VALUE(REAL_LENGTH(quadric->centre[i]));
+    }
+    moved.linear = LENGTH_VALUE(REAL_LENGTH(quadric->linear));
+    return moved;
+}
+
+/* A quadric may move by so many scaled units, of the 1,024 of a scene: less than half a pixel. Its
+ * proportions may change by so much: a cone that is nearly flat opens wider without moving far. */
+#define STRAY_MOST        0.5
+#define SQUARE_STRAY_MOST (1.0 / 64)
+
+static bool keeps_shape(const struct compiled_scene *scene, uint8_t frame,
+                        const struct compiled_quadric *quadric) {
+    struct compiled_quadric moved = rounded(quadric);
+    for (int i = 0; i < 3; i++) {
+        if (fabs(moved.square[i] - quadric->square[i]) >
+            SQUARE_STRAY_MOST * fabs(quadric->square[i])) {
+            return false;
+        }
+    }
+    return compiled_quadric_strays(scene, frame, quadric, &moved) <= STRAY_MOST;
+}
+
+static bool curves_keep_shape(const struct compiled_scene *scene, struct scene_error *error) {
+    for (int i = 0; i < scene->primitive_count; i++) {
+        const struct compiled_primitive *primitive = &scene->primitives[i];
+        const struct compiled_quadric *quadric = &scene->quadrics[primitive->index];
+        if (primitive->kind == PRIMITIVE_BALL &&
+            is_too_small(scene->balls[primitive->index].radius)) {
+            return fail(scene, primitive->line, "a ball smaller", "larger", error);
+        }
+        if (primitive->kind != PRIMITIVE_QUADRIC) {
+            continue;
+        }
+        if (is_too_small(least_radius(quadric))) {
+            return fail(scene, primitive->line, "a solid narrower", "wider", error);
+        }
+        if (!keeps_shape(scene, primitive->frame, quadric)) {
+            return fail(scene, primitive->line, "a solid longer for its width", "shorter", error);
+        }
+    }
+    return true;
+}
+
+/* The borders of cells may stray by this much of a cell at the end of what is bounded. */
+#define CELL_STRAY_MOST (1.0 / 64)
+
+/* Cells of no size have no number; those whose size is rounded add up to borders elsewhere. */
+static bool cells_keep_place(const struct compiled_scene *scene, struct scene_error *error) {
     for (int i = 0; i < scene->pattern_count; i++) {
         const struct compiled_pattern *pattern = &scene->patterns[i];
         for (int axis = 0; axis < 3; axis++) {
-            if ((pattern->axes >> axis & 1) != 0 && same_length(pattern->size[axis], 0)) {
+            if ((pattern->axes >> axis & 1) == 0) {
+                continue;
+            }
+            double size = pattern->size[axis], origin = pattern->origin[axis];
+            double cells = 512 / size;
+            double stray = cells * fabs(LENGTH_VALUE(REAL_LENGTH(size)) - size) +
+                           fabs(LENGTH_VALUE(REAL_LENGTH(origin)) - origin);
+            if (same_length(size, 0) || stray > CELL_STRAY_MOST * size) {
                 return fail(scene, pattern->line, "a pattern's cell smaller", "larger", error);
             }
         }
@@ -171,7 +219,7 @@ static bool cells_are_distinct(const struct compiled_scene *scene, struct scene_
     return true;
 }
 
-bool surfaces_are_distinct(const struct compiled_scene *scene, struct scene_error *error) {
+bool arithmetic_holds(const struct compiled_scene *scene, struct scene_error *error) {
     return faces_are_distinct(scene, error) && curves_are_distinct(scene, error) &&
-           cells_are_distinct(scene, error);
+           curves_keep_shape(scene, error) && cells_keep_place(scene, error);
 }
