@@ -26,13 +26,17 @@ static void start(struct syntax_material *material, uint64_t *random) {
     }
 }
 
-/* Gives cells whose borders meet no face. */
+/* Gives cells; their borders lie in faces now and then, where the solid's side decides. */
 static void add_pattern(struct syntax_pattern *pattern, uint64_t *random) {
     pattern->present = true;
     int axes = 1 + chance_pick(random, 7);
+    bool is_plain = chance_is(random, 30);
     for (int i = 0; i < 3; i++) {
         pattern->size[i] = (axes >> i & 1) != 0 ? 0.5 + chance_step(random, 0, 1) : 0;
-        pattern->origin[i] = chance_odd(random, 0, 1) / 16;
+        pattern->origin[i] = is_plain ? 0 : chance_odd(random, 0, 1) / 16;
+        if (is_plain && pattern->size[i] > 0) {
+            pattern->size[i] = 0.5 * (1 + chance_pick(random, 3));
+        }
     }
     any_colour(random, pattern->colour);
 }
