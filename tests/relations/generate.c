@@ -55,7 +55,8 @@ static void set_lights(struct syntax *syntax, uint64_t *random) {
         light->place[1] = chance_odd(random, -5, 5);
         light->place[2] = chance_odd(random, 4, 9) * (light->parallel ? -1 : 1);
         for (int j = 0; j < 3; j++) {
-            double colour = 64 + chance_pick(random, 192) / (1 + i);
+            int share = chance_pick(random, 192) / (1 + i);
+            double colour = 64 + share;
             light->colour[j] = syntax->fades ? 10 * colour : colour;
         }
     }

@@ -99,5 +99,6 @@ bool prepare_cutter(struct syntax *scene, uint64_t *random);
 bool rewrite_ends(struct syntax *scene, uint64_t *random);
 bool rewrite_leaves(struct syntax *scene, uint64_t *random);
 bool rewrite_placements(struct syntax *scene, uint64_t *random);
+bool rewrite_forms(struct syntax *scene, uint64_t *random);
 
 #endif

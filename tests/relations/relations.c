@@ -30,6 +30,7 @@ const struct relation relations[] = {
     {"ends", IN_F64, MAP_SAME, NULL, NULL, rewrite_ends, false, false, 1},
     {"leaves", IN_F64, MAP_SAME, NULL, NULL, rewrite_leaves, false, false, 1},
     {"placements", IN_F64, MAP_SAME, NULL, NULL, rewrite_placements, false, false, 1},
+    {"forms", IN_F64, MAP_SAME, NULL, NULL, rewrite_forms, false, false, 1},
 };
 
 const int relation_count = sizeof relations / sizeof relations[0];
