@@ -22,7 +22,8 @@
 #include "trial.h"
 #include "write.h"
 
-enum { REDUCED_MOST = 3, RELATIONS_ROOM = 40 };
+/* Failures that are reduced: of one relation in one arithmetic, and in all. */
+enum { REDUCED_MOST = 3, REDUCED_ALL = 16, RELATIONS_ROOM = 40 };
 
 /* Of all pixels of a relation: the share whose signatures agree, and that of flips. */
 #define AGREEING_LEAST 0.99
@@ -45,7 +46,7 @@ struct run {
     pthread_mutex_t lock; /* of what follows */
     struct tally tallies[RELATIONS_ROOM][RELATION_ARITHMETICS];
     struct coverage coverage;
-    unsigned long seeds, refused, faults;
+    unsigned long seeds, refused, faults, reduced;
     char refusal[256]; /* the first one */
 };
 
@@ -119,7 +120,9 @@ static void add_result(struct run *run, struct worker *worker, int number, int a
     tally->worst_flip =
         result->worst_flip > tally->worst_flip ? result->worst_flip : tally->worst_flip;
     tally->faults += result->fault != FAULT_NONE;
-    bool is_reported = result->fault != FAULT_NONE && tally->faults <= REDUCED_MOST;
+    bool is_reported =
+        result->fault != FAULT_NONE && tally->faults <= REDUCED_MOST && run->reduced < REDUCED_ALL;
+    run->reduced += is_reported;
     run->faults += result->fault != FAULT_NONE;
     (void)pthread_mutex_unlock(&run->lock);
     if (is_reported) {

@@ -11,9 +11,6 @@ $(BUILD)/release/relations/%.o: tests/relations/%.c $(BUILD)/flags | setup
 $(RELATIONS): $(RELATIONS_OBJECTS) $(release_LIBRARY) $(BUILD)/sources
 	$(CC) $(LDFLAGS_release) -o $@ $(filter %.o,$^) $(LIBS)
 
-SEEDS   ?= 0:300
-SECONDS ?= 3600
-
 .PHONY: relations
 relations: $(RELATIONS) ## Hold relations on generated scenes (SEEDS=A:B, RELATION=name, SECONDS=limit)
-	@$(RELATIONS) $(BUILD)/relations SEEDS=$(SEEDS) SECONDS=$(SECONDS) $(if $(RELATION),RELATION=$(RELATION))
+	@$(RELATIONS) $(BUILD)/relations SEEDS=$(or $(SEEDS),0:300) SECONDS=$(or $(SECONDS),3600) $(if $(RELATION),RELATION=$(RELATION))
