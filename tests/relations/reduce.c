@@ -101,15 +101,20 @@ static bool reduce_children(struct reduction *reduction, int solid) {
 
 enum { PLACEMENT_STEPS = 3 };
 
+/* Sets three numbers; returns whether they were others. */
+static bool set_three(double three[3], double number) {
+    bool has_changed = false;
+    for (int i = 0; i < 3; i++) {
+        has_changed = has_changed || three[i] < number || three[i] > number;
+        three[i] = number;
+    }
+    return has_changed;
+}
+
 /* Drops one step of a placement; false where there is none. */
 static bool drop_step(struct syntax_solid *solid, int step) {
-    static const double none[PLACEMENT_STEPS][3] = {{0, 0, 0}, {0, 0, 0}, {1, 1, 1}};
-    double *steps[PLACEMENT_STEPS] = {solid->translate, solid->rotate, solid->scale};
-    if (memcmp(steps[step], none[step], sizeof none[step]) == 0) {
-        return false;
-    }
-    memcpy(steps[step], none[step], sizeof none[step]);
-    return true;
+    double *const steps[PLACEMENT_STEPS] = {solid->translate, solid->rotate, solid->scale};
+    return set_three(steps[step], step == 2 ? 1 : 0);
 }
 
 static bool reduce_solids(struct reduction *reduction) {
@@ -147,38 +152,38 @@ static bool drop_parts(struct reduction *reduction) {
 
 enum { FEATURES = 8 };
 
+/* Clears a flag; returns whether it was set. */
+static bool clear(bool *flag) {
+    bool was_set = *flag;
+    *flag = false;
+    return was_set;
+}
+
 /* Makes a material plainer; false where it is plain already. */
 static bool drop_feature(struct syntax_material *material, int feature) {
-    const struct syntax_material before = *material;
+    double *const numbers[] = {&material->specular, &material->diffuse};
+    bool has_tint = false;
     switch (feature) {
     case 0:
-        material->pattern.present = false;
-        break;
+        return clear(&material->pattern.present);
     case 1:
-        material->has_table = false;
-        break;
+        return clear(&material->has_table);
     case 2:
-        memset(material->absorption, 0, sizeof material->absorption);
-        break;
+        return clear(&material->disperses);
     case 3:
-        material->disperses = false;
-        break;
+        return clear(&material->casts_shadow);
     case 4:
-        material->specular = 0;
-        break;
+        return set_three(material->absorption, 0);
     case 5:
-        material->casts_shadow = false;
-        break;
-    case 6:
-        material->diffuse = 0;
-        break;
-    default: /* the last */
-        for (int i = 0; i < 3; i++) {
-            material->reflects[i] = material->transmits[i] = 1;
-        }
-        break;
+        has_tint = set_three(material->reflects, 1);
+        return set_three(material->transmits, 1) || has_tint;
+    default: { /* the last two */
+        double *number = numbers[feature - 6];
+        bool has_changed = *number > 0;
+        *number = 0;
+        return has_changed;
     }
-    return memcmp(&before, material, sizeof before) != 0;
+    }
 }
 
 static bool reduce_materials(struct reduction *reduction) {
@@ -197,25 +202,30 @@ static bool reduce_materials(struct reduction *reduction) {
     return has_reduced;
 }
 
-/* Gives all objects and solids of one material another one. */
+/* Gives all objects of a material another one, and solids that name it the object's. */
+static bool replace_material(struct syntax *scene, int from, int to) {
+    bool has_changed = false;
+    for (int j = 0; j < scene->object_count && from != to; j++) {
+        if (scene->objects[j].material == from) {
+            scene->objects[j].material = to;
+            has_changed = true;
+        }
+    }
+    for (int j = 0; j < scene->solid_count; j++) {
+        if (scene->solids[j].material == from) {
+            scene->solids[j].material = -1;
+            has_changed = true;
+        }
+    }
+    return has_changed;
+}
+
 static bool merge_materials(struct reduction *reduction) {
     bool has_merged = false;
     for (int i = 1; i < reduction->failure->scene.material_count; i++) {
         begin(reduction);
         struct syntax *scene = reduction->attempt;
-        if (!syntax_uses_material(scene, i)) {
-            continue;
-        }
-        for (int j = 0; j < scene->object_count; j++) {
-            scene->objects[j].material = scene->objects[j].material == i
-                                             ? scene->objects[0].material
-                                             : scene->objects[j].material;
-        }
-        for (int j = 0; j < scene->solid_count; j++) {
-            scene->solids[j].material =
-                scene->solids[j].material == i ? -1 : scene->solids[j].material;
-        }
-        if (memcmp(scene, &reduction->failure->scene, sizeof *scene) != 0) {
+        if (replace_material(scene, i, scene->objects[0].material)) {
             has_merged = keep_if_failing(reduction) || has_merged;
         }
     }
@@ -226,29 +236,30 @@ enum { PLAINER = 7 };
 
 /* Makes the scene as a whole plainer; false where it is so already. */
 static bool make_plainer(struct syntax *scene, int step) {
+    bool has_changed = false;
     switch (step) {
     case 0:
+        has_changed = scene->depth > 0;
         scene->depth /= 2;
-        return true;
+        return has_changed;
     case 1:
-        scene->fades = false;
-        return true;
+        return clear(&scene->fades);
     case 2:
-        scene->filters = false;
-        return true;
+        return clear(&scene->filters);
     case 3:
-        scene->model = SYNTAX_FRESNEL;
-        return true;
+        return clear(&scene->blinn);
     case 4:
-        scene->blinn = false;
-        return true;
+        has_changed = scene->model != SYNTAX_FRESNEL;
+        scene->model = SYNTAX_FRESNEL;
+        return has_changed;
     case 5:
         scene->width /= 2;
         scene->height /= 2;
         return scene->height > 0;
     default: /* the last */
+        has_changed = scene->threshold < 1.0 / 256;
         scene->threshold = 1.0 / 256;
-        return true;
+        return has_changed;
     }
 }
 
@@ -256,26 +267,32 @@ static bool reduce_rest(struct reduction *reduction) {
     bool has_reduced = false;
     for (int step = 0; step < PLAINER; step++) {
         begin(reduction);
-        if (make_plainer(reduction->attempt, step) &&
-            memcmp(reduction->attempt, &reduction->failure->scene, sizeof *reduction->attempt)) {
+        if (make_plainer(reduction->attempt, step)) {
             has_reduced = keep_if_failing(reduction) || has_reduced;
         }
     }
     return has_reduced;
 }
 
-/* Rounds a solid's numbers to quarters. */
+/* Rounds the numbers of one solid to quarters; returns whether any was finer. */
+static bool round_solid(struct syntax_solid *solid) {
+    double *const numbers[] = {solid->a, solid->b, solid->translate};
+    bool has_changed = false;
+    for (int j = 0; j < 9; j++) {
+        double *number = &numbers[j / 3][j % 3];
+        double quarters = floor(4 * *number + 0.5) / 4;
+        has_changed = has_changed || *number < quarters || *number > quarters;
+        *number = quarters;
+    }
+    return has_changed;
+}
+
 static bool round_numbers(struct reduction *reduction) {
     int list[SYNTAX_SOLIDS_MOST], count = syntax_list(&reduction->failure->scene, list);
     bool has_rounded = false;
     for (int i = 0; i < count; i++) {
         begin(reduction);
-        struct syntax_solid *solid = &reduction->attempt->solids[list[i]];
-        double *const numbers[] = {solid->a, solid->b, solid->translate};
-        for (int j = 0; j < 9; j++) {
-            numbers[j / 3][j % 3] = floor(4 * numbers[j / 3][j % 3] + 0.5) / 4;
-        }
-        if (memcmp(solid, &reduction->failure->scene.solids[list[i]], sizeof *solid) != 0) {
+        if (round_solid(&reduction->attempt->solids[list[i]])) {
             has_rounded = keep_if_failing(reduction) || has_rounded;
         }
     }

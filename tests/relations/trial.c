@@ -97,7 +97,12 @@ static void judge_alone(const struct rendering *picture, const char *which,
 /* Returns true where two forms lie in the scaled world alike: a coarse arithmetic's numbers are the
  * same then, and what has no end is cut at the same place. */
 static bool same_scale(const struct compiled_scene *a, const struct compiled_scene *b) {
-    return a->exponent == b->exponent && memcmp(a->centre, b->centre, sizeof a->centre) == 0;
+    for (int i = 0; i < 3; i++) {
+        if (a->centre[i] < b->centre[i] || a->centre[i] > b->centre[i]) {
+            return false;
+        }
+    }
+    return a->exponent == b->exponent;
 }
 
 static void compare_forms(const struct relation *relation, int arithmetic, struct form *prepared,
