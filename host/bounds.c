@@ -56,6 +56,15 @@ bool bounds_overlap(const struct bounds *a, const struct bounds *b) {
     return !bounds_are_empty(&common);
 }
 
+bool bounds_are_apart(const struct bounds *a, const struct bounds *b, double gap) {
+    for (int i = 0; i < 3; i++) {
+        if (a->high[i] < b->low[i] - gap || b->high[i] < a->low[i] - gap) {
+            return true;
+        }
+    }
+    return false;
+}
+
 /* The bounds of the eight corners' images. */
 static struct bounds corners(const struct affine *map, const double low[3], const double high[3]) {
     struct bounds bounds = bounds_nothing;

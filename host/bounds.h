@@ -22,6 +22,9 @@ bool bounds_are_finite(const struct bounds *bounds);
 bool bounds_are_empty(const struct bounds *bounds);
 bool bounds_overlap(const struct bounds *a, const struct bounds *b);
 
+/* Returns true if bounds are farther apart than a gap, along some axis. */
+bool bounds_are_apart(const struct bounds *a, const struct bounds *b, double gap);
+
 /* Of a polyhedron's corners; everything if it is unbounded, nothing if it is empty. */
 struct bounds polyhedron_bounds(const struct affine *map, const struct solid_node *node);
 

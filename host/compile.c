@@ -1,12 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 /* The scene compiler: from a description to the firmware's tables, centred and scaled. */
-#include "compile_internal.h"
+#include "compile_dead.h"
 
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+/* A scene whose contents reach less far has no scale. */
+#define REACH_LEAST 1e-12
 
 bool compile_fail(struct compiler *compiler, unsigned line, const char *format, ...) {
     char what[400];
@@ -24,16 +27,34 @@ bool compile_fail(struct compiler *compiler, unsigned line, const char *format, 
     return false;
 }
 
+/* Returns true if every part of an object of the file is dead. */
+static bool object_is_dead(const struct compile_dead *dead, size_t object) {
+    bool has_part = false;
+    for (int i = 0; i < dead->part_count; i++) {
+        if (dead->object_of_part[i] == object) {
+            has_part = true;
+            if (dead->part[i] == NULL) {
+                return false;
+            }
+        }
+    }
+    return has_part;
+}
+
 /* The bounds of all that has an end: finite solids, the eye, the point lights. */
-static struct bounds content_bounds(const struct scene_description *description) {
+static struct bounds content_bounds(const struct scene_description *description,
+                                    const struct compile_dead *dead) {
     struct bounds all = bounds_nothing;
     bounds_include(&all, description->camera.eye);
     for (size_t i = 0; i < description->light_count; i++) {
-        if (!description->lights[i].parallel) {
+        if (!description->lights[i].parallel && (dead == NULL || dead->light[i] == NULL)) {
             bounds_include(&all, description->lights[i].position);
         }
     }
     for (size_t i = 0; i < description->object_count; i++) {
+        if (dead != NULL && object_is_dead(dead, i)) {
+            continue;
+        }
         struct bounds solid =
             solid_bounds(description, description->objects[i].solid, &affine_identity);
         if (bounds_are_finite(&solid) && !bounds_are_empty(&solid)) {
@@ -46,15 +67,28 @@ static struct bounds content_bounds(const struct scene_description *description)
 /* Coordinates of a file that were rounded a few times on their way: relative to the farthest. */
 #define FILE_ROUNDING 0x1p-50
 
-bool compile_scaling(struct compiler *compiler) {
-    struct compiled_scene *scene = compiler->scene;
-    struct bounds all = content_bounds(compiler->description);
+static double bounds_half(const struct bounds *bounds) {
     double reach = 0;
     for (int i = 0; i < 3; i++) {
-        scene->centre[i] = all.low[i] / 2 + all.high[i] / 2;
-        reach = fmax(reach, all.high[i] / 2 - all.low[i] / 2);
+        reach = fmax(reach, bounds->high[i] / 2 - bounds->low[i] / 2);
     }
-    if (!(reach <= 1e12 && reach >= 1e-12)) {
+    return reach;
+}
+
+/* What is dead counts only where something endless is seen, whose end it decides, or where nothing
+ * else has a size. */
+bool compile_scaling(struct compiler *compiler) {
+    struct compiled_scene *scene = compiler->scene;
+    const struct compile_dead *dead = compiler->dead->has_endless ? NULL : compiler->dead;
+    struct bounds all = content_bounds(compiler->description, dead);
+    if (!(bounds_half(&all) >= REACH_LEAST)) {
+        all = content_bounds(compiler->description, NULL);
+    }
+    double reach = bounds_half(&all);
+    for (int i = 0; i < 3; i++) {
+        scene->centre[i] = all.low[i] / 2 + all.high[i] / 2;
+    }
+    if (!(reach <= 1e12 && reach >= REACH_LEAST)) {
         return compile_fail(compiler, 0,
                             "solids, eye and lights lie within %g units; 1e-12 to 1e12 is allowed: "
                             "choose another unit of length",
@@ -84,33 +118,66 @@ bool compile_scaling(struct compiler *compiler) {
     return true;
 }
 
+/* Makes the tables of what is not dead so far. */
+static bool compile_tables(struct compiler *compiler) {
+    if (!compile_scaling(compiler) || !compile_materials(compiler) || !compile_objects(compiler) ||
+        !compile_optimise(compiler) || !compile_pattern_faces(compiler) ||
+        !compile_view(compiler) || !compile_colour(compiler)) {
+        return false;
+    }
+    compile_lights(compiler);
+    return true;
+}
+
+/* Forgets all but what is dead. */
+static void begin(struct compiler *compiler) {
+    const struct compiler fresh = {.description = compiler->description,
+                                   .scene = compiler->scene,
+                                   .error = compiler->error,
+                                   .dead = compiler->dead,
+                                   .directions = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                                   .direction_count = 3};
+    *compiler = fresh;
+    memset(compiler->scene, 0, sizeof *compiler->scene);
+    snprintf(compiler->scene->path, sizeof compiler->scene->path, "%s",
+             compiler->description->path);
+}
+
+/* Makes the tables, and makes them anew as long as they prove something dead: without that, what
+ * is left may be scaled otherwise. */
+static bool compile_live(struct compiler *compiler) {
+    unsigned known;
+    do {
+        known = compiler->dead->count;
+        begin(compiler);
+        if (!compile_tables(compiler) || !compile_find_dead(compiler)) {
+            return false;
+        }
+    } while (compiler->dead->count > known);
+    compile_settle(compiler);
+    compile_brightest(compiler);
+    compile_shadows(compiler);
+    compile_enclosures(compiler);
+    compile_near(compiler);
+    return true;
+}
+
 struct compiled_scene *scene_compile(const struct scene_description *description,
                                      struct scene_error *error) {
     struct compiled_scene *scene = calloc(1, sizeof *scene);
     struct compiler *compiler = calloc(1, sizeof *compiler);
-    bool good = scene && compiler;
+    struct compile_dead *dead = calloc(1, sizeof *dead);
+    bool good = scene && compiler && dead;
     if (!good) {
         snprintf(error->text, sizeof error->text, "%.100s: out of memory", description->path);
     } else {
         compiler->description = description;
-        memcpy(compiler->directions, (double[3][3]){{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
-               3 * sizeof compiler->directions[0]);
-        compiler->direction_count = 3;
         compiler->scene = scene;
         compiler->error = error;
-        snprintf(scene->path, sizeof scene->path, "%s", description->path);
-        good = compile_scaling(compiler) && compile_materials(compiler) &&
-               compile_objects(compiler) && compile_optimise(compiler) &&
-               compile_pattern_faces(compiler) && compile_view(compiler) &&
-               compile_colour(compiler);
+        compiler->dead = dead;
+        good = compile_live(compiler);
     }
-    if (good) {
-        compile_lights(compiler);
-        compile_brightest(compiler);
-        compile_shadows(compiler);
-        compile_enclosures(compiler);
-        compile_near(compiler);
-    }
+    free(dead);
     free(compiler);
     if (!good) {
         free(scene);

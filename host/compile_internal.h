@@ -42,16 +42,35 @@ struct compile_plane {
 
 /* The world's axes, those of frames, and the normals of planes. */
 enum { COMPILED_DIRECTIONS_MOST = 3 + 3 * COMPILED_FRAMES_MOST + COMPILED_SURFACES_MOST };
+/* Why things of the file can't change its picture, by their numbers there; NULL: they may. */
+struct compile_dead {
+    const char *part[COMPILED_OBJECTS_MOST]; /* objects fall apart into one part a material */
+    const char *light[SCENE_LIGHTS_MOST];
+    const char *material[SCENE_MATERIALS_MOST];
+    /* Of a material that is not dead: all but its shadow, and what is a part of its look. */
+    const char *look[SCENE_MATERIALS_MOST], *pattern[SCENE_MATERIALS_MOST];
+    const char *table[SCENE_MATERIALS_MOST]; /* of w(theta): a constant does */
+    const char *highlight[SCENE_MATERIALS_MOST], *absorption[SCENE_MATERIALS_MOST];
+    unsigned count; /* of all these */
+    size_t object_of_part[COMPILED_OBJECTS_MOST];
+    int part_count;
+    bool has_endless; /* something endless can be seen: it ends where the dead ones say, too */
+};
 
 struct compiler {
     const struct scene_description *description;
     struct compiled_scene *scene;
     struct scene_error *error;
+    struct compile_dead *dead;
+    int part;                                  /* the number of the next part */
+    uint8_t material_of[SCENE_MATERIALS_MOST]; /* a material of the file: its number here */
+    uint8_t file_light[SCENE_LIGHTS_MOST];
     struct affine scaling;   /* the file's coordinates to scaled ones */
     double same;             /* lengths that differ by no more are one, in scaled units */
     unsigned line;           /* of the node or object at work */
     unsigned lost_line;      /* of a half-space of the object, none of it in the world; 0: no */
     const char *object_name; /* of the object at work */
+    size_t object;           /* its number in the file */
     struct compile_plane planes[COMPILED_SURFACES_MOST]; /* by surface; normal null: no plane */
     double directions[COMPILED_DIRECTIONS_MOST][3];      /* that were met, either way */
     int direction_count;
@@ -155,6 +174,9 @@ void compile_near(struct compiler *compiler);
 /* Measures how far the curved surfaces of two primitives lie apart, at most; infinite where one of
  * them has none, or both have the same. */
 double compile_curve_distance(const struct compiled_scene *scene, int one, int other);
+/* Returns the largest level of a channel that the material's own colour has, or its pattern's. */
+double compiled_colour_most(const struct compiled_scene *scene,
+                            const struct compiled_material *material, int channel);
 
 /* Camera, lights, materials, and what can throw shadows. */
 bool compile_view(struct compiler *compiler);

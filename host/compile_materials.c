@@ -27,8 +27,17 @@ static uint8_t optical_class(const struct compiled_scene *scene, uint8_t materia
 static void compile_specular(struct compiler *compiler, const struct scene_material *from,
                              struct compiled_material *to) {
     struct compiled_scene *scene = compiler->scene;
+    size_t index = (size_t)(from - compiler->description->materials);
     to->specular = from->specular;
     to->specular_table = NO_TABLE;
+    if (compiler->dead->highlight[index] != NULL) {
+        to->specular = 0;
+        return;
+    }
+    if (compiler->dead->table[index] != NULL) {
+        to->specular = from->specular_table[0];
+        return;
+    }
     if (!from->has_specular_table) {
         return;
     }
@@ -73,43 +82,56 @@ static bool compile_absorption(struct compiler *compiler, const struct scene_mat
     return true;
 }
 
-static void air(struct compiled_material *material) {
-    material->transparent = true;
+/* Neither seen nor in the way of light. */
+static void compile_nothing(struct compiled_material *material) {
     material->pattern = NO_PATTERN;
     material->specular_table = NO_TABLE;
-    material->transmittance = 1;
     for (int i = 0; i < 3; i++) {
         material->ior[i] = material->inverse_ior[i] = 1;
         material->reflects[i] = material->transmits[i] = material->filter[i] = 1;
     }
 }
 
+static bool compile_look(struct compiler *compiler, size_t index, struct compiled_material *to) {
+    const struct scene_description *description = compiler->description;
+    const struct scene_material *from = &description->materials[index];
+    const struct compile_dead *dead = compiler->dead;
+    to->diffuse = from->diffuse;
+    to->gloss = (uint16_t)from->gloss;
+    to->transparent = from->transparent;
+    to->ambient_share = from->ambient_is_own ? from->ambient : 0;
+    for (int i = 0; i < 3; i++) {
+        to->colour[i] = from->colour[i];
+        to->ambient[i] = from->ambient_is_own ? 0 : from->ambient * description->ambient[i];
+    }
+    compile_specular(compiler, from, to);
+    compile_optics(description, from, to);
+    return (dead->pattern[index] != NULL || compile_pattern(compiler, from, to)) &&
+           (dead->absorption[index] != NULL || compile_absorption(compiler, from, to));
+}
+
 bool compile_materials(struct compiler *compiler) {
     const struct scene_description *description = compiler->description;
     struct compiled_scene *scene = compiler->scene;
-    air(&scene->materials[0]);
-    scene->material_count = (uint8_t)(description->material_count + 1);
+    compile_nothing(&scene->materials[0]);
+    scene->materials[0].transparent = true;
+    scene->materials[0].transmittance = 1;
+    scene->material_count = 1;
     for (size_t i = 0; i < description->material_count; i++) {
-        const struct scene_material *from = &description->materials[i];
-        struct compiled_material *to = &scene->materials[i + 1];
-        to->diffuse = from->diffuse;
-        to->gloss = (uint16_t)from->gloss;
-        to->transparent = from->transparent;
-        to->casts_shadow = from->casts_shadow || !from->transparent;
-        to->ambient_share = from->ambient_is_own ? from->ambient : 0;
-        for (int j = 0; j < 3; j++) {
-            to->colour[j] = from->colour[j];
-            to->ambient[j] = from->ambient_is_own ? 0 : from->ambient * description->ambient[j];
+        if (compiler->dead->material[i] != NULL) {
+            continue;
         }
-        compile_specular(compiler, from, to);
-        compile_optics(description, from, to);
-        if (!compile_pattern(compiler, from, to)) {
+        uint8_t number = scene->material_count++;
+        struct compiled_material *to = &scene->materials[number];
+        compiler->material_of[i] = number;
+        to->file = (uint8_t)i;
+        compile_nothing(to);
+        if (compiler->dead->look[i] == NULL && !compile_look(compiler, i, to)) {
             return false;
         }
-        to->optical = optical_class(scene, (uint8_t)(i + 1));
-        if (!compile_absorption(compiler, from, to)) {
-            return false;
-        }
+        to->casts_shadow =
+            description->materials[i].casts_shadow || !description->materials[i].transparent;
+        to->optical = optical_class(scene, number);
     }
     return true;
 }

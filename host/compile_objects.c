@@ -99,16 +99,25 @@ static bool check_bounded(struct compiler *compiler, const struct compiled_objec
 
 static bool add_object(struct compiler *compiler, const struct instance *instance) {
     struct compiled_scene *scene = compiler->scene;
+    int part = compiler->part++;
+    if (part < compiler->dead->part_count && compiler->dead->part[part] != NULL) {
+        return true;
+    }
     if (scene->object_count == COMPILED_OBJECTS_MOST) {
         return compile_fail(compiler, compiler->line, "more than %d objects of one material each",
                             COMPILED_OBJECTS_MOST - 1);
+    }
+    if (part >= compiler->dead->part_count) {
+        compiler->dead->part_count = part + 1;
+        compiler->dead->object_of_part[part] = compiler->object;
     }
     struct compiled_object *object = &scene->objects[scene->object_count];
     unsigned instance_line = compiler->line; /* what is compiled for it moves that on */
     compiler->lost_line = 0;
     object->program = scene->program_length;
     object->length = 0;
-    object->material = (uint8_t)(instance->material + 1);
+    object->material = compiler->material_of[instance->material];
+    object->part = (uint8_t)part;
     struct bounds bounds =
         solid_bounds(compiler->description, instance->node, &instance->placement);
     if (!append_program(compiler, instance->node, &instance->placement, 0)) {
@@ -200,6 +209,7 @@ bool compile_objects(struct compiler *compiler) {
         const struct instance whole = {object->solid, compiler->scaling, -1, NULL};
         compiler->line = object->line;
         compiler->object_name = object->name ? object->name : "";
+        compiler->object = i;
         if (!add_objects(compiler, &whole)) {
             return false;
         }

@@ -24,7 +24,6 @@ bool compile_pattern(struct compiler *compiler, const struct scene_material *fro
     struct compiled_scene *scene = compiler->scene;
     const struct scene_pattern *pattern = &from->pattern;
     double origin[3];
-    material->pattern = NO_PATTERN;
     if (!pattern->present) {
         return true;
     }

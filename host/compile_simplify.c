@@ -28,13 +28,7 @@ static bool are_apart(const struct compiled_scene *scene, const struct csg_tree 
         return primitives_are_apart(scene, tree->nodes[one].code, tree->nodes[other].code);
     }
     struct bounds first = csg_bounds(scene, tree, one), second = csg_bounds(scene, tree, other);
-    for (int i = 0; i < 3; i++) {
-        if (first.high[i] < second.low[i] - COMPILE_GAP ||
-            second.high[i] < first.low[i] - COMPILE_GAP) {
-            return true;
-        }
-    }
-    return false;
+    return bounds_are_apart(&first, &second, COMPILE_GAP);
 }
 
 /* What a node is worth: one of its sides, nothing, or what it was. */

@@ -2,6 +2,8 @@
 /* An object's postfix program as a tree, for the scene compiler to rewrite. */
 #include "compile_tree.h"
 
+#include <math.h>
+
 #include "compile_internal.h"
 
 void csg_read(const struct compiled_scene *scene, const struct compiled_object *object,
@@ -42,6 +44,20 @@ uint16_t csg_write(struct compiled_scene *scene, struct compiled_object *object,
 
 bool csg_is_leaf(const struct csg_tree *tree, uint8_t node) {
     return tree->nodes[node].code < CODE_UNION;
+}
+
+double csg_reach(const struct compiled_scene *scene, const struct csg_tree *tree, uint8_t index,
+                 const double direction[3]) {
+    const struct csg_node *node = &tree->nodes[index];
+    if (csg_is_leaf(tree, index)) {
+        return primitive_reach(scene, node->code, direction);
+    }
+    double left = csg_reach(scene, tree, node->left, direction);
+    if (node->code == CODE_DIFFERENCE) {
+        return left;
+    }
+    double right = csg_reach(scene, tree, node->right, direction);
+    return node->code == CODE_UNION ? fmax(left, right) : fmin(left, right);
 }
 
 struct bounds csg_bounds(const struct compiled_scene *scene, const struct csg_tree *tree,

@@ -27,6 +27,10 @@ uint16_t csg_write(struct compiled_scene *scene, struct compiled_object *object,
 
 bool csg_is_leaf(const struct csg_tree *tree, uint8_t node);
 
+/* Returns how far a part of a tree reaches along a direction of length 1, at most. */
+double csg_reach(const struct compiled_scene *scene, const struct csg_tree *tree, uint8_t node,
+                 const double direction[3]);
+
 /* What a part of a tree lies within; infinite where that is not known. */
 struct bounds csg_bounds(const struct compiled_scene *scene, const struct csg_tree *tree,
                          uint8_t node);

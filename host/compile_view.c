@@ -211,10 +211,13 @@ bool compile_view(struct compiler *compiler) {
 void compile_lights(struct compiler *compiler) {
     const struct scene_description *description = compiler->description;
     struct compiled_scene *scene = compiler->scene;
-    scene->light_count = (uint8_t)description->light_count;
     for (size_t i = 0; i < description->light_count; i++) {
         const struct scene_light *light = &description->lights[i];
-        struct compiled_light *compiled = &scene->lights[i];
+        if (compiler->dead->light[i] != NULL) {
+            continue;
+        }
+        compiler->file_light[scene->light_count] = (uint8_t)i;
+        struct compiled_light *compiled = &scene->lights[scene->light_count++];
         compiled->parallel = light->parallel;
         memcpy(compiled->colour, light->colour, sizeof compiled->colour);
         if (light->parallel) {
@@ -235,22 +238,20 @@ void compile_brightest(struct compiler *compiler) {
     struct compiled_scene *scene = compiler->scene;
     double most = 0;
     for (int j = 0; j < 3; j++) {
-        most = fmax(most, description->background[j]);
-        for (size_t i = 0; i < description->material_count; i++) {
-            const struct scene_material *material = &description->materials[i];
-            double colour = fmax(material->colour[j],
-                                 material->pattern.present ? material->pattern.colour[j] : 0);
-            double specular = material->has_specular_table ? 1 : material->specular;
+        most = fmax(most, scene->background[j]);
+        for (int i = 1; i < scene->material_count; i++) {
+            const struct compiled_material *material = &scene->materials[i];
+            double colour = compiled_colour_most(scene, material, j);
+            double specular = material->specular_table != NO_TABLE ? 1 : material->specular;
             double direct = 0;
-            for (size_t k = 0; k < description->light_count; k++) {
-                double light = description->lights[k].colour[j];
+            for (int k = 0; k < scene->light_count; k++) {
+                double light = scene->lights[k].colour[j];
                 direct += material->diffuse * colour * light / 255 + specular * light;
             }
-            if (description->has_attenuation) {
+            if (scene->fades) {
                 direct /= fmax(description->attenuation_constant, 1e-3);
             }
-            double ambient = material->ambient_is_own ? colour : description->ambient[j];
-            most = fmax(most, material->ambient * ambient + direct);
+            most = fmax(most, material->ambient_share * colour + material->ambient[j] + direct);
         }
     }
     scene->brightest = (uint16_t)fmin(ceil(most), 32767);

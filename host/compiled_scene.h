@@ -22,7 +22,8 @@ enum {
     COMPILED_PROGRAM_BYTES_MOST = 4096,
     COMPILED_MATERIALS_MOST = SCENE_MATERIALS_MOST + 1,
     COMPILED_PATTERN_FACES_MOST = 1024,
-    COMPILED_NEAR_MOST = 16
+    COMPILED_NEAR_MOST = 16,
+    COMPILED_DEAD_MOST = COMPILED_OBJECTS_MOST + SCENE_LIGHTS_MOST + 6 * SCENE_MATERIALS_MOST + 8
 };
 
 struct compiled_set {
@@ -80,6 +81,7 @@ struct compiled_object {
     bool in_shadow_test;
     struct compiled_set uses;
     unsigned line;          /* of the scene file */
+    uint8_t part;           /* of the file's objects, in the order in which they are taken apart */
     double low[3], high[3]; /* bounds, perhaps infinite; no part of the firmware's tables */
 };
 
@@ -106,6 +108,7 @@ struct compiled_material {
     double transmittance;
     double reflects[3], transmits[3], filter[3];
     double absorption[3];
+    uint8_t file; /* its number in the file, from 0; no part of the firmware's tables */
 };
 
 struct compiled_specular_table {
@@ -137,6 +140,12 @@ struct compiled_report {
 struct compiled_near {
     unsigned line, other_line; /* of their solids */
     double distance;           /* in the file's unit */
+};
+
+/* What of the file can't change the picture, and is not in the tables, for people. */
+struct compiled_dead {
+    char what[80];
+    const char *why;
 };
 
 struct compiled_scene {
@@ -186,6 +195,12 @@ struct compiled_scene {
     struct compiled_set shadow_primitives;
     bool has_shadows; /* some light casts them; no part of the firmware's tables */
 
+    /* No part of the firmware's tables either. */
+    bool has_branches;   /* paths go on behind some surface, if the depth level lets them */
+    uint8_t depth_asked; /* depth is as much of it as paths can use */
+    struct compiled_dead dead[COMPILED_DEAD_MOST];
+    unsigned dead_count;
+
     uint8_t show, show_bits; /* enum compiled_show */
     uint32_t seed;
 };
@@ -207,8 +222,9 @@ enum {
 
 enum compiled_show { COMPILED_FULL, COMPILED_BITS, COMPILED_DITHER, COMPILED_EXPOSURES };
 
-/* Flattens, centres, scales and analyses a scene. NULL with *error filled where the scene cannot be
- * rendered (the line is that of the culprit). The caller frees the result with free(). */
+/* Flattens, centres, scales and analyses a scene. NULL with *error filled where the scene
+ * cannot be rendered (the line is that of the culprit). The caller frees the result with
+ * free(). */
 struct compiled_scene *scene_compile(const struct scene_description *description,
                                      struct scene_error *error);
 
@@ -228,8 +244,8 @@ int compiled_faces(const struct compiled_scene *scene, int primitive,
 /* An axis of a frame, or of the world. */
 const double *compiled_axis(const struct compiled_scene *scene, uint8_t frame, int axis);
 
-/* Measures how far the surface of one quadric lies from another one's, both in one frame, at most:
- * by points spread over what of it lies in the world. 0 where none does. */
+/* Measures how far the surface of one quadric lies from another one's, both in one frame, at
+ * most: by points spread over what of it lies in the world. 0 where none does. */
 double compiled_quadric_strays(const struct compiled_scene *scene, uint8_t frame,
                                const struct compiled_quadric *from,
                                const struct compiled_quadric *other);

@@ -43,11 +43,16 @@ static bool has_point_light(const struct compiled_scene *scene) {
     return false;
 }
 
+/* Returns true if paths go on somewhere, or what they would bring counts where they end. */
+static bool has_paths(const struct compiled_scene *scene) {
+    return scene->has_branches && (scene->depth > 0 || scene->estimates);
+}
+
 /* The air around does not count: its boundary with an opaque material is that material's. */
 bool features_has_transparency(const struct compiled_scene *scene) {
     for (int i = 1; i < scene->material_count; i++) {
         if (scene->materials[i].transparent) {
-            return true;
+            return has_paths(scene);
         }
     }
     return false;
@@ -65,7 +70,7 @@ static bool has_absorption(const struct compiled_scene *scene) {
 bool features_has_dispersion(const struct compiled_scene *scene) {
     for (int i = 0; i < scene->material_count; i++) {
         if (scene->materials[i].disperses) {
-            return true;
+            return has_paths(scene);
         }
     }
     return false;
@@ -74,7 +79,7 @@ bool features_has_dispersion(const struct compiled_scene *scene) {
 static bool has_tint(const struct compiled_scene *scene) {
     for (int i = 0; i < scene->material_count; i++) {
         if (scene->materials[i].tints) {
-            return true;
+            return has_paths(scene);
         }
     }
     return false;
@@ -104,13 +109,13 @@ static void find_features(const struct compiled_scene *scene, struct feature fea
         {"PATTERN_FACES", scene->pattern_face_count > 0},
         {"TRANSPARENCY", features_has_transparency(scene)},
         {"ABSORPTION", has_absorption(scene)},
-        {"SIMPLE", scene->simple},
+        {"SIMPLE", scene->simple && has_paths(scene)},
         {"DISPERSION", features_has_dispersion(scene)},
         {"TINT", has_tint(scene)},
         {"FILTER", scene->filters},
         {"SPECULAR_TABLE", scene->specular_table_count > 0},
-        {"ESTIMATE", scene->estimates},
-        {"KEPT", scene->error > 0 ? KEPT_BRANCHES : 0},
+        {"ESTIMATE", scene->estimates && scene->has_branches},
+        {"KEPT", scene->error > 0 && scene->has_branches ? KEPT_BRANCHES : 0},
         {"OBSERVER", 0},
         {"SHOW", scene->show != COMPILED_FULL},
     };

@@ -7,7 +7,8 @@
 
 #include "compiled_scene.h"
 
-/* Whether a material is transparent, the air around apart; whether one's three indices differ. */
+/* Return true if paths go through a transparent material, the air apart; or into one whose three
+ * indices differ. */
 bool features_has_transparency(const struct compiled_scene *scene);
 bool features_has_dispersion(const struct compiled_scene *scene);
 

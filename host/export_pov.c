@@ -46,7 +46,7 @@ static void write_head(FILE *out, const struct scene_description *description,
                   "    max_trace_level %d // the ray from the eye, and N = %d events after it\n"
                   "    adc_bailout %.17g\n"
                   "}\n",
-                  scene->depth + 1, scene->depth, fmin(scene->threshold, BAILOUT_MOST));
+                  scene->depth_asked + 1, scene->depth_asked, fmin(scene->threshold, BAILOUT_MOST));
     (void)fputs("background { ", out);
     write_colour(out, scene->background);
     (void)fputs(" }\n\n", out);

@@ -164,7 +164,8 @@ bool export_pov_check(const struct scene_description *description,
     }
     for (uint8_t i = 1; i < scene->object_count; i++) {
         uint8_t material = scene->objects[i].material;
-        if (!check_material(description, &description->materials[material - 1], error)) {
+        if (!check_material(description, &description->materials[scene->materials[material].file],
+                            error)) {
             return false;
         }
         if (export_pov_has_seam(scene, i)) {

@@ -10,7 +10,8 @@ enum { POV_NAME_SIZE = 48 };
 
 /* The name of a compiled material: its own, so that people find it, and its number, so that there
  * is one of it. */
-void export_pov_material_name(const struct scene_description *description, uint8_t material,
+void export_pov_material_name(const struct scene_description *description,
+                              const struct compiled_scene *scene, uint8_t material,
                               char name[POV_NAME_SIZE]);
 
 /* Prints <x, y, z> so that the doubles can be read back. */

@@ -21,10 +21,11 @@
 /* A cell that holds all of the world along an axis without a pattern, from -1/2 to 1/2 of it. */
 #define WHOLE_CELL 8192.0
 
-void export_pov_material_name(const struct scene_description *description, uint8_t material,
+void export_pov_material_name(const struct scene_description *description,
+                              const struct compiled_scene *scene, uint8_t material,
                               char name[POV_NAME_SIZE]) {
     (void)snprintf(name, POV_NAME_SIZE, "M%u_%.36s", material,
-                   description->materials[material - 1].name);
+                   description->materials[scene->materials[material].file].name);
     for (char *letter = name; *letter != '\0'; letter++) {
         *letter = (char)(*letter == '-' ? '_' : *letter);
     }
@@ -138,24 +139,12 @@ static void write_interior(FILE *out, const struct compiled_scene *scene,
     (void)fputs("    }\n", out);
 }
 
-static bool is_used(const struct compiled_scene *scene, uint8_t material) {
-    for (uint8_t i = 1; i < scene->object_count; i++) {
-        if (scene->objects[i].material == material) {
-            return true;
-        }
-    }
-    return false;
-}
-
 void export_pov_materials(FILE *out, const struct scene_description *description,
                           const struct compiled_scene *scene) {
     char name[POV_NAME_SIZE];
     for (uint8_t i = 1; i < scene->material_count; i++) {
         const struct compiled_material *material = &scene->materials[i];
-        if (!is_used(scene, i)) {
-            continue;
-        }
-        export_pov_material_name(description, i, name);
+        export_pov_material_name(description, scene, i, name);
         (void)fprintf(out, "#declare %s = material {\n", name);
         if (material->pattern == NO_PATTERN) {
             write_texture(out, scene, material, material->colour);

@@ -216,7 +216,7 @@ void export_pov_objects(FILE *out, const struct scene_description *description,
         tree.scene = scene;
         tree.transparent = material->transparent;
         csg_read(scene, object, &tree.csg);
-        export_pov_material_name(description, object->material, name);
+        export_pov_material_name(description, scene, object->material, name);
         (void)snprintf(modifiers, sizeof modifiers, "    material { %s }\n%s%s", name,
                        material->transparent ? "    no_shadow\n" : "",
                        material->absorbs ? "    hollow\n" : "");

@@ -10,9 +10,13 @@
 /* What is this much smaller than the largest coefficient is rounding, not shape. */
 #define NEGLIGIBLE 1e-13
 
+/* Forms are worked out in long double, which has some digits more on most hosts: where a cone is
+ * narrow, or a placement stretches it, double loses those that say where its tip is. */
+typedef long double wide;
+
 /* (x y z 1) m (x y z 1)^T <= 0; m is symmetric. */
 struct quadric_form {
-    double m[4][4];
+    wide m[4][4];
 };
 
 double leaf_axes(const struct solid_node *leaf, double u[3], double v[3], double w[3]) {
@@ -31,33 +35,42 @@ double leaf_axes(const struct solid_node *leaf, double u[3], double v[3], double
     return length;
 }
 
-/* The inverse of a placement's linear part, by cofactors. */
-static struct affine linear_inverse(const struct affine *placement) {
-    struct affine inverse;
-    double column[3][3], cofactor[3];
+static wide wide_dot(const wide a[3], const wide b[3]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void wide_cross(const wide a[3], const wide b[3], wide product[3]) {
+    product[0] = a[1] * b[2] - a[2] * b[1];
+    product[1] = a[2] * b[0] - a[0] * b[2];
+    product[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+/* Inverts a placement's linear part, by cofactors. */
+static void invert_linear(const struct affine *placement, wide inverse[4][4]) {
+    wide column[3][3], cofactor[3];
     for (int i = 0; i < 3; i++) {
-        affine_axis(placement, i, column[i]);
-    }
-    vector_cross(column[1], column[2], cofactor);
-    double determinant = vector_dot(cofactor, column[0]);
-    for (int i = 0; i < 3; i++) {
-        vector_cross(column[(i + 1) % 3], column[(i + 2) % 3], cofactor);
         for (int j = 0; j < 3; j++) {
-            inverse.m[i][j] = cofactor[j] / determinant;
+            column[i][j] = placement->m[j][i];
         }
-        inverse.m[i][3] = 0;
     }
-    return inverse;
+    wide_cross(column[1], column[2], cofactor);
+    wide determinant = wide_dot(cofactor, column[0]);
+    for (int i = 0; i < 3; i++) {
+        wide_cross(column[(i + 1) % 3], column[(i + 2) % 3], cofactor);
+        for (int j = 0; j < 3; j++) {
+            inverse[i][j] = cofactor[j] / determinant;
+        }
+        inverse[i][3] = inverse[3][i] = 0;
+    }
+    inverse[3][3] = 1;
 }
 
 /* The form after the linear part of a placement. */
 static struct quadric_form form_placed(const struct quadric_form *form,
                                        const struct affine *placement) {
-    struct affine inverse = linear_inverse(placement);
-    double map[4][4] = {{0}}, half[4][4];
+    wide map[4][4], half[4][4];
     struct quadric_form placed;
-    memcpy(map, inverse.m, sizeof inverse.m);
-    map[3][3] = 1;
+    invert_linear(placement, map);
     for (int i = 0; i < 4; i++) {
         for (int j = 0; j < 4; j++) {
             half[i][j] = 0;
@@ -77,22 +90,28 @@ static struct quadric_form form_placed(const struct quadric_form *form,
     return placed;
 }
 
-/* A form around the axis of a leaf: x^2 + y^2 + square z^2 + 2 linear z + constant, z from `from`.
- */
-static struct quadric_form around_axis(const struct solid_node *leaf, double square, double linear,
-                                       double constant) {
-    struct quadric_form local = {
-        {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, square, linear}, {0, 0, linear, constant}}};
-    struct affine placement;
-    double axis[3][3];
-    leaf_axes(leaf, axis[0], axis[1], axis[2]);
+/* Finds the way from one end of a leaf's axis to the other; returns its length. */
+static wide leaf_way(const struct solid_node *leaf, wide way[3]) {
+    for (int i = 0; i < 3; i++) {
+        way[i] = (wide)leaf->b[i] - leaf->a[i];
+    }
+    return sqrtl(wide_dot(way, way));
+}
+
+/* A form around the axis of a leaf, |p|^2 + (square - 1) z^2 + 2 linear z + constant, z being
+ * counted along the axis from `from`. */
+static struct quadric_form around_axis(const struct solid_node *leaf, wide square, wide linear,
+                                       wide constant) {
+    struct quadric_form form;
+    wide way[3], length = leaf_way(leaf, way);
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++) {
-            placement.m[i][j] = axis[j][i];
+            form.m[i][j] = (square - 1) * way[i] * way[j] / (length * length) + (i == j ? 1 : 0);
         }
-        placement.m[i][3] = 0;
+        form.m[i][3] = form.m[3][i] = linear * way[i] / length;
     }
-    return form_placed(&local, &placement);
+    form.m[3][3] = constant;
+    return form;
 }
 
 static struct quadric_form ellipsoid(const double radii[3]) {
@@ -105,24 +124,23 @@ static struct quadric_form ellipsoid(const double radii[3]) {
 }
 
 static struct quadric_form hyperboloid(const struct solid_node *leaf) {
-    double u[3], v[3], w[3];
-    double half = leaf_axes(leaf, u, v, w) / 2;
-    double end = leaf->radius_b * leaf->radius_b;
+    wide way[3], half = leaf_way(leaf, way) / 2;
+    wide end = (wide)leaf->radius_b * leaf->radius_b;
     if (leaf->sheets == 1) {
         /* x^2 + y^2 = waist^2 + k (z - half)^2 */
-        double waist = leaf->radius * leaf->radius;
-        double k = (end - waist) / (half * half);
+        wide waist = (wide)leaf->radius * leaf->radius;
+        wide k = (end - waist) / (half * half);
         return around_axis(leaf, -k, k * half, -waist - k * half * half);
     }
     /* x^2 + y^2 = k ((z - half)^2 - (gap / 2)^2) */
-    double gap = leaf->radius / 2;
-    double k = end / ((half - gap) * (half + gap));
+    wide gap = (wide)leaf->radius / 2;
+    wide k = end / ((half - gap) * (half + gap));
     return around_axis(leaf, -k, k * half, -k * (half - gap) * (half + gap));
 }
 
 /* Around leaf->a, which a general quadric has at the origin. */
 static struct quadric_form form_of_leaf(const struct solid_node *leaf) {
-    double u[3], v[3], w[3];
+    wide way[3], radius = leaf->radius, radius_b = leaf->radius_b;
     const double *f = leaf->form;
     switch (leaf->kind) {
     case SOLID_BALL:
@@ -130,13 +148,13 @@ static struct quadric_form form_of_leaf(const struct solid_node *leaf) {
     case SOLID_ELLIPSOID:
         return ellipsoid(leaf->b);
     case SOLID_CYLINDER:
-        return around_axis(leaf, 0, 0, -leaf->radius * leaf->radius);
+        return around_axis(leaf, 0, 0, -radius * radius);
     case SOLID_CONE: {
-        double k = (leaf->radius_b - leaf->radius) / leaf_axes(leaf, u, v, w);
-        return around_axis(leaf, -k * k, -k * leaf->radius, -leaf->radius * leaf->radius);
+        wide k = (radius_b - radius) / leaf_way(leaf, way);
+        return around_axis(leaf, -k * k, -k * radius, -radius * radius);
     }
     case SOLID_PARABOLOID: {
-        double k = leaf->radius_b * leaf->radius_b / leaf_axes(leaf, u, v, w);
+        wide k = radius_b * radius_b / leaf_way(leaf, way);
         return around_axis(leaf, 0, -k / 2, 0);
     }
     case SOLID_HYPERBOLOID:
@@ -152,90 +170,97 @@ static struct quadric_form form_of_leaf(const struct solid_node *leaf) {
 }
 
 /* One Jacobi rotation that makes a[p][q] zero; the rows of axis turn with it. */
-static void rotate(double a[3][3], double axis[3][3], int p, int q) {
+static void rotate(wide a[3][3], wide axis[3][3], int p, int q) {
     if (a[p][q] == 0) {
         return;
     }
-    double theta = (a[q][q] - a[p][p]) / (2 * a[p][q]);
-    double t = (theta < 0 ? -1 : 1) / (fabs(theta) + sqrt(theta * theta + 1));
-    double c = 1 / sqrt(t * t + 1), s = t * c;
+    wide theta = (a[q][q] - a[p][p]) / (2 * a[p][q]);
+    wide t = (theta < 0 ? -1 : 1) / (fabsl(theta) + sqrtl(theta * theta + 1));
+    wide c = 1 / sqrtl(t * t + 1), s = t * c;
     for (int k = 0; k < 3; k++) {
-        double kp = a[k][p], kq = a[k][q];
+        wide kp = a[k][p], kq = a[k][q];
         a[k][p] = c * kp - s * kq;
         a[k][q] = s * kp + c * kq;
     }
     for (int k = 0; k < 3; k++) {
-        double pk = a[p][k], qk = a[q][k];
+        wide pk = a[p][k], qk = a[q][k];
         a[p][k] = c * pk - s * qk;
         a[q][k] = s * pk + c * qk;
-        double pa = axis[p][k], qa = axis[q][k];
+        wide pa = axis[p][k], qa = axis[q][k];
         axis[p][k] = c * pa - s * qa;
         axis[q][k] = s * pa + c * qa;
     }
     a[p][q] = a[q][p] = 0;
 }
 
-/* Eigenvalues and axes of the quadratic part; a few sweeps reach the last bit. */
-static void diagonalise(const struct quadric_form *form, double value[3], double axis[3][3]) {
-    double a[3][3];
+/* A form in its own axes, before it is rounded. */
+struct wide_axes {
+    wide origin[3], axis[3][3], square[3];
+    wide linear, constant;
+};
+
+/* Finds eigenvalues and axes of the quadratic part; a few sweeps reach the last bit. */
+static void diagonalise(const struct quadric_form *form, struct wide_axes *axes) {
+    wide a[3][3];
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++) {
             a[i][j] = form->m[i][j];
-            axis[i][j] = i == j;
+            axes->axis[i][j] = i == j;
         }
     }
     for (int sweep = 0; sweep < 30; sweep++) {
-        rotate(a, axis, 0, 1);
-        rotate(a, axis, 1, 2);
-        rotate(a, axis, 0, 2);
+        rotate(a, axes->axis, 0, 1);
+        rotate(a, axes->axis, 1, 2);
+        rotate(a, axes->axis, 0, 2);
     }
     for (int i = 0; i < 3; i++) {
-        value[i] = a[i][i];
+        axes->square[i] = a[i][i];
     }
 }
 
-static void swap_axes(struct quadric_axes *axes, int i, int j) {
-    double square = axes->square[i];
+static void swap_axes(struct wide_axes *axes, int i, int j) {
+    wide square = axes->square[i];
     axes->square[i] = axes->square[j];
     axes->square[j] = square;
     for (int k = 0; k < 3; k++) {
-        double x = axes->axis[i][k];
+        wide x = axes->axis[i][k];
         axes->axis[i][k] = axes->axis[j][k];
         axes->axis[j][k] = x;
     }
 }
 
 /* Turns the axes without a square so that the last one takes all of the linear part. */
-static void gather_linear(struct quadric_axes *axes, double linear[3]) {
-    double along[3] = {0, 0, 0};
+static void gather_linear(struct wide_axes *axes, wide linear[3]) {
+    wide along[3] = {0, 0, 0};
     for (int i = 0; i < 3; i++) {
         for (int k = 0; axes->square[i] == 0 && k < 3; k++) {
             along[k] += linear[i] * axes->axis[i][k];
         }
     }
-    axes->linear = vector_length(along);
+    axes->linear = sqrtl(wide_dot(along, along));
     if (axes->linear <= 0) {
         return;
     }
-    vector_normalise(along);
-    memcpy(axes->axis[2], along, sizeof along);
+    for (int k = 0; k < 3; k++) {
+        axes->axis[2][k] = along[k] / axes->linear;
+    }
     if (axes->square[1] == 0) {
-        vector_cross(axes->axis[2], axes->axis[0], axes->axis[1]);
+        wide_cross(axes->axis[2], axes->axis[0], axes->axis[1]);
     }
 }
 
 /* The form in its own axes; false if it has no quadratic part. */
-static bool form_axes(const struct quadric_form *form, struct quadric_axes *axes) {
-    double linear[3], largest = 0;
-    diagonalise(form, axes->square, axes->axis);
+static bool form_axes(const struct quadric_form *form, struct wide_axes *axes) {
+    wide linear[3], largest = 0;
+    diagonalise(form, axes);
     for (int i = 0; i < 3; i++) {
-        largest = fmax(largest, fabs(axes->square[i]));
+        largest = fmaxl(largest, fabsl(axes->square[i]));
     }
     if (!(largest > 0)) {
         return false;
     }
     for (int i = 0; i < 3; i++) {
-        axes->square[i] = fabs(axes->square[i]) < NEGLIGIBLE * largest ? 0 : axes->square[i];
+        axes->square[i] = fabsl(axes->square[i]) < NEGLIGIBLE * largest ? 0 : axes->square[i];
     }
     for (int i = 0; i < 2; i++) {
         for (int j = 0; j < 2; j++) {
@@ -244,15 +269,15 @@ static bool form_axes(const struct quadric_form *form, struct quadric_axes *axes
             }
         }
     }
-    const double part[3] = {form->m[0][3], form->m[1][3], form->m[2][3]};
+    const wide part[3] = {form->m[0][3], form->m[1][3], form->m[2][3]};
     axes->constant = form->m[3][3];
     for (int i = 0; i < 3; i++) {
         axes->origin[i] = 0;
-        linear[i] = vector_dot(part, axes->axis[i]);
+        linear[i] = wide_dot(part, axes->axis[i]);
     }
     for (int i = 0; i < 3; i++) {
         if (axes->square[i] != 0) {
-            double shift = -linear[i] / axes->square[i];
+            wide shift = -linear[i] / axes->square[i];
             axes->constant += linear[i] * shift;
             for (int k = 0; k < 3; k++) {
                 axes->origin[k] += shift * axes->axis[i][k];
@@ -261,7 +286,7 @@ static bool form_axes(const struct quadric_form *form, struct quadric_axes *axes
     }
     gather_linear(axes, linear);
     if (axes->linear > NEGLIGIBLE * largest) {
-        double shift = -axes->constant / (2 * axes->linear);
+        wide shift = -axes->constant / (2 * axes->linear);
         for (int k = 0; k < 3; k++) {
             axes->origin[k] += shift * axes->axis[2][k];
         }
@@ -280,14 +305,21 @@ static bool form_axes(const struct quadric_form *form, struct quadric_axes *axes
 bool quadric_axes_of_leaf(const struct solid_node *leaf, const struct affine *placement,
                           struct quadric_axes *axes) {
     double place[3];
+    struct wide_axes exact;
     struct quadric_form form = form_of_leaf(leaf);
     form = form_placed(&form, placement);
-    if (!form_axes(&form, axes)) {
+    if (!form_axes(&form, &exact)) {
         return false;
     }
     affine_point(placement, leaf->a, place);
     for (int i = 0; i < 3; i++) {
-        axes->origin[i] += place[i];
+        axes->origin[i] = (double)(exact.origin[i] + place[i]);
+        axes->square[i] = (double)exact.square[i];
+        for (int j = 0; j < 3; j++) {
+            axes->axis[i][j] = (double)exact.axis[i][j];
+        }
     }
+    axes->linear = (double)exact.linear;
+    axes->constant = (double)exact.constant;
     return true;
 }

@@ -66,7 +66,8 @@ int requirements_nesting(const struct compiled_scene *scene) {
 }
 
 bool requirements_total_reflection(const struct compiled_scene *scene) {
-    for (int i = 1; i < scene->material_count && !scene->simple; i++) {
+    bool refracts = features_has_transparency(scene) && !scene->simple;
+    for (int i = 1; i < scene->material_count && refracts; i++) {
         if (scene->materials[i].transparent &&
             scene->materials[i].optical != scene->materials[0].optical) {
             return true;
@@ -94,6 +95,9 @@ static bool has_operation(const struct compiled_scene *scene, uint8_t code) {
 }
 
 static void print_dead(FILE *out, const struct compiled_scene *scene) {
+    for (unsigned i = 0; i < scene->dead_count; i++) {
+        (void)fprintf(out, "dead        %s: %s\n", scene->dead[i].what, scene->dead[i].why);
+    }
     if (!scene->has_shadows) {
         (void)fprintf(out, "dead        shadow rays: %s\n",
                       scene->light_count == 0
@@ -102,7 +106,7 @@ static void print_dead(FILE *out, const struct compiled_scene *scene) {
     }
     if (!requirements_total_reflection(scene)) {
         (void)fprintf(out, "dead        total reflection: %s\n",
-                      !features_has_transparency(scene) ? "nothing is transparent"
+                      !features_has_transparency(scene) ? "nothing is transparent to a path"
                       : scene->simple                   ? "the simplified model bends no ray"
                                       : "no border is between two indices of refraction");
     }

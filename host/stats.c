@@ -82,7 +82,7 @@ static void write_render(FILE *out, const struct run_stats *stats) {
     stats_write_string(out, stats->scene);
     (void)fputs(",\n  \"arith\": ", out);
     stats_write_string(out, stats->arithmetic);
-    (void)fprintf(out, ",\n  \"depth\": %u,\n  \"threshold\": %.17g,\n", compiled->depth,
+    (void)fprintf(out, ",\n  \"depth\": %u,\n  \"threshold\": %.17g,\n", compiled->depth_asked,
                   compiled->threshold);
     write_count(out, "width", compiled->width);
     write_count(out, "height", compiled->height);

@@ -217,8 +217,8 @@ static void an_absorbing_medium_is_hollow_and_per_scaled_unit(void **state) {
     (void)state;
     struct exported scene = export_text(HEAD MATERIALS "objects = ( " BALL("smoke", "0") " );");
     expect(&scene, "hollow");
-    expect_numbers(scene.text, "absorption rgb ", scene.scene->materials[3].absorption, 3);
-    assert_true(scene.scene->materials[3].absorption[0] > 0);
+    expect_numbers(scene.text, "absorption rgb ", scene.scene->materials[1].absorption, 3);
+    assert_true(scene.scene->materials[1].absorption[0] > 0);
     discard(&scene);
 }
 
