@@ -11,11 +11,12 @@
 
 /* ---- Reading and compiling ------------------------------------------------------------------ */
 
-/* Maps the compiled materials to the syntax's by their names, "m0", "m1". */
+/* Maps the compiled materials to the syntax's by their names in the file, "m0", "m1". */
 static void map_materials(struct form *form, const struct scene_description *description) {
     form->materials[0] = ORACLE_AIR;
-    for (size_t i = 0; i < description->material_count; i++) {
-        form->materials[i + 1] = atoi(description->materials[i].name + 1);
+    for (int i = 1; i < form->compiled->material_count; i++) {
+        const char *name = description->materials[form->compiled->materials[i].file].name;
+        form->materials[i] = (int)strtol(name + 1, NULL, 10);
     }
 }
 
@@ -30,8 +31,10 @@ bool form_start(struct form *form, const struct syntax *syntax) {
         description = scene_description_read("scene", text, strlen(text), &form->error);
     }
     if (description != NULL) {
-        map_materials(form, description);
         form->compiled = scene_compile(description, &form->error);
+        if (form->compiled != NULL) {
+            map_materials(form, description);
+        }
         scene_description_free(description);
     }
     free(text);
