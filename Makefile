@@ -246,6 +246,7 @@ include tests/fuzz/fuzz.mk
 include tests/measures.mk
 include tests/cost/cost.mk
 include tests/proofs/proofs.mk
+include tests/relations/relations.mk
 include tests/pov/pov.mk
 include tests/bench/bench.mk
 include tests/accuracy/accuracy.mk
@@ -321,10 +322,11 @@ TEST_SCRIPTS := tests/float_matrix.sh \
                 tests/check_bench.sh \
                 tests/check_manual.sh \
                 tests/check_uninitialised.sh \
-                tests/check_mutants.sh
+                tests/check_mutants.sh \
+                tests/relations/relations_test.sh
 
 .PHONY: test
-test: $(TEST_PROGRAMS) $(REAL_TEST_PROGRAMS) $(BUILD)/superframe $(BUILD)/sanitized/superframe $(FIRMWARE_IMAGES) strict fresh-prefix $(BUILD)/usb_bytes $(BUILD)/superframe_without_usb $(BUILD)/superframe_without_f128 $(USB_TEST_PROGRAMS) $(BENCH_TOOLS) $(FUZZERS) ## Run every test (under the address and undefined-behaviour sanitizers)
+test: $(TEST_PROGRAMS) $(REAL_TEST_PROGRAMS) $(BUILD)/superframe $(BUILD)/sanitized/superframe $(FIRMWARE_IMAGES) strict fresh-prefix $(BUILD)/usb_bytes $(BUILD)/superframe_without_usb $(BUILD)/superframe_without_f128 $(USB_TEST_PROGRAMS) $(BENCH_TOOLS) $(FUZZERS) $(RELATIONS) ## Run every test (under the address and undefined-behaviour sanitizers)
 	@$(if $(TEST_SKIPPED),echo 'skipped without libquadmath: $(TEST_SKIPPED)')
 	@sh tests/run.sh $(BUILD) $(TEST_SCRIPTS) $(TEST_PROGRAMS) $(REAL_TEST_PROGRAMS) $(USB_TEST_PROGRAMS)
 

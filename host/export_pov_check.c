@@ -110,6 +110,22 @@ static bool overlap(const struct compiled_scene *scene, uint8_t a, uint8_t b) {
     return false;
 }
 
+/* Where two opaque objects fill one place up to the same face, POV-Ray shows either of them. */
+static bool check_opaque_pair(const struct scene_description *description,
+                              const struct compiled_scene *scene, uint8_t earlier, uint8_t later,
+                              struct scene_error *error) {
+    const struct compiled_object *a = &scene->objects[earlier], *b = &scene->objects[later];
+    double low[3], high[3];
+    if (a->material == b->material || !common_bounds(a, b, low, high) ||
+        !export_pov_touch(scene, earlier, later, low, high) || !overlap(scene, earlier, later)) {
+        return true;
+    }
+    return refuse(error, description, b->line,
+                  "object \"%s\" overlaps \"%s\" and has a face in common: POV-Ray shows either "
+                  "there; allowed is: to cut one out of the other, or a gap",
+                  scene->object_names[later], scene->object_names[earlier]);
+}
+
 /* What an opaque object fills of a transparent one before it needs no care: no ray gets there. All
  * else that a transparent object has in common with another one POV-Ray shows otherwise. */
 static bool check_pair(const struct scene_description *description,
@@ -119,7 +135,7 @@ static bool check_pair(const struct scene_description *description,
     bool a_transparent = scene->materials[a->material].transparent;
     bool b_transparent = scene->materials[b->material].transparent;
     if (!a_transparent && !b_transparent) {
-        return true;
+        return check_opaque_pair(description, scene, earlier, later, error);
     }
     double low[3], high[3];
     if (common_bounds(a, b, low, high) && export_pov_touch(scene, earlier, later, low, high)) {

@@ -289,6 +289,9 @@ static void names_stay_within_their_comments(void **state) {
     discard(&scene);
 }
 
+#define TWO_OPAQUE                                                                                 \
+    "materials = { one = { colour = [9, 9, 9]; }; two = { colour = [90, 0, 0]; }; };\n"
+
 static void what_pov_ray_lacks_is_refused_by_name(void **state) {
     static const struct {
         const char *text, *what;
@@ -311,6 +314,11 @@ static void what_pov_ray_lacks_is_refused_by_name(void **state) {
                    "{ name = \"cube\"; material = \"a-glass\";\n"
                    "solid = { box = { min = (-1, -1, 0); max = (1, 1, 2); }; }; } );",
          "test.scene:13: object \"cube\" touches \"table\""},
+        {TWO_OPAQUE "objects = ( { name = \"block\"; material = \"one\";\n"
+                    "solid = { box = { min = (-1, -1, -1); max = (1, 1, 1); }; }; },\n"
+                    "{ name = \"tile\"; material = \"two\";\n"
+                    "solid = { box = { min = (-0.5, -0.5, 0); max = (0.5, 0.5, 1); }; }; } );",
+         "test.scene:9: object \"tile\" overlaps \"block\" and has a face in common"},
         {MATERIALS "objects = ( { name = \"pot\"; material = \"clay\"; solid = { difference = (\n"
                    "{ box = { min = (-1, -1, 0); max = (1, 1, 2); }; },\n"
                    "{ box = { min = (-0.5, -0.5, 0.5); max = (0.5, 0.5, 2); }; } ); }; } );",
@@ -336,6 +344,14 @@ static void what_only_looks_like_it_is_taken(void **state) {
         /* Opaque solids may overlap each other and stick in glass that comes before them. */
         MATERIALS "objects = ( " BALL("a-glass", "0") ", " BALL("clay", "0.5") " );",
         MATERIALS "objects = ( " BALL("clay", "0") ", " BALL("clay", "0.5") " );",
+        TWO_OPAQUE "objects = ( { material = \"one\";\n"
+                   "solid = { box = { min = (-1, -1, -1); max = (1, 1, 1); }; }; },\n"
+                   "{ material = \"two\";\n"
+                   "solid = { box = { min = (-0.5, -0.5, 1); max = (0.5, 0.5, 2); }; }; } );",
+        TWO_OPAQUE "objects = ( { material = \"one\";\n"
+                   "solid = { box = { min = (-1, -1, -1); max = (1, 1, 1); }; }; },\n"
+                   "{ material = \"two\";\n"
+                   "solid = { box = { min = (-0.5, -0.5, 0); max = (0.5, 0.5, 2); }; }; } );",
         /* Faces in one plane that don't touch; solids on each other that are one opaque union. */
         MATERIALS "objects = ( { material = \"a-glass\"; solid = { union = (\n"
                   "{ box = { min = (-2, -1, 0); max = (-1, 1, 2); }; },\n"

@@ -10,8 +10,12 @@ $(POV_CHECK).o: tests/pov/pov_check.c $(BUILD)/flags | setup
 $(POV_CHECK): $(POV_CHECK).o $(release_LIBRARY) $(BUILD)/sources
 	$(CC) $(LDFLAGS_release) -o $@ $(filter %.o,$^) $(LIBS)
 
+# Generated scenes that are held against it, beside those of the table in check.sh.
+GENERATED ?= 100
+
 # Where povray is not there and can't be installed, the check says so and is skipped.
 .PHONY: pov
-pov: $(POV_CHECK) $(BUILD)/superframe ## Hold exported scenes against POV-Ray: pictures and ray counts
+pov: $(POV_CHECK) $(BUILD)/superframe $(RELATIONS) ## Hold exported scenes against POV-Ray: pictures and ray counts
 	@CC='$(CC)' SETUP='$(SETUP)' sh setup.sh pov || true
 	@sh tests/pov/check.sh $(BUILD)
+	@sh tests/pov/generated.sh $(BUILD) $(GENERATED)
