@@ -169,10 +169,10 @@ static void run_rewriting(const struct relation *relation, int arithmetic, uint6
 
 static void run_f128(const struct relation *relation, struct trial_cache *cache,
                      struct trial_room *room, struct trial_result *result) {
-    const struct rendering *first = cached(cache, 0);
+    const struct arithmetic *f128 = arithmetic_find("f128");
+    const struct rendering *first = f128 != NULL ? cached(cache, 0) : NULL;
     result->applies = first != NULL;
-    if (first != NULL &&
-        rendering_draw(&cache->form, &arithmetic_f128, ORACLE_AIR, &room->second)) {
+    if (first != NULL && rendering_draw(&cache->form, f128, ORACLE_AIR, &room->second)) {
         if (first->leaked == 0 && !first->is_wrong) {
             judge_alone(&room->second, "f128", result);
         }
