@@ -366,7 +366,7 @@ static void a_ray_that_leaves_a_convex_solid_does_not_look_for_it(void **state) 
             loaded.arithmetic->pixel(loaded.scene, (uint16_t)(j % WIDTH), (uint16_t)(j / WIDTH),
                                      level, &counts, NULL);
         }
-        const uint32_t tests = counts.solid_tests;
+        const uint64_t tests = counts.solid_tests;
         bool expected = mirror->left_for_good
                             ? tests == WIDTH * HEIGHT
                             : tests >= counts.rays && tests <= counts.rays + counts.shadow_rays;
