@@ -25,5 +25,5 @@ for argument in SEEDS=5 SEEDS=5:5 SEEDS=6:5 SEEDS=1:2x SEEDS=-1:2 SEEDS=1:123456
 done
 rm -f "$out.stdout"
 
-"$relations" "$out" SEEDS=0:250 COVERED=yes || failures=$((failures + 1))
+"$relations" "$out" SEEDS=0:400 COVERED=yes || failures=$((failures + 1))
 [ $failures -eq 0 ]
