@@ -203,7 +203,7 @@ static void a_highlight_of_gloss_0_is_on_the_whole_lit_side(void **state) {
         unsigned layers, phongs, speculars;
     } cases[] = {
         {"phong", "0", "", 1, 0, 0},
-        {"phong", "0", "pattern = { size = 1; colour = [9, 9, 9]; };", 2, 0, 0},
+        {"phong", "0", "diffuse = 0.5; pattern = { size = 1; colour = [9, 9, 9]; };", 2, 0, 0},
         {"phong", "1", "", 0, 1, 0},
         {"blinn", "0", "", 0, 0, 1},
     };

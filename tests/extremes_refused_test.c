@@ -328,7 +328,7 @@ static const struct two_lines {
      "{ half_space = { normal = (0, 0, 1); offset = 0.1; }; } ); }"},
     {"{ difference = ( { ellipsoid = { centre = (%g, 0, 0); radii = (0.3, 0.4, 0.5); }; },",
      "{ half_space = { normal = (0, 0, 1); offset = 0.1; }; } ); }"},
-    {"{ cylinder = { from = (%g, 0, 0); to = (200, 0, 0);", "radius = 0.3; }; }"},
+    {"{ cylinder = { from = (%g, 0, 0); to = (0, 200, 0);", "radius = 0.3; }; }"},
 };
 
 static void the_line_of_a_solid_too_many_is_its_own(void **state) {

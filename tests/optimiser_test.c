@@ -181,34 +181,41 @@ static void what_cannot_be_met_from_within_another_one_is_counted(void **state) 
 }
 
 /* Each of them lies within all that stand before it. */
-static const char *const nested[] = {
-    "{ box = { min = (-3, -3, -1.1); max = (3, 3, 4); }; }",
-    "{ ellipsoid = { centre = (0, 0, 0.4); radii = (1.5, 1.3, 1.4); }; }",
-    "{ ball = { centre = (0, 0.1, 0.4); radius = 0.7; }; }",
-    "{ box = { min = (-0.15, -0.1, 0.3); max = (0.1, 0.15, 0.5); }; rotate = (0, 0, 30); }",
-};
+#define NESTED_0 "{ box = { min = (-3, -3, -1.1); max = (3, 3, 4); }; }"
+#define NESTED_1 "{ ellipsoid = { centre = (0, 0, 0.4); radii = (1.5, 1.3, 1.4); }; }"
+#define NESTED_2 "{ ball = { centre = (0, 0.1, 0.4); radius = 0.7; }; }"
+#define NESTED_3                                                                                   \
+    "{ box = { min = (-0.15, -0.1, 0.3); max = (0.1, 0.15, 0.5); }; rotate = (0, 0, 30); }"
 enum { NESTED = 4 };
 
 static void the_enclosure_is_the_innermost_of_all_around(void **state) {
     (void)state;
-    static const int orders[][NESTED] = {{0, 1, 2, 3}, {3, 2, 1, 0}, {2, 0, 3, 1}, {1, 3, 0, 2}};
+    static const struct {
+        const char *solid;
+        int place[NESTED]; /* of each of them in its program */
+    } orders[] = {
+        {"{ difference = ( " NESTED_0 ", { difference = ( " NESTED_1 ", { difference = ( " NESTED_2
+         ", " NESTED_3 " ); } ); } ); }",
+         {0, 1, 2, 3}},
+        {"{ union = ( { difference = ( " NESTED_2 ", " NESTED_3 " ); }, { difference = ( " NESTED_0
+         ", " NESTED_1 " ); } ); }",
+         {2, 3, 0, 1}},
+        {"{ intersection = ( { union = ( " NESTED_3 ", { difference = ( " NESTED_1 ", " NESTED_2
+         " ); } ); }, " NESTED_0 " ); }",
+         {3, 1, 2, 0}},
+    };
     for (size_t order = 0; order < sizeof orders / sizeof orders[0]; order++) {
         char text[TEXT_SIZE];
-        int length = snprintf(text, sizeof text, "%s", scene_head), place[NESTED];
-        for (int i = 0; i < NESTED; i++) {
-            place[orders[order][i]] = 1 + i; /* the board is the first */
-            length +=
-                snprintf(text + length, sizeof text - (size_t)length,
-                         ",\n  { material = \"glass\"; solid = %s; }", nested[orders[order][i]]);
-        }
-        (void)snprintf(text + length, sizeof text - (size_t)length, "\n);\n");
+        const int *place = orders[order].place;
+        (void)snprintf(text, sizeof text, "%s,\n  { material = \"glass\"; solid = %s; }\n);\n",
+                       scene_head, orders[order].solid);
         struct loaded_scene loaded = load_text(text, "fx");
         const struct compiled_primitive *primitives = loaded.compiled->primitives;
         assert_int_equal(loaded.compiled->primitive_count, 1 + NESTED);
         assert_int_equal(primitives[0].enclosure, NO_ENCLOSURE);
-        assert_int_equal(primitives[place[0]].enclosure, NO_ENCLOSURE);
+        assert_int_equal(primitives[1 + place[0]].enclosure, NO_ENCLOSURE);
         for (int i = 1; i < NESTED; i++) {
-            assert_int_equal(primitives[place[i]].enclosure, place[i - 1]);
+            assert_int_equal(primitives[1 + place[i]].enclosure, 1 + place[i - 1]);
         }
         unload(&loaded);
     }

@@ -397,7 +397,7 @@ static uint32_t rays_of_pixel(const struct loaded_scene *loaded, unsigned x, uns
     struct render_counts counts = {0};
     double intensity[3];
     loaded->arithmetic->pixel(loaded->scene, (uint16_t)x, (uint16_t)y, intensity, &counts, NULL);
-    return counts.rays;
+    return (uint32_t)counts.rays;
 }
 
 /* With a budget of what every other pixel takes, and of what the bead's one does. */

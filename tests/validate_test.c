@@ -114,7 +114,7 @@ static const char *const scenes[] = {
     ON("{ union = ( " BOX ", " EGG " ); rotate = (90, 0, 90); }"),
     ON("{ union = ( " LESS(FRUSTUM ", " ROD) " ); scale = 1e-4; rotate = (40, 50, 60); }"),
     /* A saddle that nothing cuts: a ray leaves it and comes back. */
-    OBJECT("board", "{ quadric = { coefficients = (1, -0.5, 0.3, 0, 0, 0, 0, 0, 0, -0.2); }; }"),
+    OBJECT("board", "{ quadric = { coefficients = (1, 0.5, -0.3, 0, 0, 0, 0, 0, 0, -0.2); }; }"),
     /* The eye in glass. */
     ON("{ ball = { centre = (3, -7, 5); radius = 1; }; }"),
     ON("{ box = { min = (-1, -1, -1); max = (1, 1, 1); }; rotate = (20, 30, 40); translate = (3, "
