@@ -120,6 +120,11 @@ int compile_placed_polyhedron(struct compiler *compiler, const struct scene_plan
 int compile_quadric(struct compiler *compiler, const struct solid_node *leaf,
                     const struct affine *placement);
 
+/* Appends the program of a quadric that is given by its coefficients: they may be those of two
+ * parallel planes. */
+bool compile_general_quadric(struct compiler *compiler, const struct solid_node *leaf,
+                             const struct affine *placement);
+
 /* A new entry of the table of primitives, with what is common to all kinds. */
 int compile_new_primitive(struct compiler *compiler, uint8_t kind, uint8_t index, uint8_t frame,
                           bool left_for_good);

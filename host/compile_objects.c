@@ -83,7 +83,7 @@ static bool check_bounded(struct compiler *compiler, const struct compiled_objec
         return true;
     }
     if (compiler->scene->materials[object->material].transparent) {
-        return compile_fail(compiler, compiler->line,
+        return compile_fail(compiler, object->line,
                             "a transparent object without an end: intersect it with a bounded "
                             "solid, or give it an opaque material");
     }

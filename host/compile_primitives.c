@@ -172,12 +172,22 @@ bool compile_leaf(struct compiler *compiler, const struct solid_node *leaf,
         }
         primitive = compile_polyhedron(compiler, leaf->planes, leaf->plane_count, placement);
         break;
-    default:
-        if (leaf->kind != SOLID_BALL && leaf->kind != SOLID_ELLIPSOID &&
-            leaf->kind != SOLID_QUADRIC) {
-            return append_round(compiler, leaf, placement);
-        }
+    case SOLID_BALL:
+    case SOLID_ELLIPSOID:
         primitive = compile_quadric(compiler, leaf, placement);
+        break;
+    case SOLID_QUADRIC:
+        return compile_general_quadric(compiler, leaf, placement);
+    case SOLID_CYLINDER:
+    case SOLID_CONE:
+    case SOLID_PARABOLOID:
+    case SOLID_HYPERBOLOID:
+        return append_round(compiler, leaf, placement);
+    case SOLID_UNION:
+    case SOLID_INTERSECTION:
+    case SOLID_DIFFERENCE:
+    case SOLID_PART:
+        break; /* no leaves */
     }
     return primitive >= 0 && compile_append(compiler, (uint8_t)primitive);
 }

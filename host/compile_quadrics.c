@@ -110,6 +110,51 @@ static const char *fault_of(const struct quadric_axes *axes) {
     return NULL;
 }
 
+/* Moves a centre that lies out of the scene to the middle of it, along axes that say nothing of it.
+ */
+static void centre_form(struct quadric_axes *axes) {
+    for (int i = 0; i < 3; i++) {
+        double along = vector_dot(axes->origin, axes->axis[i]);
+        bool is_free = axes->square[i] == 0 && (i != 2 || axes->linear == 0);
+        for (int j = 0; j < 3 && is_free && fabs(along) >= COMPILE_EXTENT; j++) {
+            axes->origin[j] -= along * axes->axis[i][j];
+        }
+    }
+}
+
+/* Appends the half-spaces of a form that two parallel planes are: what is between them, or not.
+ * Their faces coincide with those of other solids, then. */
+static bool append_planes(struct compiler *compiler, const struct quadric_axes *axes) {
+    double half = sqrt(fabs(axes->constant)), between = axes->square[0];
+    double middle = vector_dot(axes->axis[0], axes->origin);
+    for (int side = -1; side <= 1; side += 2) {
+        struct scene_plane plane;
+        for (int i = 0; i < 3; i++) {
+            plane.normal[i] = side * between * axes->axis[0][i];
+        }
+        plane.offset = side * between * middle + between * half;
+        int primitive = compile_half_space(compiler, &plane, &affine_identity);
+        if (primitive < 0 || !compile_append(compiler, (uint8_t)primitive)) {
+            return false;
+        }
+    }
+    return compile_append(compiler, between > 0 ? CODE_INTERSECTION : CODE_UNION);
+}
+
+bool compile_general_quadric(struct compiler *compiler, const struct solid_node *leaf,
+                             const struct affine *placement) {
+    struct quadric_axes axes;
+    if (quadric_axes_of_leaf(leaf, placement, &axes) && axes.square[1] == 0 && axes.linear == 0 &&
+        axes.square[0] * axes.constant < 0) {
+        unsigned lost_line = compiler->lost_line;
+        bool is_done = append_planes(compiler, &axes);
+        compiler->lost_line = lost_line; /* one of the two may be out of the scene */
+        return is_done;
+    }
+    int primitive = compile_quadric(compiler, leaf, placement);
+    return primitive >= 0 && compile_append(compiler, (uint8_t)primitive);
+}
+
 int compile_quadric(struct compiler *compiler, const struct solid_node *leaf,
                     const struct affine *placement) {
     struct quadric_axes axes;
@@ -119,6 +164,7 @@ int compile_quadric(struct compiler *compiler, const struct solid_node *leaf,
                      "a quadric without a quadratic term: use a half_space");
         return -1;
     }
+    centre_form(&axes);
     const char *fault = fault_of(&axes);
     if (fault) {
         compile_fail(compiler, compiler->line, "%s", fault);

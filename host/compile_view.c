@@ -111,23 +111,28 @@ static uint8_t object_of(const struct compiled_scene *scene, const struct compil
     return i;
 }
 
-/* An opaque solid without an end is refused around the eye: where the world ends for the firmware,
- * there is no surface. */
+/* Finds an object of a material that has no end; 0 if there is none. */
+static int endless_object(const struct compiler *compiler, uint8_t material) {
+    int i = compiler->scene->object_count - 1;
+    while (i > 0 && (compiler->scene->objects[i].material != material ||
+                     bounds_are_finite(&compiler->object_bounds[i]))) {
+        i--;
+    }
+    return i;
+}
+
+/* Refuses an eye in an opaque material that goes on without an end: where the world ends for the
+ * firmware, there is no surface. */
 static bool check_eye(struct compiler *compiler) {
     const struct compiled_scene *scene = compiler->scene;
-    const struct compiled_object *object = &scene->objects[scene->camera.object];
-    struct bounds bounds;
-    memcpy(bounds.low, object->low, sizeof bounds.low);
-    memcpy(bounds.high, object->high, sizeof bounds.high);
-    if (scene->camera.object == 0 || scene->materials[object->material].transparent ||
-        bounds_are_finite(&bounds)) {
-        return true;
-    }
-    return compile_fail(compiler, compiler->description->camera.line,
-                        "the eye is inside the opaque object of line %u, which has no end: nothing "
-                        "can be seen from there; move the eye out of it, or intersect it with a "
-                        "bounded solid",
-                        object->line);
+    uint8_t material = scene->objects[scene->camera.object].material;
+    int endless = scene->materials[material].transparent ? 0 : endless_object(compiler, material);
+    return endless == 0 ||
+           compile_fail(compiler, compiler->description->camera.line,
+                        "the eye is inside the opaque object of line %u, and that of line %u has "
+                        "its material and no end: nothing can be seen from there; move the eye out "
+                        "of it, or intersect the endless one with a bounded solid",
+                        scene->objects[scene->camera.object].line, scene->objects[endless].line);
 }
 
 static void compile_camera(struct compiler *compiler, const double right[3], const double up[3],

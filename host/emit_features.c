@@ -145,12 +145,6 @@ void features_tell(const struct compiled_scene *scene,
     }
 }
 
-/* Returns what a page says of a feature. A depth level of 0 has room for 1: the firmware compares
- * unsigned numbers with it, of which none is less than 0. */
-static int value_on_page(const struct feature *feature) {
-    return strcmp(feature->name, "DEPTH") == 0 && feature->value == 0 ? 1 : feature->value;
-}
-
 int features_emit(FILE *out, const struct compiled_scene *scene, const char *name) {
     struct feature features[FEATURES];
     find_features(scene, features);
@@ -160,7 +154,7 @@ int features_emit(FILE *out, const struct compiled_scene *scene, const char *nam
             name);
     fprintf(out, "#ifndef SUPERFRAME_FEATURE_SET_H\n#define SUPERFRAME_FEATURE_SET_H\n\nenum {\n");
     for (int i = 0; i < FEATURES; i++) {
-        fprintf(out, "    FEATURE_%s = %d%s\n", features[i].name, value_on_page(&features[i]),
+        fprintf(out, "    FEATURE_%s = %d%s\n", features[i].name, features[i].value,
                 i + 1 < FEATURES ? "," : "");
     }
     fprintf(out, "};\n\n#endif\n");

@@ -94,6 +94,15 @@ static const char *const within[][2] = {
      "cone = { from = (0, 0, 1); to = (0, 0, -1); from_radius = 0; to_radius = 1; };"},
     {"paraboloid = { from = (0, 0, -1); to = (0, 0, 0); radius = 0.5; };",
      "paraboloid = { from = (0, 0, -1); to = (0, 0, 3); radius = 1; };"},
+    {"intersection = ( { half_space = { normal = (0, 1, 0); offset = 0.5; }; }, { half_space = {"
+     " normal = (0, -1, 0); offset = 0.5; }; }, { ball = { radius = 0.9; }; } );",
+     "intersection = ( { quadric = { coefficients = (0, 4, 0, 0, 0, 0, 0, 0, 0, -1.0); }; }, "
+     "{ ball = { radius = 0.9; }; } );"},
+    {"difference = ( { ball = { radius = 0.9; }; }, { quadric = { coefficients = (0, 0, -4, 0, 0, "
+     "0, 0, 0, 0, 1.0); }; } );",
+     "intersection = ( { ball = { radius = 0.9; }; }, { half_space = { normal = (0, 0, 1); offset "
+     "= "
+     "0.5; }; }, { half_space = { normal = (0, 0, -1); offset = 0.5; }; } );"},
 };
 enum { WITHIN = sizeof within / sizeof within[0] };
 

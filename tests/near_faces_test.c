@@ -158,6 +158,13 @@ static void an_eye_in_an_opaque_solid_without_an_end_is_refused(void **state) {
         write_eye(text, "m = { colour = (9, 9, 9); specular = 0.4; };", inside[i]);
         expect_refusal(text, "test.scene:2: the eye is inside the opaque object of line 4");
     }
+    /* A bounded one that reaches into the endless one: there is no boundary between them. */
+    write_eye(
+        text, "m = { colour = (9, 9, 9); specular = 0.4; };",
+        "{ box = { min = (-3, -10, -10); max = (3, 10, 10); }; }; },\n"
+        "  { material = \"m\"; solid = { half_space = { normal = (1, 0, 0); offset = -2; }; }");
+    expect_refusal(text, "test.scene:2: the eye is inside the opaque object of line 4, and that of "
+                         "line 5");
     write_eye(text, "m = { colour = (9, 9, 9); specular = 0.4; };",
               "{ half_space = { normal = (5, 0, 1); offset = -5; }; }");
     free(compiled_of(text));
