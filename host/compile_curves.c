@@ -101,7 +101,7 @@ static int curve_points(const struct quadric_axes *form, double points[POINTS_MO
 
 static struct quadric_axes form_of_quadric(const struct compiled_scene *scene, uint8_t frame,
                                            const struct compiled_quadric *quadric) {
-    struct quadric_axes form;
+    struct quadric_axes form = {{0}, {{0}}, {0}, 0, 0};
     for (int i = 0; i < 3; i++) {
         memcpy(form.axis[i], compiled_axis(scene, frame, i), sizeof form.axis[i]);
     }

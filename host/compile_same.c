@@ -43,12 +43,9 @@ bool compile_direction(struct compiler *compiler, double direction[3]) {
 }
 
 double compile_parallel(const double a[3], const double b[3]) {
-    for (double sign = -1; sign <= 1; sign += 2) {
-        if (a[0] == sign * b[0] && a[1] == sign * b[1] && a[2] == sign * b[2]) {
-            return sign;
-        }
-    }
-    return 0;
+    bool same = a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
+    bool opposite = a[0] == -b[0] && a[1] == -b[1] && a[2] == -b[2];
+    return same ? 1 : opposite ? -1 : 0;
 }
 
 int compile_new_surface(struct compiler *compiler) {

@@ -20,7 +20,7 @@ static double weld_of(const struct compiled_scene *scene) {
     for (unsigned i = 0; i < scene->near_count && i < COMPILED_NEAR_MOST; i++) {
         most = fmax(most, scene->near[i].distance);
     }
-    double digit = pow(10, floor(log10(most)) - 1);
+    double digit = most > 0 ? pow(10, floor(log10(most)) - 1) : 1;
     return ceil(most / digit) * digit;
 }
 
