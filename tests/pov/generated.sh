@@ -37,10 +37,11 @@ while [ $checked -lt "$wanted" ] && [ -f "$out/$seed.scene" ]; do
         -o "$out/scene.pov" > "$out/export.log" 2>&1 || continue
     checked=$((checked + 1))
     model=$(sed -n 's/.*model = "\([a-z]*\)".*/\1/p' "$scene")
+    highlight=$(sed -n 's/.*highlight = "\([a-z]*\)".*/\1/p' "$scene")
     if ! timeout -k 10 60 povray "+I$out/scene.pov" "+O$out/scene.png" "+W${size%x*}" "+H${size#*x}" \
         -A -D -V +WT1 File_Gamma=1.0 < /dev/null > "$out/povray.log" 2>&1 ||
-        ! "$build/release/tests/pov/pov_check" "$scene" $size 6 0 "$model" "$out/scene.png" \
-            "$out/povray.log" > "$out/check.log" 2>&1; then
+        ! "$build/release/tests/pov/pov_check" "$scene" $size 6 0 "$model" "$highlight" \
+            "$out/scene.png" "$out/povray.log" > "$out/check.log" 2>&1; then
         failed=$((failed + 1))
         echo "$scene does not agree:"
         cat "$out/check.log"
