@@ -110,7 +110,7 @@ static bool overlap(const struct compiled_scene *scene, uint8_t a, uint8_t b) {
     return false;
 }
 
-/* Where two opaque objects fill one place up to the same face, POV-Ray shows either of them. */
+/* Refuses two opaque objects that fill one place up to the same face: POV-Ray shows either. */
 static bool check_opaque_pair(const struct scene_description *description,
                               const struct compiled_scene *scene, uint8_t earlier, uint8_t later,
                               struct scene_error *error) {
@@ -157,7 +157,7 @@ static bool check_pair(const struct scene_description *description,
     return true;
 }
 
-/* What casts shadows has an opaque twin, at which all rays from an eye within it end. */
+/* Refuses an eye within glass that casts shadows: all rays would end at its opaque twin. */
 static bool check_eye(const struct scene_description *description,
                       const struct compiled_scene *scene, uint8_t index,
                       struct scene_error *error) {
