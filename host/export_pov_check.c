@@ -110,7 +110,7 @@ static bool overlap(const struct compiled_scene *scene, uint8_t a, uint8_t b) {
     return false;
 }
 
-/* Where two opaque objects fill one place up to the same face, POV-Ray shows either of them. */
+/* Refuses two opaque objects that fill one place up to the same face: POV-Ray shows either. */
 static bool check_opaque_pair(const struct scene_description *description,
                               const struct compiled_scene *scene, uint8_t earlier, uint8_t later,
                               struct scene_error *error) {
@@ -157,6 +157,22 @@ static bool check_pair(const struct scene_description *description,
     return true;
 }
 
+/* Refuses an eye within glass that casts shadows: all rays would end at its opaque twin. */
+static bool check_eye(const struct scene_description *description,
+                      const struct compiled_scene *scene, uint8_t index,
+                      struct scene_error *error) {
+    const struct compiled_object *object = &scene->objects[index];
+    const struct compiled_material *material = &scene->materials[object->material];
+    if (!material->transparent || !material->casts_shadow ||
+        !compiled_object_holds(scene, index, &scene->camera.inside)) {
+        return true;
+    }
+    return refuse(error, description, object->line,
+                  "the eye is in object \"%s\", which casts shadows: POV-Ray sees the caster from "
+                  "within; allowed is: casts_shadow = false, or another eye",
+                  scene->object_names[index]);
+}
+
 bool export_pov_check(const struct scene_description *description,
                       const struct compiled_scene *scene, struct scene_error *error) {
     if (!check_scene(description, error)) {
@@ -166,6 +182,9 @@ bool export_pov_check(const struct scene_description *description,
         uint8_t material = scene->objects[i].material;
         if (!check_material(description, &description->materials[scene->materials[material].file],
                             error)) {
+            return false;
+        }
+        if (!check_eye(description, scene, i, error)) {
             return false;
         }
         if (export_pov_has_seam(scene, i)) {

@@ -314,6 +314,10 @@ static void what_pov_ray_lacks_is_refused_by_name(void **state) {
                    "{ name = \"cube\"; material = \"a-glass\";\n"
                    "solid = { box = { min = (-1, -1, 0); max = (1, 1, 2); }; }; } );",
          "test.scene:13: object \"cube\" touches \"table\""},
+        {"materials = { shade = { colour = [9, 9, 9]; ior = 1.5; casts_shadow = true; }; };\n"
+         "objects = ( { name = \"room\"; material = \"shade\";\n"
+         "solid = { box = { min = (-99, -99, -99); max = (99, 99, 99); }; }; } );",
+         "test.scene:7: the eye is in object \"room\", which casts shadows"},
         {TWO_OPAQUE "objects = ( { name = \"block\"; material = \"one\";\n"
                     "solid = { box = { min = (-1, -1, -1); max = (1, 1, 1); }; }; },\n"
                     "{ name = \"tile\"; material = \"two\";\n"

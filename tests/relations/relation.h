@@ -12,7 +12,7 @@ enum picture_map { MAP_SAME, MAP_MIRRORED, MAP_ROLLED };
 /* Arithmetics, as bits. */
 enum { IN_F64 = 1, IN_F32 = 2, IN_FX = 4, IN_ALL = 7, RELATION_ARITHMETICS = 3 };
 
-/* By the number of their bit. */
+/* Returns an arithmetic by the number of its bit. */
 const struct arithmetic *relation_arithmetic(int number);
 
 enum fault {

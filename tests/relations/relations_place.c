@@ -7,8 +7,7 @@
 #include "place.h"
 #include "relation.h"
 
-/* Puts every object below a new solid; returns it blank for the first object's placement to be set,
- * the others' follow it. */
+/* Puts every object below a new solid with that placement. */
 static void wrap_objects(struct syntax *scene, const struct syntax_solid *placement) {
     for (int i = 0; i < scene->object_count; i++) {
         int wrapper = syntax_add(scene, SYNTAX_UNION);
@@ -143,7 +142,7 @@ bool rewrite_scale(struct syntax *scene, uint64_t *random) {
     return !syntax_has_endless(scene);
 }
 
-/* Patterns lie in the world and do not turn. */
+/* Leaves out patterns, which lie in the world and do not turn. */
 bool prepare_turn(struct syntax *scene, uint64_t *random) {
     (void)random;
     for (int i = 0; i < scene->material_count; i++) {
