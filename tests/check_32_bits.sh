@@ -10,6 +10,8 @@ cd "$(dirname "$0")/.." || exit 1
 flags='-m32 -std=c99 -pedantic -Wall -Wextra -Wconversion -Wshadow -Werror -D_POSIX_C_SOURCE=200809L
  -D_FILE_OFFSET_BITS=64 -fsyntax-only -Ihal -Ihal/usb -Iemulator -Iemulator/testing -Ifirmware -Ihost
  -isystem /usr/include/libusb-1.0 -isystem /usr/include/hidapi'
+# The kernel's headers are one for both; only gcc-multilib, which no cross compiler stands beside, says so.
+flags="$flags -idirafter /usr/include/$(gcc -print-multiarch)"
 # The arithmetics, the streams and what one kind of CPU alone has are compiled with flags of their own.
 # shellcheck disable=SC2086 # a list of words
 printf '%s\n' hal/*.c hal/usb/*.c emulator/*.c emulator/testing/*.c host/*.c host/usb/*.c \

@@ -330,8 +330,8 @@ static void a_box_within_a_quadric_is_found_wherever_that_is(void **state) {
         int corners = 0;
         draw_pair(pair, i);
         bool has_axes = pair[0].kind <= EGG || !pair[0].oblique;
-        /* A cone is one of two that meet at the apex. */
-        if (pair[0].kind == BOX || pair[0].kind == CONE || !has_axes) {
+        /* A cone is one of two that meet at the apex, a slab two half-spaces. */
+        if (pair[0].kind == BOX || pair[0].kind == CONE || pair[0].kind == SLAB || !has_axes) {
             continue;
         }
         pair[1].kind = BOX;

@@ -99,7 +99,7 @@ static void a_page_has_what_paths_need(void **state) {
         {"depth = 9;", OF("clay", BALL), true, "FEATURE_ESTIMATE = 0,"},
         {"depth = 9;", OF("dull", BALL), true, "FEATURE_ESTIMATE = 1,"},
         {"depth = 9;", OF("ghost", BALL), false, "FEATURE_DEPTH = 2,"},
-        {"depth = 9;", OF("clay", BALL), false, "FEATURE_DEPTH = 1,"}, /* the least */
+        {"depth = 9;", OF("clay", BALL), false, "FEATURE_DEPTH = 0,"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         char text[TEXT_SIZE], page[TEXT_SIZE];
