@@ -5,7 +5,7 @@
 #include "optics.h"
 #include "solids.h"
 
-/* The face that a boundary lies on, if cells end in it; NULL if none do. */
+/* Finds the face that a boundary lies on, if cells end in it; NULL if none do. */
 static const struct pattern_face *face_of(const struct scene *scene, const struct pattern *pattern,
                                           uint16_t surface) {
     const struct pattern_face *face = &scene->pattern_faces[pattern->first_face];
@@ -17,7 +17,7 @@ static const struct pattern_face *face_of(const struct scene *scene, const struc
     return 0;
 }
 
-/* Whether the cell across a face is odd, on the side where the material is. The normal points to
+/* Tells whether the cell across a face is odd, on the side where the material is. The normal points to
  * the side that the ray comes from. */
 static bool face_is_odd(const struct scene *scene, const struct pattern_face *face,
                         const struct material *material, const struct hit *hit) {

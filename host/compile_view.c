@@ -3,6 +3,7 @@
 #include "compile_internal.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 /* A pixel that traps light ends here: where an accuracy is asked for, and where it is not. */
@@ -127,12 +128,19 @@ static bool check_eye(struct compiler *compiler) {
     const struct compiled_scene *scene = compiler->scene;
     uint8_t material = scene->objects[scene->camera.object].material;
     int endless = scene->materials[material].transparent ? 0 : endless_object(compiler, material);
-    return endless == 0 ||
-           compile_fail(compiler, compiler->description->camera.line,
-                        "the eye is inside the opaque object of line %u, and that of line %u has "
-                        "its material and no end: nothing can be seen from there; move the eye out "
-                        "of it, or intersect the endless one with a bounded solid",
-                        scene->objects[scene->camera.object].line, scene->objects[endless].line);
+    if (endless == 0) {
+        return true;
+    }
+    char reason[64] = "which has no end";
+    if (endless != scene->camera.object) {
+        (void)snprintf(reason, sizeof reason, "and that of line %u has its material and no end",
+                       scene->objects[endless].line);
+    }
+    return compile_fail(compiler, compiler->description->camera.line,
+                        "the eye is inside the opaque object of line %u, %s: nothing can be seen "
+                        "from there; move the eye out of it, or intersect the endless one with a "
+                        "bounded solid",
+                        scene->objects[scene->camera.object].line, reason);
 }
 
 static void compile_camera(struct compiler *compiler, const double right[3], const double up[3],

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Whether an arithmetic can hold a scene: what differs still differs, and keeps its shape. */
+/* Checks that an arithmetic can hold a scene: what differs still differs, and keeps its shape. */
 #include "holds.h"
 
 #include <math.h>
