@@ -17,8 +17,8 @@ static const struct pattern_face *face_of(const struct scene *scene, const struc
     return 0;
 }
 
-/* Tells whether the cell across a face is odd, on the side where the material is. The normal points to
- * the side that the ray comes from. */
+/* Tells whether the cell across a face is odd, on the side where the material is. The normal points
+ * to the side that the ray comes from. */
 static bool face_is_odd(const struct scene *scene, const struct pattern_face *face,
                         const struct material *material, const struct hit *hit) {
     const struct direction *normal = &hit->normal;
