@@ -23,8 +23,6 @@ $(BUILD)/fuzzed/scene_fuzz: $(BUILD)/fuzzed/tests/fuzz/scene_mutator.o
 $(FUZZERS): $(BUILD)/fuzzed/%: $(BUILD)/fuzzed/tests/fuzz/%.o $(BUILD)/fuzzed/library.a
 	$(CC) $(LDFLAGS_fuzzed) -o $@ $(filter %.o,$^) $(BUILD)/fuzzed/library.a $(LIBS)
 
-# The time and the names go on to the script by themselves: they are the caller's.
-SECONDS ?= 600
 .PHONY: fuzz
 fuzz: $(FUZZERS) ## Fuzz each reader of foreign bytes for SECONDS=600, or FUZZER=scene alone
-	@BUILD=$(BUILD) sh tests/check_fuzz.sh $(SECONDS) $(FUZZER)
+	@BUILD=$(BUILD) sh tests/check_fuzz.sh $(or $(SECONDS),600) $(FUZZER)
