@@ -102,6 +102,146 @@ static void accesses_are_counted_by_register_width_and_direction(void **state) {
     assert_int_equal(board.reads[0xA][1], 1);
 }
 
+/* What one access, after an X and an index were set, makes the board note. */
+static const struct noted {
+    enum board_profile profile;
+    uint16_t x, y;
+    uint8_t index, mode;
+    char access; /* b, w: written as a byte, a word; B, W: read */
+    uint16_t port, value;
+    enum board_behaviour behaviours[3];
+    unsigned count;
+} noted[] = {
+    {BOARD_1987, 0, 0, 0, 0, 'b', 0xD0, 0x10, {BOARD_INDEX_WRITE}, 1},
+    {BOARD_1987, 0, 0, 0, 0, 'w', 0xD0, 0x10, {BOARD_INDEX_WRITE}, 1},
+    {BOARD_1987, 0, 0, 0, 0, 'b', 0xD2, 0x61, {BOARD_DATA_WRITE}, 1},
+    {BOARD_LATER, 0, 0, 0x0C, 0, 'b', 0xD2, 0x00, {BOARD_DATA_WRITE, BOARD_START_ADDRESS}, 2},
+    {BOARD_LATER, 0, 0, 0x0C, 0, 'b', 0xD2, 0xFF, {BOARD_DATA_WRITE}, 1},
+    {BOARD_1987, 0, 0, 0x77, 0, 'b', 0xD2, 0x00, {BOARD_DATA_WRITE, BOARD_UNKNOWN_INDEX}, 2},
+    {BOARD_1987, 0, 0, 0x00, 0, 'B', 0xD2, 0, {BOARD_UNWRITTEN_READ}, 1},
+    {BOARD_LATER, 0, 0, 0x1F, 0, 'B', 0xD2, 0, {BOARD_STATUS_READ}, 1},
+    {BOARD_1987, 0, 0, 0x1F, 0, 'B', 0xD2, 0, {BOARD_UNWRITTEN_READ}, 1},
+    {BOARD_1987, 0, 0, 0, 0, 'w', 0xD4, 5, {BOARD_POSITION_WRITE}, 1},
+    {BOARD_1987, 0, 0, 0, 0, 'w', 0xD6, 5, {BOARD_POSITION_WRITE}, 1},
+    {BOARD_1987, 0, 0, 0, 0, 'b', 0xD4, 5, {BOARD_POSITION_LOW_WRITE}, 1},
+    {BOARD_1987, 0, 0, 0, 0, 'b', 0xD6, 5, {BOARD_POSITION_LOW_WRITE}, 1},
+    {BOARD_1987, 0, 0, 0, 0, 'b', 0xD5, 1, {BOARD_POSITION_HIGH_WRITE}, 1},
+    {BOARD_1987, 0, 0, 0, 0, 'b', 0xD7, 1, {BOARD_POSITION_HIGH_WRITE}, 1},
+    {BOARD_1987, 639, 399, 0, 0, 'b', 0xD8, 1, {BOARD_PRIMARY_WRITE}, 1},
+    {BOARD_1987, 0, 0, 0, 0, 'b', 0xDA, 1, {BOARD_PRIMARY_WRITE}, 1},
+    {BOARD_1987, 0, 0, 0, 0, 'b', 0xDC, 1, {BOARD_PRIMARY_WRITE}, 1},
+    {BOARD_1987, 640, 0, 0, 0, 'b', 0xDC, 1, {BOARD_PRIMARY_WRITE, BOARD_OUTSIDE_WRITE}, 2},
+    {BOARD_1987, 0, 400, 0, 0, 'b', 0xDC, 1, {BOARD_PRIMARY_WRITE, BOARD_OUTSIDE_WRITE}, 2},
+    {BOARD_LATER, 0, 400, 0, 0, 'b', 0xDC, 1, {BOARD_PRIMARY_WRITE, BOARD_HIDDEN_ACCESS}, 2},
+    {BOARD_LATER, 0, 0, 0, 0x40, 'b', 0xDC, 1, {BOARD_PRIMARY_WRITE, BOARD_AUTO_INCREMENT}, 2},
+    {BOARD_LATER, 0, 0, 0, 0x40, 'b', 0xD8, 1, {BOARD_PRIMARY_WRITE}, 1},
+    {BOARD_1987, 639, 399, 0, 0, 'B', 0xD8, 0, {BOARD_PRIMARY_READ}, 1},
+    {BOARD_1987, 0, 0, 0, 0, 'B', 0xDA, 0, {BOARD_PRIMARY_READ}, 1},
+    {BOARD_LATER, 0, 0, 0, 0x40, 'B', 0xDC, 0, {BOARD_PRIMARY_READ}, 1},
+    {BOARD_1987, 640, 0, 0, 0, 'B', 0xD8, 0, {BOARD_PRIMARY_READ, BOARD_OUTSIDE_READ}, 2},
+    {BOARD_LATER, 0, 400, 0, 0, 'B', 0xD8, 0, {BOARD_PRIMARY_READ, BOARD_HIDDEN_ACCESS}, 2},
+    {BOARD_1987, 0, 0, 0, 0, 'W', 0xDA, 0, {BOARD_PRIMARY_WORD_READ}, 1},
+    {BOARD_1987, 640, 0, 0, 0, 'W', 0xDA, 0, {BOARD_OUTSIDE_READ, BOARD_PRIMARY_WORD_READ}, 2},
+    {BOARD_1987, 0, 0, 0, 0, 'w', 0xD8, 1, {BOARD_RED_WORD_WRITE}, 1},
+    {BOARD_LATER, 4, 0, 0, 0, 'w', 0xD8, 0, {BOARD_RED_WORD_WRITE}, 1},
+    {BOARD_LATER, 4, 0, 0, 0, 'w', 0xD8, 1, {BOARD_RED_WORD_WRITE, BOARD_FILL_UNSEEN}, 2},
+    {BOARD_LATER, 5, 0, 0, 0, 'w', 0xD8, 0, {BOARD_RED_WORD_WRITE, BOARD_FILL_UNSEEN}, 2},
+    {BOARD_LATER, 0, 0, 0, 0, 'w', 0xDA, 0, {BOARD_PRIMARY_WORD_WRITE}, 1},
+    {BOARD_LATER, 0, 0, 0, 0, 'w', 0xDC, 0, {BOARD_PRIMARY_WORD_WRITE}, 1},
+    {BOARD_1987, 0, 0, 0, 0, 'b', 0xDE, 0, {BOARD_MODE_WRITE}, 1},
+    {BOARD_1987, 0, 0, 0, 0, 'b', 0xDE, 1, {BOARD_MODE_WRITE}, 1},
+    {BOARD_1987, 0, 0, 0, 0, 'b', 0xDE, 3, {BOARD_MODE_WRITE}, 1},
+    {BOARD_1987, 0, 0, 0, 0, 'b', 0xDE, 2, {BOARD_MODE_UNKNOWN}, 1},
+    {BOARD_1987, 0, 0, 0, 0, 'b', 0xDE, 0x40, {BOARD_MODE_UNKNOWN}, 1},
+    {BOARD_1987, 0, 0, 0, 0, 'W', 0xD0, 0, {BOARD_CONTROL1_READ}, 1},
+    {BOARD_1987, 0, 0, 0, 0, 'B', 0xD0, 0, {BOARD_CONTROL1_BYTE_READ}, 1},
+    {BOARD_1987, 0, 0, 0, 0, 'B', 0xD1, 0, {BOARD_ODD_READ}, 1},
+    {BOARD_1987, 0, 0, 0, 0, 'B', 0xD9, 0, {BOARD_ODD_READ}, 1},
+    {BOARD_1987, 0, 0, 0, 0, 'b', 0xD9, 0, {BOARD_ODD_WRITE}, 1},
+    {BOARD_1987, 0, 0, 0, 0, 'B', 0xD4, 0, {BOARD_WRITE_ONLY_READ}, 1},
+    {BOARD_1987, 0, 0, 0, 0, 'W', 0xD6, 0, {BOARD_WRITE_ONLY_READ}, 1},
+    {BOARD_1987, 0, 0, 0, 0, 'W', 0xDE, 0, {BOARD_WRITE_ONLY_READ}, 1},
+    {BOARD_1987, 0, 0, 0, 0, 'b', 0xE0, 0, {BOARD_FOREIGN_WRITE}, 1},
+    {BOARD_1987, 0, 0, 0, 0, 'w', 0xCE, 0, {BOARD_FOREIGN_WRITE}, 1},
+    {BOARD_1987, 0, 0, 0, 0, 'w', 0xE1, 0, {BOARD_FOREIGN_WRITE}, 1},
+    {BOARD_1987, 0, 0, 0, 0, 'B', 0xE0, 0, {BOARD_FOREIGN_READ}, 1},
+    {BOARD_1987, 0, 0, 0, 0, 'W', 0xE1, 0, {BOARD_FOREIGN_READ}, 1},
+    {BOARD_1987,
+     0,
+     0,
+     0,
+     0,
+     'w',
+     0xCF,
+     0x0000,
+     {BOARD_WORD_SPLIT, BOARD_FOREIGN_WRITE, BOARD_INDEX_WRITE},
+     3},
+    {BOARD_1987,
+     0,
+     0,
+     0,
+     0,
+     'W',
+     0xD9,
+     0,
+     {BOARD_WORD_SPLIT, BOARD_ODD_READ, BOARD_PRIMARY_READ},
+     3},
+};
+
+static void access_of(const struct noted *row) {
+    if (row->access == 'b') {
+        outp(row->port, (uint8_t)row->value);
+    } else if (row->access == 'w') {
+        outpw(row->port, row->value);
+    } else if (row->access == 'B') {
+        (void)inp(row->port);
+    } else {
+        (void)inpw(row->port);
+    }
+}
+
+static void an_access_notes_its_behaviours_once_and_no_others(void **state) {
+    (void)state;
+    static struct board_note before[BOARD_BEHAVIOURS];
+    bool is_covered[BOARD_BEHAVIOURS] = {false};
+    for (size_t i = 0; i < sizeof noted / sizeof *noted; i++) {
+        const struct noted *row = &noted[i];
+        power_on(row->profile);
+        outpw(0x00D4, row->x);
+        outpw(0x00D6, row->y);
+        outp(0x00D0, row->index);
+        outp(0x00DE, row->mode);
+        memcpy(before, board.notes, sizeof before);
+        access_of(row);
+        for (unsigned j = 0; j < BOARD_BEHAVIOURS; j++) {
+            uint64_t expected = before[j].count;
+            for (unsigned k = 0; k < row->count; k++) {
+                expected += row->behaviours[k] == j;
+                is_covered[row->behaviours[k]] = true;
+            }
+            if (board.notes[j].count != expected) {
+                fail_msg("row %u: \"%s\" noted %u times, not %u", (unsigned)i,
+                         board_behaviour_text((enum board_behaviour)j),
+                         (unsigned)(board.notes[j].count - before[j].count),
+                         (unsigned)(expected - before[j].count));
+            }
+        }
+    }
+    /* Data read from an index that was written needs two accesses to the one index. */
+    power_on(BOARD_1987);
+    outp(0x00D0, 0x00);
+    outp(0x00D2, 0x61);
+    assert_int_equal(inp(0x00D2), 0x61);
+    assert_int_equal(board.notes[BOARD_DATA_READ].count, 1);
+    assert_int_equal(board.notes[BOARD_UNWRITTEN_READ].count, 0);
+    is_covered[BOARD_DATA_READ] = true;
+    for (unsigned j = 0; j < BOARD_BEHAVIOURS; j++) {
+        if (!is_covered[j]) {
+            fail_msg("no row for \"%s\"", board_behaviour_text((enum board_behaviour)j));
+        }
+    }
+}
+
 static void a_violation_is_logged_with_number_port_value_and_width(void **state) {
     (void)state;
     power_on(BOARD_1987);
@@ -239,6 +379,7 @@ int main(void) {
         cmocka_unit_test(reset_clears_the_registers_and_keeps_memory_and_counters),
         cmocka_unit_test(a_copy_is_a_board_of_its_own),
         cmocka_unit_test(accesses_are_counted_by_register_width_and_direction),
+        cmocka_unit_test(an_access_notes_its_behaviours_once_and_no_others),
         cmocka_unit_test(a_violation_is_logged_with_number_port_value_and_width),
         cmocka_unit_test(the_log_is_bounded_and_the_count_is_not),
         cmocka_unit_test(reliances_are_counted_by_grade),
