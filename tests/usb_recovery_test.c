@@ -122,6 +122,49 @@ static void a_lost_frame_takes_those_behind_it_along_once(void **state) {
     assert_true(gaps > 6);
 }
 
+static uint32_t lost_sequence;
+static unsigned losses_left;
+
+static enum usb_link_status send_but_one_sequence(struct usb_link *link, const uint8_t *bytes,
+                                                  size_t count) {
+    struct usb_header header;
+    size_t length;
+    assert_int_equal(usb_frame_scan(bytes, count, &header, &length), USB_SCAN_FRAME);
+    if (header.sequence != lost_sequence || losses_left == 0) {
+        return cable_send(link, bytes, count);
+    }
+    losses_left--;
+    cable_note_frame(&cable.tally, bytes, count);
+    return USB_LINK_OK;
+}
+
+/* A gap calls for the frame once; its next loss takes a timeout, and then a gap calls again. */
+static void a_frame_that_is_lost_repeatedly_takes_a_timeout_every_other_time(void **state) {
+    static const struct usb_link_operations lossy = {send_but_one_sequence, receive_late,
+                                                     cable_reopen, cable_close};
+    const struct cable_faults none = {0};
+    (void)state;
+    for (unsigned losses = 1; losses <= 7; losses++) {
+        plug_in(&none, 5);
+        paint(5);
+        struct usb_bus *usb_bus = start(5);
+        cable.link.operations = &lossy;
+        lost_sequence = 3;
+        losses_left = losses;
+        while (usb_bus->counts.frames < 3 * USB_CREDITS_MOST) {
+            draw(&usb_bus->bus);
+        }
+        assert_int_equal(bus_flush(&usb_bus->bus), BUS_OK);
+        assert_int_equal(losses_left, 0);
+        assert_int_equal(usb_bus->counts.timeouts, losses / 2);
+        assert_counts(usb_bus);
+        for (unsigned y = 0; y < LINES; y++) {
+            assert_true(is_line_right(y));
+        }
+        usb_bus_free(usb_bus);
+    }
+}
+
 /* Neither an idle flush nor what comes after a failure makes a frame. */
 static void nothing_is_sent_where_there_is_nothing_to_send(void **state) {
     struct usb_verification verification;
@@ -218,6 +261,7 @@ int main(void) {
         cmocka_unit_test(each_kind_of_fault_moves_its_own_count_alone),
         cmocka_unit_test(an_adapter_that_starts_anew_in_its_place_gets_everything_again),
         cmocka_unit_test(a_lost_frame_takes_those_behind_it_along_once),
+        cmocka_unit_test(a_frame_that_is_lost_repeatedly_takes_a_timeout_every_other_time),
         cmocka_unit_test(nothing_is_sent_where_there_is_nothing_to_send),
         cmocka_unit_test(a_link_that_is_lost_during_a_read_leaves_an_open_bus),
         cmocka_unit_test(verifying_over_a_link_that_is_lost_is_no_success),
