@@ -1,7 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # Holds the man pages to the program: each command stands in the synopsis, each option that a
-# command's --help lists has an entry of its own, and no entry is about an option that is none.
+# command's --help lists has an entry of its own, and no entry is about an option that is none. The
+# keys of --stats are those of the page, both ways.
 #
 # SUPERFRAME  the program (default: $BUILD/superframe). Exit status: 0 all are there, 1 not.
 set -u
@@ -39,6 +40,44 @@ for option in $known; do
     case " $(echo $all) " in
     *" $option "*) ;;
     *) complain "man page: $option is no option of any command" ;;
+    esac
+done
+
+# What the page's STATISTICS call keys: the words in bold that are neither options nor commands.
+keys_of_page() {
+    sed -n '/^\.SH STATISTICS/,/^\.SH EXIT/p' $page | tr '\n' ' ' | grep -o '\\fB[^\\]*\\fR' |
+        sed 's/^\\fB//; s/\\fR$//' | tr ' ' '\n' | grep -E '^[a-zA-Z0-9_]+$' |
+        grep -vxE 'replay|boot|render|hid' | sort -u
+}
+
+keys_of_run() {
+    grep -oE '"[a-zA-Z0-9_]+":' | tr -d '":' | grep -vxE 'VM2|VX2|RA2' | sort -u
+}
+
+folder=${BUILD:-build}/check-manual
+rm -rf "$folder"
+mkdir -p "$folder" || exit 1
+for arguments in '' '--tail estimate' '--error 2' '--colour exposures'; do
+    # shellcheck disable=SC2086 # options
+    "$SUPERFRAME" render fig3 --size 20x12 $arguments --stats "$folder/printed.part" -o "$folder/x.png" ||
+        complain "render --stats $arguments: exit status $?"
+    cat "$folder/printed.part" >> "$folder/printed"
+done
+"$SUPERFRAME" render fig3 --size 20x12 --bus "trace:$folder/x.trace" > /dev/null ||
+    complain "render --bus trace: exit status $?"
+"$SUPERFRAME" replay "$folder/x.trace" -o "$folder/x.png" --stats - >> "$folder/printed" 2> /dev/null ||
+    complain "replay --stats: exit status $?"
+keys_of_page > "$folder/page"
+# What takes an adapter or a processor is held by their own tests, against the same page.
+keys_of_run < "$folder/printed" > "$folder/run"
+for key in $(comm -13 "$folder/page" "$folder/run"); do
+    complain "$page: nothing about $key of --stats"
+done
+for key in $(comm -23 "$folder/page" "$folder/run"); do
+    case " adapter bus bytes_out bytes_in transfers frames resent timeouts stalls reconnects restarts \
+verified_pixels repaired_pixels instructions predicted_seconds_RA2 " in
+    *" $key "*) ;;
+    *) complain "$page: --stats has no $key" ;;
     esac
 done
 [ $failures -eq 0 ]
