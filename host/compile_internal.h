@@ -113,6 +113,7 @@ int compile_box_in(struct compiler *compiler, uint8_t frame, const double low[3]
 int compile_world_box(struct compiler *compiler, const double low[3], const double high[3]);
 int compile_half_space(struct compiler *compiler, const struct scene_plane *plane,
                        const struct affine *placement);
+int compile_placed_half_space(struct compiler *compiler, const struct scene_plane *plane);
 int compile_polyhedron(struct compiler *compiler, const struct scene_plane *planes, size_t count,
                        const struct affine *placement);
 int compile_placed_polyhedron(struct compiler *compiler, const struct scene_plane *planes,

@@ -88,11 +88,12 @@ static bool check_bounded(struct compiler *compiler, const struct compiled_objec
                             "solid, or give it an opaque material");
     }
     if (compiler->lost_line != 0) {
-        return compile_fail(compiler, compiler->lost_line,
-                            "a half_space out of the scene, which ends %g units from the middle of "
-                            "its bounded solids, eye and lights: move its plane nearer, or add a "
-                            "bounded solid that is as far away",
-                            ldexp(COMPILE_WORLD, -compiler->scene->exponent));
+        return compile_fail(
+            compiler, compiler->lost_line,
+            "a half_space or quadric out of the scene, which ends %g units from the middle of "
+            "its bounded solids, eye and lights: move it nearer, or add a "
+            "bounded solid that is as far away",
+            ldexp(COMPILE_WORLD, -compiler->scene->exponent));
     }
     return true;
 }

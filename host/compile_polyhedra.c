@@ -140,12 +140,8 @@ static bool misses_world(const struct scene_plane *plane) {
 
 /* Half of the world: the firmware's world ends, so that a ray's way to it is a number that every
  * arithmetic holds. */
-int compile_half_space(struct compiler *compiler, const struct scene_plane *plane,
-                       const struct affine *placement) {
-    struct scene_plane planes[7] = {{{0, 0, 0}, 0}};
-    if (!place_plane(compiler, plane, placement, &planes[0])) {
-        return -1;
-    }
+int compile_placed_half_space(struct compiler *compiler, const struct scene_plane *plane) {
+    struct scene_plane planes[7] = {*plane};
     size_t count = 1;
     if (misses_world(&planes[0])) {
         compiler->lost_line = compiler->line;
@@ -165,4 +161,12 @@ int compile_half_space(struct compiler *compiler, const struct scene_plane *plan
         planes[count++].offset = COMPILE_WORLD;
     }
     return compile_placed_polyhedron(compiler, planes, count);
+}
+
+int compile_half_space(struct compiler *compiler, const struct scene_plane *plane,
+                       const struct affine *placement) {
+    struct scene_plane placed;
+    return place_plane(compiler, plane, placement, &placed)
+               ? compile_placed_half_space(compiler, &placed)
+               : -1;
 }

@@ -91,9 +91,13 @@ static int add_curve(struct compiler *compiler, struct quadric_axes *axes) {
     return add_quadric(compiler, &quadric, (uint8_t)frame);
 }
 
-/* Why a form cannot be a primitive of the firmware; NULL if it can. */
+static bool holds_no_point(const struct quadric_axes *axes) {
+    return axes->square[0] > 0 && axes->square[1] > 0 && axes->square[2] > 0 && axes->constant >= 0;
+}
+
+/* Says why a form cannot be a primitive of the firmware; NULL if it can. */
 static const char *fault_of(const struct quadric_axes *axes) {
-    if (axes->square[0] > 0 && axes->square[1] > 0 && axes->square[2] > 0 && axes->constant >= 0) {
+    if (holds_no_point(axes)) {
         return "a quadric that holds no point: its form has to be negative somewhere";
     }
     if (fabs(axes->linear) >= 2 * COMPILE_WORLD ||
@@ -108,6 +112,41 @@ static const char *fault_of(const struct quadric_axes *axes) {
         }
     }
     return NULL;
+}
+
+/* Finds between what a form lies within the world's box, from above and below. */
+static void form_range(const struct quadric_axes *axes, double *least, double *most) {
+    *least = *most = axes->constant;
+    for (int i = 0; i < 3; i++) {
+        double reach = 0, square = axes->square[i], linear = i == 2 ? axes->linear : 0;
+        for (int j = 0; j < 3; j++) {
+            reach += COMPILE_WORLD * fabs(axes->axis[i][j]);
+        }
+        double middle = -vector_dot(axes->axis[i], axes->origin);
+        double low = middle - reach, high = middle + reach;
+        double at_low = (square * low + 2 * linear) * low;
+        double at_high = (square * high + 2 * linear) * high;
+        double bottom = fmin(at_low, at_high), top = fmax(at_low, at_high);
+        double turn = square == 0 ? low : -linear / square; /* where the form's slope is 0 */
+        if (turn > low && turn < high) {
+            bottom = fmin(bottom, -linear * turn);
+            top = fmax(top, -linear * turn);
+        }
+        *least += bottom;
+        *most += top;
+    }
+}
+
+/* Makes what holds the whole world, or nothing of it, of a form whose surface does not come near;
+ * -2 where it does. */
+static int compile_beyond(struct compiler *compiler, const struct quadric_axes *axes) {
+    double least, most;
+    form_range(axes, &least, &most);
+    if (holds_no_point(axes) || (least <= 0 && most >= 0)) {
+        return -2;
+    }
+    const struct scene_plane plane = {{0, 0, 1}, most < 0 ? COMPILE_WORLD : -2 * COMPILE_WORLD};
+    return compile_placed_half_space(compiler, &plane);
 }
 
 /* Moves a centre that lies out of the scene to the middle of it, along axes that say nothing of it.
@@ -167,6 +206,10 @@ int compile_quadric(struct compiler *compiler, const struct solid_node *leaf,
     centre_form(&axes);
     const char *fault = fault_of(&axes);
     if (fault) {
+        int all_or_nothing = compile_beyond(compiler, &axes);
+        if (all_or_nothing != -2) {
+            return all_or_nothing;
+        }
         compile_fail(compiler, compiler->line, "%s", fault);
         return -1;
     }

@@ -194,6 +194,38 @@ static void the_halves_of_a_polyhedron_are_the_whole(void **state) {
     }
 }
 
+/* Solids of which the scene lies wholly within, or wholly outside: radius, and how far away. */
+static void a_curve_that_does_not_come_near_holds_all_or_nothing(void **state) {
+    static const char *const kinds[] = {
+        "{ ball = { centre = (%g, 0, 0); radius = %g; }; }",
+        "{ ellipsoid = { centre = (%g, 0, 0); radii = (%g, 9999, 7777); }; }",
+        "{ cylinder = { from = (%1$g, 0, -5000); to = (%1$g, 0, 6000); radius = %2$g; }; }",
+        "{ cone = { from = (%1$g, 0, -5000); to = (%1$g, 0, 25000); from_radius = %2$g; to_radius "
+        "= "
+        "3; }; }",
+    };
+    static const struct {
+        double away, radius;
+        bool holds_all;
+    } cases[] = {{0, 300, true},     {0, 2e4, true},     {77, 300, true},  {-1e5, 2e5, true},
+                 {1000, 400, false}, {-2e4, 400, false}, {1e5, 4e4, false}};
+    (void)state;
+    for (unsigned k = 0; k < sizeof kinds / sizeof kinds[0]; k++) {
+        for (unsigned i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+            char plain[TEXT_SIZE], cut[TEXT_SIZE], far[512], solid[1024];
+            const char *near = solids[(k + i) % 4];
+            (void)snprintf(far, sizeof far, kinds[k], cases[i].away, cases[i].radius);
+            (void)snprintf(solid, sizeof solid, "{ %s = ( %s, %s ); }",
+                           cases[i].holds_all ? "intersection" : "difference", near, far);
+            make_scene(plain, "glass", near);
+            make_scene(cut, "glass", solid);
+            for (int j = 0; j < ARITHMETICS; j++) {
+                assert_true(same_picture(plain, cut, arithmetics[j], 0) > 20);
+            }
+        }
+    }
+}
+
 static void a_placement_can_be_said_in_two_ways(void **state) {
     (void)state;
     static const char *const pairs[][2] = {
@@ -374,6 +406,7 @@ int main(void) {
         cmocka_unit_test(de_morgan_holds_for_random_trees),
         cmocka_unit_test(a_seam_between_coplanar_parts_of_a_union_does_not_show),
         cmocka_unit_test(the_halves_of_a_polyhedron_are_the_whole),
+        cmocka_unit_test(a_curve_that_does_not_come_near_holds_all_or_nothing),
         cmocka_unit_test(a_placement_can_be_said_in_two_ways),
         cmocka_unit_test(a_quadric_without_an_end_looks_like_a_solid_that_ends_far_away),
         cmocka_unit_test(solids_around_a_convex_quadric_obey_the_laws_wherever_it_is),

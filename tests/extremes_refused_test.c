@@ -279,16 +279,20 @@ static const struct whole_message {
      "test.scene:4: absorption too strong for the size of the scene: at most 511.36 is allowed; an "
      "opaque material looks the same"},
     {"", "0", "m", "{ half_space = { normal = (0, 0, 1); offset = -17; }; }",
-     "test.scene:8: a half_space out of the scene, which ends 16 units from the middle of its "
-     "bounded "
-     "solids, eye and lights: move its plane nearer, or add a bounded solid that is as far away"},
+     "test.scene:8: a half_space or quadric out of the scene, which ends 16 units from the middle "
+     "of its bounded solids, eye and lights: move it nearer, or add a bounded solid that is as far "
+     "away"},
+    {"", "0", "m", "{ quadric = { coefficients = (1, 1, 0, 0, 0, 0, 36, 0, 0, 323); }; }",
+     "test.scene:8: a half_space or quadric out of the scene, which ends 16 units from the middle "
+     "of its bounded solids, eye and lights: move it nearer, or add a bounded solid that is as far "
+     "away"},
     {"", "0", "m", "{ quadric = { coefficients = (1, 2, 3, 0, 0, 0, 0, 0, 0, 1); }; }",
      "test.scene:8: a quadric that holds no point: its form has to be negative somewhere"},
     {"", "0", "m", "{ quadric = { coefficients = (1, 1, 0, 0, 0, 0, 0, 0, 99, 0); }; }",
      "test.scene:8: a quadric that is nearly flat over the whole scene: use a half_space, or make "
      "it "
      "smaller"},
-    {"", "0", "m", "{ quadric = { coefficients = (1, 1, 0, 0, 0, 0, 34, 0, 0, 288); }; }",
+    {"", "0", "m", "{ quadric = { coefficients = (1, 1, 0, 0, 0, 0, 34, 0, 0, 285); }; }",
      "test.scene:8: a quadric whose centre or apex lies outside of the scene, at more than twice "
      "its "
      "size: use a half_space, or move it"},

@@ -88,6 +88,9 @@ void generate_scene(struct syntax *syntax, uint64_t seed) {
     if (chance_is(random, 8) && !syntax_has_endless(syntax)) {
         generate_motif(syntax, random, MOTIF_AROUND_EYE);
     }
+    if (chance_is(random, 12)) {
+        generate_motif(syntax, random, MOTIF_EYE_AMID);
+    }
     if (syntax->object_count == 0) {
         generate_motif(syntax, random, MOTIF_TREE);
     }

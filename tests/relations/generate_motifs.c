@@ -306,6 +306,16 @@ static void add_around_eye(const struct site *site) {
                          generate_box(site->syntax, -size, -size, -size, size, size, size));
 }
 
+/* On no grid that the solids' own places are on. */
+static void add_eye_amid(const struct site *site) {
+    struct syntax *syntax = site->syntax;
+    for (int i = 0; i < 3; i++) {
+        double share = (chance_pick(site->random, 1000) + 0.5) / 1000;
+        syntax->eye[i] = i < 2 ? 6 * share - 3 : 3 * share;
+    }
+    syntax->field_of_view += 40;
+}
+
 void generate_motif(struct syntax *syntax, uint64_t *random, enum motif motif) {
     static void (*const adders[MOTIFS])(const struct site *) = {
         [MOTIF_TOUCHING] = add_touching,     [MOTIF_STANDING] = add_standing,
@@ -314,7 +324,7 @@ void generate_motif(struct syntax *syntax, uint64_t *random, enum motif motif) {
         [MOTIF_NESTED] = add_nested,         [MOTIF_OVERLAP] = add_overlap,
         [MOTIF_TURNED] = add_turned,         [MOTIF_MIXED] = add_mixed,
         [MOTIF_MIRRORED] = add_mirrored,     [MOTIF_TREE] = add_tree,
-        [MOTIF_AROUND_EYE] = add_around_eye,
+        [MOTIF_AROUND_EYE] = add_around_eye, [MOTIF_EYE_AMID] = add_eye_amid,
     };
     struct site site = {syntax,    random,   chance_step(random, -2, 2), chance_step(random, -2, 2),
                         {1, 1, 1}, {0, 0, 0}};

@@ -51,7 +51,7 @@ void form_end(struct form *form) {
 /* A node as later ones need it: boundaries that are invisible hand on what came to them. */
 struct node_note {
     uint64_t hash;
-    uint8_t kind, channel;
+    uint8_t kind, channel, events;
     bool is_handed_on;
     double where[3];
 };
@@ -62,6 +62,7 @@ struct painter {
     int invisible, x, y;
     struct rendering *picture;
     struct rendering_pixel *pixel;
+    bool is_empty;           /* nothing is in the pixel's way */
     struct node_note *notes; /* by the nodes' numbers */
     size_t note_room;
 };
@@ -191,6 +192,72 @@ static void ask_leaving(struct painter *painter) {
     }
 }
 
+/* ---- Where paths end ------------------------------------------------------------------------ */
+
+/* By this share a weight may be off the threshold: fx has steps of 2^-16 and more. */
+#define THRESHOLD_OFF 0.03
+
+static void tell(struct painter *painter, const char *what, int events, double weight) {
+    struct rendering *picture = painter->picture;
+    if (!picture->is_wrong) {
+        picture->is_wrong = true;
+        picture->wrong_x = painter->x;
+        picture->wrong_y = painter->y;
+        (void)snprintf(picture->wrong, sizeof picture->wrong,
+                       "%s, after %d events, with a weight of %.6g; the scene has depth level %d "
+                       "and threshold %.6g",
+                       what, events, weight, painter->form->syntax->depth,
+                       painter->form->syntax->threshold);
+    }
+}
+
+static double largest(const double weight[3]) {
+    return fmax(weight[0], fmax(weight[1], weight[2]));
+}
+
+/* Holds a path that goes on to what the file says of depth and threshold. A material may have
+ * absorbed on the way here what it took to begin. */
+static void check_going_on(struct painter *painter, const struct observed_node *node) {
+    const struct syntax *syntax = painter->form->syntax;
+    double weight = largest(node->weight);
+    if (node->events > syntax->depth) {
+        tell(painter, "a path goes on beyond the depth level", node->events, weight);
+    }
+    if (node->events > 0 && material_of(painter, node->before) == ORACLE_AIR &&
+        weight < syntax->threshold * (1 - THRESHOLD_OFF)) {
+        tell(painter, "a path goes on below the threshold", node->events, weight);
+    }
+}
+
+/* Holds the end of a path to what the file says: nothing else ends a path. */
+static void check_end(struct painter *painter, const struct observed_end *end) {
+    const struct syntax *syntax = painter->form->syntax;
+    double weight = largest(end->weight);
+    int events = end->parent > 0 ? painter->notes[end->parent].events : 0;
+    switch (end->why) {
+    case OBSERVED_LEFT:
+        break;
+    case OBSERVED_DEPTH:
+        if (events != syntax->depth) {
+            tell(painter, "a path ends by its depth", events, weight);
+        }
+        break;
+    case OBSERVED_THRESHOLD:
+        if (weight > syntax->threshold * (1 + THRESHOLD_OFF)) {
+            tell(painter, "a path ends by the threshold", events, weight);
+        }
+        break;
+    case OBSERVED_NOTHING:
+        if (weight > 0) {
+            tell(painter, "a path ends as if it had no weight", events, weight);
+        }
+        break;
+    case OBSERVED_BUDGET:
+        tell(painter, "a path ends by a budget that the file does not have", events, weight);
+        break;
+    }
+}
+
 /* ---- Drawing -------------------------------------------------------------------------------- */
 
 static void see_node(void *context, const struct observed_node *node) {
@@ -206,16 +273,20 @@ static void see_node(void *context, const struct observed_node *node) {
     }
     struct node_note *note = &painter->notes[node->number];
     memcpy(note->where, node->where, sizeof note->where);
+    note->events = node->events;
     sign(painter, node, note);
+    check_going_on(painter, node);
     ask_node(painter, node);
 }
 
 static void see_end(void *context, const struct observed_end *end) {
     struct painter *painter = context;
+    check_end(painter, end);
     if (end->why == OBSERVED_DEPTH) {
         painter->pixel->is_cut_by_depth = true;
     }
     if (end->why == OBSERVED_LEFT && end->kind == OBSERVED_EYE) {
+        painter->is_empty = true;
         ask_leaving(painter);
     }
 }
@@ -229,10 +300,16 @@ static void draw_pixel(struct painter *painter, const struct arithmetic *arithme
     painter->pixel = &picture->pixels[painter->y * picture->width + painter->x];
     memset(painter->pixel, 0, sizeof *painter->pixel);
     memset(&counts, 0, sizeof counts);
+    painter->is_empty = false;
     arithmetic->pixel(scene, (uint16_t)painter->x, (uint16_t)painter->y, intensity, &counts,
                       &observer);
     for (int i = 0; i < 3; i++) {
         painter->pixel->level[i] = (int)floor(fmin(fmax(intensity[i], 0), 255) + 0.5);
+    }
+    for (int i = 0; i < 3 && painter->is_empty; i++) {
+        if (fabs(painter->pixel->level[i] - painter->form->syntax->background[i]) > 0.5) {
+            tell(painter, "what shows nothing has not the background's colour", 0, 1);
+        }
     }
     picture->leaked += counts.leaked_rays;
 }
@@ -251,7 +328,7 @@ bool rendering_draw(struct form *form, const struct arithmetic *arithmetic, int 
         oracle != NULL && scene != NULL &&
         oracle_start(oracle, form->syntax, form->compiled->centre, form->compiled->exponent);
     if (good) {
-        struct painter painter = {form, oracle, invisible, 0, 0, picture, NULL, NULL, 0};
+        struct painter painter = {form, oracle, invisible, 0, 0, picture, NULL, false, NULL, 0};
         oracle->tolerance = tolerance_of(arithmetic);
         memset(picture, 0, sizeof *picture);
         picture->width = form->syntax->width;

@@ -56,6 +56,7 @@ enum motif {
     MOTIF_MIRRORED,   /* a part and its mirror image */
     MOTIF_TREE,       /* a random tree of operations */
     MOTIF_AROUND_EYE, /* the eye in a transparent solid */
+    MOTIF_EYE_AMID,   /* the eye where the solids are, within some of them or just beside */
     MOTIFS
 };
 
