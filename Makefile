@@ -321,6 +321,7 @@ TEST_SCRIPTS := tests/float_matrix.sh \
                 tests/check_32_bits.sh \
                 tests/check_bench.sh \
                 tests/check_manual.sh \
+                tests/check_hashes.sh \
                 tests/check_uninitialised.sh \
                 tests/check_mutants.sh \
                 tests/relations/relations_test.sh
