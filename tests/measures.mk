@@ -8,8 +8,8 @@ bench-ports: $(BUILD)/release/ports_bench ## Measure what a port write costs, in
 $(BUILD)/release/ports_bench: tests/bench/ports_bench.c $(release_HAL) $(release_EMULATOR) $(BUILD)/flags | setup
 	$(CC) $(WARNINGS) $(POSIX) $(CFLAGS_release) $(INCLUDE_emulator) -o $@ $(filter %.c %.o,$^) -lpng -lxxhash -ldeflate
 
-# Besides the suites, whatever tells by its exit status: MUTANT_PROGRAMS=release/x,1,2 for build/release/x 1 2.
-MUTANT_PROGRAMS ?=
+# Besides the suites, whatever tells by its exit status: release/x,1,2 is build/release/x 1 2.
+MUTANT_PROGRAMS ?= tests/check_hashes.sh tests/check_manual.sh $(RELATIONS:$(BUILD)/%=%),build/relations,SEEDS=0:60
 .PHONY: mutants
 mutants: | setup ## Break the source in small ways and see whether the tests notice (SEED= COUNT= SECONDS= FILES=)
 	@SEED='$(SEED)' FIRST='$(FIRST)' COUNT='$(COUNT)' LIMIT='$(SECONDS)' FILES='$(FILES)' SANITIZED='$(SANITIZED)' CC='$(CC)' \

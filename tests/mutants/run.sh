@@ -5,7 +5,8 @@
 # usage: tests/mutants/run.sh BUILD PROGRAM...      (from the project's folder, as `make mutants` does)
 #
 # PROGRAMs are paths below BUILD: cmocka suites, or anything else whose exit status tells; arguments stand
-# behind commas, as in release/x,some,more. Everything happens in BUILD/mutants/release, a copy of the source as it stands, committed or not.
+# behind commas, as in release/x,some,more. A path that ends in .sh is a script of the source, which runs the command.
+# Everything happens in BUILD/mutants/release, a copy of the source as it stands, committed or not.
 #
 # Environment: SEED (1); FIRST, the number of the first draw (1); COUNT of mutants that change code (20);
 # LIMIT in seconds from the first mutant on (1800); FILES to draw from, as a shell's patterns (all that the
@@ -157,11 +158,23 @@ changes_code() {
 
 # Makes a program, and the command where the program starts the command.
 make_program() {
-    if grep -qxF "$1" "$work/runners"; then
-        make_targets "$1" $superframe
-    else
-        make_targets "${1%%,*}"
-    fi
+    case $1 in
+    *.sh) make_targets $superframe ;;
+    *)
+        if grep -qxF "$1" "$work/runners"; then
+            make_targets "$1" $superframe
+        else
+            make_targets "${1%%,*}"
+        fi
+        ;;
+    esac
+}
+
+# Prints what runs a program, if it does not run by itself.
+interpreter() {
+    case $1 in
+    *.sh) echo sh ;;
+    esac
 }
 
 # Runs a program of the copy for at most some seconds. Notes that it can be green, and what it took.
@@ -175,10 +188,14 @@ run_program() {
         IFS=,
         # shellcheck disable=SC2086 # the program and its arguments
         set -- $1
-        program=build/$1
+        case $1 in
+        *.sh) program=$1 ;;
+        *) program=build/$1 ;;
+        esac
         shift
+        unset IFS
         BUILD=build SUPERFRAME=build/$superframe ASAN_OPTIONS=hard_rss_limit_mb=3000 \
-            exec timeout -k 5 "$patience" "$program" "$@"
+            exec timeout -k 5 "$patience" $(interpreter "$program") "$program" "$@"
     ) > "$work/run.log" 2>&1 || return
     printf '%s %s\n' "$1" $(($(date +%s) - run_began)) >> "$costs"
     printf '%s\n' "$1" >> "$work/green"
@@ -201,7 +218,7 @@ judge() {
     outcome=survived
     for by in $(in_order "$1"); do
         ! grep -qxF "$by" "$work/red" || continue
-        printf '%s\n' "${by%%,*}" >> "$work/linked"
+        [ "${by%.sh}" != "$by" ] || printf '%s\n' "${by%%,*}" >> "$work/linked"
         make_program "$by" || {
             outcome=broken
             return
@@ -286,7 +303,7 @@ copy_source || exit 2
 $CC -std=c99 -D_POSIX_C_SOURCE=200809L -O1 -Ihal -o "$work/mutate" $here/*.c || exit 2
 lenient=$(printf '_Pragma("GCC diagnostic ignored \\"-W%s\\"") ' parentheses unused-function unused-parameter \
     unused-variable unused-but-set-variable)
-objects=$(sed 's/,.*//; /\/usb\/\|testkit/!s/_test[a-z0-9_]*$/&.o/' "$work/programs")
+objects=$(grep -v '\.sh$' "$work/programs" | sed 's/,.*//; /\/usb\/\|testkit/!s/_test[a-z0-9_]*$/&.o/')
 echo 'mutants: building what the programs are made of'
 # shellcheck disable=SC2086 # paths without spaces
 make_targets $superframe $objects || {
