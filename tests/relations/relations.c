@@ -10,7 +10,7 @@ const struct relation relations[] = {
     {"membership", IN_ALL, MAP_SAME, NULL, NULL, NULL, false, false, 1},
     {"streams", IN_ALL, MAP_SAME, check_streams, NULL, NULL, false, false, 1},
     {"jobs", IN_ALL, MAP_SAME, check_jobs, NULL, NULL, false, false, 4},
-    {"f128", IN_F64, MAP_SAME, NULL, NULL, NULL, false, true, 2},
+    {"f128", IN_F64, MAP_SAME, NULL, NULL, NULL, false, true, 1},
     {"mirror", IN_F64, MAP_MIRRORED, NULL, NULL, rewrite_mirror, false, false, 1},
     {"move", IN_F64, MAP_SAME, NULL, NULL, rewrite_move, false, false, 1},
     {"scale", IN_F64, MAP_SAME, NULL, NULL, rewrite_scale, false, false, 1},
