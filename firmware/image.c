@@ -2,7 +2,7 @@
 /* The image: rows of a picture, and their way to the board. */
 #include "image.h"
 
-#include "board.h"
+#include "board_driver.h"
 #include "camera.h"
 #include "learn.h"
 #include "show.h"

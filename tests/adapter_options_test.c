@@ -9,8 +9,8 @@
 
 #include <cmocka.h>
 
-#include "options.h"
-#include "usb_backends.h"
+#include "options/options.h"
+#include "adapter/drivers.h"
 
 static struct options options;
 static struct options_error error;

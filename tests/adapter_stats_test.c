@@ -5,7 +5,7 @@
 
 #include "usb_fixture.h"
 
-#include "adapter_bus.h"
+#include "adapter/open.h"
 
 static struct cable cable;
 static struct adapter_bus adapter;

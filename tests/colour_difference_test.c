@@ -10,9 +10,9 @@
 
 #include <cmocka.h>
 
-#include "colour_difference.h"
-#include "difference_picture.h"
-#include "similarity.h"
+#include "picture/ciede2000.h"
+#include "picture/error_map.h"
+#include "picture/ssim.h"
 
 /* Sharma, Wu and Dalal (2005), Table 1: two colours, and what the formula makes of them. */
 static const struct {

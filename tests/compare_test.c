@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The measures of host/compare.h against values worked out by hand. */
+/* The measures of host/picture/compare.h against values worked out by hand. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -9,7 +9,7 @@
 
 #include <cmocka.h>
 
-#include "compare.h"
+#include "picture/compare.h"
 
 static void assert_close(double actual, double expected) {
     assert_true(fabs(actual - expected) <= 1e-12 * (1 + fabs(expected)));

@@ -3,8 +3,8 @@
  */
 #include "scene_fixture.h"
 
-#include "emit.h"
-#include "emit_features.h"
+#include "compiler/emit.h"
+#include "compiler/features.h"
 
 enum { TEXT_SIZE = 8192, TABLES_SIZE = 65536, WIDTH = 24, HEIGHT = 15, SEEDS = 24 };
 

@@ -2,7 +2,7 @@
 /* The POV-Ray export: what it writes, how exactly, and what it refuses by name. */
 #include "scene_fixture.h"
 
-#include "export_pov.h"
+#include "export/pov.h"
 
 #define HEAD                                                                                       \
     "version = 1; title = \"A title\"; size = [40, 30]; depth = 7; threshold = 0.125;\n"           \

@@ -13,8 +13,8 @@
 
 #include <cmocka.h>
 
-#include "interrupt.h"
-#include "stopwatch.h"
+#include "base/interrupt.h"
+#include "base/stopwatch.h"
 
 enum { LATER_US = 400000 };
 static const double at_once_seconds = 0.2;

@@ -2,7 +2,7 @@
 /* No ray leaves any built-in scene, or one of thin walls, while it is still inside a medium. */
 #include "scene_fixture.h"
 
-#include "builtin_scenes.h"
+#include "scene/builtin.h"
 
 static void check_description(struct scene_description *description, const char *name,
                               const char *arithmetic, int depth, int width, int height) {

@@ -7,10 +7,10 @@
 #include <math.h>
 #include <sys/stat.h>
 
-#include "command.h"
+#include "command/command.h"
 #include "command_fixture.h"
-#include "load_scene.h"
-#include "measure.h"
+#include "scene/load.h"
+#include "lab/measure/measure.h"
 #include "options_fixture.h"
 #include "page_reader.h"
 #include "splitmix64.h"

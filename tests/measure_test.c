@@ -10,15 +10,15 @@
 
 #include <cmocka.h>
 
-#include "arithmetic.h"
-#include "cost_model.h"
-#include "emit_features.h"
-#include "load_scene.h"
-#include "measure.h"
-#include "parallel.h"
-#include "real/wrap_kinds.h"
-#include "requirements.h"
-#include "signatures.h"
+#include "render/arithmetic.h"
+#include "stats/cost_model.h"
+#include "compiler/features.h"
+#include "scene/load.h"
+#include "lab/measure/measure.h"
+#include "base/parallel.h"
+#include "real/lab/wrap_kinds.h"
+#include "compiler/requirements.h"
+#include "render/signatures.h"
 
 static struct measure_point make_point(const char *arithmetic, unsigned depth, double threshold) {
     struct measure_point point;

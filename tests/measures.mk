@@ -1,43 +1,133 @@
 # SPDX-License-Identifier: MIT
-# What is measured of the tests and of ports: speed, coverage, mutants; read by Makefile.
+# What is measured: tests, speed, accuracy, costs; read by Makefile.
 
-.PHONY: bench-ports
-bench-ports: $(BUILD)/release/ports_bench ## Measure what a port write costs, in nanoseconds
-	$(BUILD)/release/ports_bench
-
-$(BUILD)/release/ports_bench: tests/bench/ports_bench.c $(release_HAL) $(release_EMULATOR) $(BUILD)/flags | setup
-	$(CC) $(WARNINGS) $(POSIX) $(CFLAGS_release) $(INCLUDE_emulator) -o $@ $(filter %.c %.o,$^) -lpng -lxxhash -ldeflate
+# ---- Tests: mutants, coverage -------------------------------------------------------------------
 
 # Besides the suites, whatever tells by its exit status: release/x,1,2 is build/release/x 1 2.
 MUTANT_PROGRAMS ?= tests/check_hashes.sh tests/check_manual.sh $(RELATIONS:$(BUILD)/%=%),build/relations,SEEDS=0:60
-.PHONY: mutants
-mutants: | setup ## Break the source in small ways and see whether the tests notice (SEED= COUNT= SECONDS= FILES=)
-	@SEED='$(SEED)' FIRST='$(FIRST)' COUNT='$(COUNT)' LIMIT='$(SECONDS)' FILES='$(FILES)' SANITIZED='$(SANITIZED)' CC='$(CC)' \
-	    sh tests/mutants/run.sh $(BUILD) $(MUTANT_PROGRAMS) $(patsubst $(BUILD)/%,%,$(TEST_PROGRAMS) $(REAL_TEST_PROGRAMS) $(USB_TEST_PROGRAMS))
 
 # The suites of hal/ and emulator/, linked with those two built once more, their branches counted. What
 # the processor's own ports need is no test's to run: hal/ports_linux.c.
-COVERED_SUITES := bus cost_bus fault_bus ports_linux board board_control board_report board_table driver_run native_screen picture png_file trace trace_damage trace_text trace_tools trace_hash testkit trace_command adapter_command $(patsubst tests/%_test.c,%,$(wildcard tests/usb_*_test.c tests/pc98_*_test.c))
-COVERED_OBJECTS := $(HAL_SOURCES:%.c=$(BUILD)/coverage/%.o) $(EMULATOR_SOURCES:%.c=$(BUILD)/coverage/%.o)
-COVERED_BESIDES := $(release_HOST) $(release_STREAMS) $(release_IMAGES) $(release_SCENES)
+COVERED_SUITES := bus cost_bus fault_bus ports_linux board board_control board_report board_table driver_run \
+                  native_screen picture png_file trace trace_damage trace_text trace_tools trace_hash testkit \
+                  trace_command adapter_command $(patsubst tests/%_test.c,%,$(wildcard tests/usb_*_test.c tests/pc98_*_test.c))
+COVERED_OBJECTS  := $(patsubst %.c,$(BUILD)/coverage/%.o,$(HAL_SOURCES) $(ADAPTER_SOURCES) $(EMULATOR_SOURCES))
+COVERED_BESIDES  := $(release_HOST) $(release_IMAGES)
+COVERED_PROGRAMS := $(COVERED_SUITES:%=$(BUILD)/coverage/%_test)
 GCOVR := gcovr --root . --object-directory $(BUILD)/coverage --exclude-unreachable-branches --branches $(BUILD)/coverage
 
-$(BUILD)/coverage/%.o: %.c $(BUILD)/flags | setup
-	@mkdir -p $(@D)
-	$(CC) $(WARNINGS) $(POSIX) -O0 -g --coverage $(INCLUDE_testkit) -MMD -MP -c -o $@ $<
+$(BUILD)/coverage/superframe: $(BUILD)/release/host/command/main.o $(COVERED_OBJECTS) $(COVERED_BESIDES)
+	$(call link,--coverage,$(LIBS))
 
-$(BUILD)/coverage/superframe: $(BUILD)/release/host/main.o $(COVERED_OBJECTS) $(COVERED_BESIDES)
-	$(CC) -o $@ $^ --coverage $(LIBS)
+$(COVERED_PROGRAMS): $(BUILD)/coverage/%: tests/%.c $(COVERED_OBJECTS) $(TESTKIT_SOURCES) $(COVERED_BESIDES)
+	$(call link,$(WARNINGS) $(POSIX) -O0 -g $(INCLUDE_tests),--coverage -lcmocka $(LIBS))
 
-$(BUILD)/coverage/%_test: tests/%_test.c $(COVERED_OBJECTS) $(TESTKIT_SOURCES) $(COVERED_BESIDES)
-	$(CC) $(WARNINGS) $(POSIX) -O0 -g $(INCLUDE_tests) -Iemulator/testing -o $@ $(filter %.c %.o,$^) --coverage -lcmocka $(LIBS)
+.PHONY: mutants coverage
+mutants: | setup ## Break the source in small ways and see whether the tests notice (SEED= COUNT= SECONDS= FILES=)
+	@SEED='$(SEED)' FIRST='$(FIRST)' COUNT='$(COUNT)' LIMIT='$(SECONDS)' FILES='$(FILES)' SANITIZED='$(SANITIZED)' CC='$(CC)' \
+	    sh tests/mutants/run.sh $(BUILD) $(MUTANT_PROGRAMS) \
+	    $(patsubst $(BUILD)/%,%,$(TEST_PROGRAMS) $(REAL_TEST_PROGRAMS) $(USB_TEST_PROGRAMS))
 
-.PHONY: coverage
-coverage: $(COVERED_SUITES:%=$(BUILD)/coverage/%_test) $(BUILD)/coverage/superframe ## Measure the branches of hal/ and emulator/ that the suites take (100 % and 95 %)
+coverage: $(COVERED_PROGRAMS) $(BUILD)/coverage/superframe ## Measure the branches of hal/ and emulator/ that the suites take (100 % and 95 %)
 	@find $(BUILD)/coverage -name '*.gcda' -delete
-	@for suite in $(COVERED_SUITES); do BUILD=$(BUILD) SUPERFRAME=$(BUILD)/coverage/superframe timeout 300 $(BUILD)/coverage/$${suite}_test > $(BUILD)/coverage/$$suite.log 2>&1 || { tail -n 40 $(BUILD)/coverage/$$suite.log; exit 1; }; done
-	$(GCOVR) --filter 'hal/usb/'
+	@for suite in $(COVERED_PROGRAMS); do \
+	    BUILD=$(BUILD) SUPERFRAME=$(BUILD)/coverage/superframe timeout 300 $$suite > $$suite.log 2>&1 || \
+	        { tail -n 40 $$suite.log; exit 1; }; done
+	$(GCOVR) --filter 'hal/cable/' --filter 'firmware/adapter/'
 	$(GCOVR) --filter 'hal/[^/]*$$' --exclude 'hal/ports_linux.c' --fail-under-branch 100
-	$(GCOVR) --filter 'emulator/[^/]*$$' --fail-under-branch 95
+	$(GCOVR) --filter 'emulator/' --fail-under-branch 95
 
--include $(COVERED_OBJECTS:.o=.d)
+# ---- Speed --------------------------------------------------------------------------------------
+
+BENCH_TOOLS := $(patsubst %,$(BUILD)/release/bench/%,timed psnr frame)
+$(eval $(call tool,release/bench/frame,tests/bench/frame.c))
+
+$(BUILD)/release/bench/timed: $(BUILD)/release/tests/bench/timed.o
+	$(call link)
+
+$(BUILD)/release/bench/psnr: $(BUILD)/release/tests/bench/psnr.o $(release_EMULATOR) $(release_HAL)
+	$(call link,,-lpng -lxxhash -ldeflate -lm)
+
+$(BUILD)/release/ports_bench: $(BUILD)/release/tests/bench/ports_bench.o $(release_EMULATOR) $(release_HAL)
+	$(call link,,-lpng -lxxhash -ldeflate)
+
+$(BUILD)/usb_bytes: $(BUILD)/release/tests/bench/usb_bytes.o $(release_EMULATOR) $(release_HAL)
+	$(call link,,$(LIBS))
+
+# Where povray can't be installed, what it is needed for is left out.
+.PHONY: bench bench-keep bench-check bench-instructions-keep bench-ports usb-table
+bench: $(BUILD)/superframe $(BENCH_TOOLS) ## Measure what renders cost, alone and against POV-Ray (BENCH=all, STAGES=...)
+	@CC='$(CC)' SETUP='$(SETUP)' sh setup.sh pov paper || true
+	@sh tests/bench/bench.sh $(BUILD) $(STAGES)
+
+bench-keep: ## Keep the page, the JSON and the plots of the last `make bench` in docs/
+	@mkdir -p docs/bench
+	cp $(BUILD)/bench/bench.md docs/bench.md
+	cp $(wildcard $(addprefix $(BUILD)/bench/,settings.tsv bench.json rays.png ratio.png)) docs/bench/
+
+bench-check: $(BUILD)/superframe ## Hold instructions a ray against docs/bench/instructions.txt (at most 2 % more)
+	@sh tests/bench/instructions.sh $(BUILD) check docs/bench/instructions.txt
+
+bench-instructions-keep: $(BUILD)/superframe ## Keep the instructions a ray in docs/bench/instructions.txt
+	@mkdir -p docs/bench
+	@sh tests/bench/instructions.sh $(BUILD) keep docs/bench/instructions.txt
+
+bench-ports: $(BUILD)/release/ports_bench ## Measure what a port write costs, in nanoseconds
+	$<
+
+usb-table: $(BUILD)/superframe $(BUILD)/usb_bytes ## Write docs/usb-bytes.md: what each scene costs on the cable
+	sh tests/bench/usb_bytes.sh $^ > $(BUILD)/usb-bytes.md
+	cp $(BUILD)/usb-bytes.md docs/usb-bytes.md
+
+# ---- Accuracy -----------------------------------------------------------------------------------
+
+CONVERGED_SIZE ?= 640x400
+$(eval $(call tool,release/accuracy,tests/accuracy/accuracy.c))
+$(foreach kind,tails asked,$(eval $(call tool,release/accuracy_$(kind),tests/accuracy/$(kind).c tests/accuracy/frame.c)))
+
+# Pictures in f128, and converged ones, take minutes: they are kept for as long as the image that
+# made them.
+$(BUILD)/accuracy/made_by: $(BUILD)/release/image_f128.o
+$(BUILD)/converged/made_by: $(BUILD)/release/image_f64.o $(BUILD)/release/tests/accuracy/frame.o
+$(BUILD)/accuracy/made_by $(BUILD)/converged/made_by:
+	@rm -rf $(@D) && mkdir -p $(@D) && touch $@
+
+.PHONY: accuracy accuracy-tails accuracy-asked
+accuracy: $(BUILD)/release/accuracy $(BUILD)/accuracy/made_by ## Whole frames of every built-in scene against f128 (SCENES=... for some)
+	$< $(BUILD)/accuracy $(SCENES)
+
+accuracy-tails: $(BUILD)/release/accuracy_tails $(BUILD)/converged/made_by ## What cut branches count as: fig3, fig4a, fig5 by arithmetic, threshold and tail (CONVERGED_SIZE=640x400, SCENES=... for some)
+	$< $(BUILD)/converged $(CONVERGED_SIZE) $(SCENES)
+
+accuracy-asked: $(BUILD)/release/accuracy_asked $(BUILD)/converged/made_by ## What --error reaches on every built-in scene, and what it takes (CONVERGED_SIZE=640x400, SCENES=... for some)
+	$< $(BUILD)/converged $(CONVERGED_SIZE) $(SCENES)
+
+# ---- Speed against accuracy, and what its predictions are made of -------------------------------
+
+# An image that counts its operations; it has a written table, and is linked into nothing else.
+$(eval $(call image,release,count))
+$(eval $(call tool,release/count_operations,tests/cost/operations.c))
+$(eval $(call tool,release/predict,tests/cost/predict.c))
+$(BUILD)/release/count_operations: $(BUILD)/release/image_count.o
+COST_TARGETS ?= m0 m3 m4f i386 i387 x86_64
+
+.PHONY: measure cost-operations cost-check cost-instructions
+measure: $(BUILD)/superframe ## Measure speed against accuracy: report and plots in build/measure
+	$(BUILD)/superframe measure --size 80x50 --jobs 2 -o $(BUILD)/measure
+
+cost-operations: $(BUILD)/release/count_operations ## Count the operations of rays, boundaries and tests
+	$<
+
+cost-check: $(BUILD)/superframe $(BUILD)/targets/count.so $(BUILD)/release/predict ## Hold the predicted instructions against those that qemu counts; write the table in docs/measure.md
+	sh tests/cost/check.sh $(BUILD) docs/measure.md
+
+cost-instructions: $(BUILD)/targets/count.so | setup ## Count the instructions of operations (COST_TARGETS="m3 ..."; needs qemu-user, gcc-arm-none-eabi)
+	sh tests/cost/instructions.sh $(COST_TARGETS)
+
+SETUP_FOR_paper        := paper
+SETUP_FOR_measure      := paper
+SETUP_FOR_mutants      := test usb
+SETUP_FOR_coverage     := test coverage
+SETUP_FOR_bench-check  := count
+SETUP_FOR_cost-check   := quick
+SETUP_FOR_bench-instructions-keep := count

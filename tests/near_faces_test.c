@@ -2,7 +2,7 @@
 /* Faces that nearly coincide are named, and made one by `weld`; so is an eye inside a solid. */
 #include "scene_fixture.h"
 
-#include "remarks.h"
+#include "render/remarks.h"
 
 enum { TEXT_SIZE = 4096, WIDTH = 40, HEIGHT = 25 };
 

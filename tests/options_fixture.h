@@ -13,7 +13,7 @@
 
 #include <cmocka.h>
 
-#include "options.h"
+#include "options/options.h"
 
 enum { WORDS_MOST = 32, LINE_SIZE = 256 };
 

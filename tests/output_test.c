@@ -18,7 +18,7 @@
 #include <cmocka.h>
 #include <dirent.h>
 
-#include "output.h"
+#include "base/output.h"
 
 /* Each test runs in a new folder of its own. */
 struct place {

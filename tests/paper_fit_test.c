@@ -9,8 +9,8 @@
 
 #include <cmocka.h>
 
-#include "paper_curves.h"
-#include "paper_fit.h"
+#include "lab/paper/curves.h"
+#include "lab/paper/fit.h"
 
 enum { DEPTHS = 17 };
 

@@ -10,7 +10,7 @@
 
 #include <cmocka.h>
 
-#include "paper_measure.h"
+#include "lab/paper/measure.h"
 
 enum { WIDTH = 40, HEIGHT = 10 };
 

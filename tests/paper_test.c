@@ -3,7 +3,7 @@
  *
  * SUPERFRAME names the program (build/sanitized/superframe). The pictures are a hundredth of the
  * paper's, so that all of it takes seconds. */
-#include "paper.h"
+#include "lab/paper/paper.h"
 #include "shell_fixture.h"
 
 #define PAPER_RUN "$SUPERFRAME paper --size 32x20 --jobs 2 "

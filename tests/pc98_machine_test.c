@@ -10,7 +10,7 @@
 #include <string.h>
 
 #include "board.h"
-#include "pc98_machine.h"
+#include "boot/pc98_machine.h"
 
 static void sectors_lie_side_by_side(void **state) {
     (void)state;

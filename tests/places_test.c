@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-#include "file_path.h"
+#include "base/path.h"
 
 /* In a folder with the files a.scene, t, in.png, link -> a.scene, ahead -> new.png, and sub/. */
 static const struct {

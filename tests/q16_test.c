@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The arithmetic q16: results are whole multiples of 2^-16, rounded as integers are. */
-#include "real/q16/real.h"
+#include "real/lab/q16/real.h"
 
 #include <math.h>
 #include <setjmp.h>

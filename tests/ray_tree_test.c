@@ -3,7 +3,7 @@
  */
 #include "scene_fixture.h"
 
-#include "tree_print.h"
+#include "render/ray_tree.h"
 
 enum { WIDTH = 16, HEIGHT = 10, PIXELS = WIDTH * HEIGHT };
 

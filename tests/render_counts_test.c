@@ -4,8 +4,8 @@
 
 #include "board.h"
 #include "null_bus.h"
-#include "render.h"
-#include "stream_engine.h"
+#include "render/render.h"
+#include "render/engine.h"
 
 enum { WIDTH = 24, HEIGHT = 9 };
 

@@ -10,9 +10,9 @@
 
 #include <cmocka.h>
 
-#include "load_scene.h"
-#include "progress.h"
-#include "stats.h"
+#include "scene/load.h"
+#include "render/progress.h"
+#include "stats/run.h"
 
 static void assert_line(unsigned rows, unsigned done, uint64_t rays, double seconds,
                         const char *expected) {

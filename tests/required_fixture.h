@@ -5,8 +5,8 @@
 
 #include "scene_fixture.h"
 
-#include "emit_features.h"
-#include "requirements.h"
+#include "compiler/features.h"
+#include "compiler/requirements.h"
 
 enum { TEXT_SIZE = 8192 };
 

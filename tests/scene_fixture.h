@@ -15,8 +15,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "arithmetic.h"
-#include "load_scene.h"
+#include "render/arithmetic.h"
+#include "scene/load.h"
 
 /* A light, and a striped board, glass and an opaque material, for texts of scenes. */
 #define SCENE_LIGHT_AND_MATERIALS                                                                  \

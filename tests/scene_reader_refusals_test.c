@@ -12,7 +12,7 @@
 
 #include <math.h>
 
-#include "scene_description.h"
+#include "scene/description.h"
 #include "scene_reader_example.h"
 
 /* The example with the first `find` replaced is refused on a line with a message that holds both

@@ -10,8 +10,8 @@
 
 #include <cmocka.h>
 
-#include "builtin_scenes.h"
-#include "scene_description.h"
+#include "scene/builtin.h"
+#include "scene/description.h"
 #include "scene_reader_example.h"
 
 static struct scene_description *read_good(const char *path, const char *text, size_t length) {

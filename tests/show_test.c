@@ -14,12 +14,12 @@
 
 #include <cmocka.h>
 
-#include "arithmetic.h"
+#include "render/arithmetic.h"
 #include "bus.h"
-#include "exposures.h"
-#include "load_scene.h"
-#include "port_chain.h"
-#include "render.h"
+#include "board/camera.h"
+#include "scene/load.h"
+#include "board/port_chain.h"
+#include "render/render.h"
 
 enum { LEVELS = 256, PIXELS = 320 * 200 };
 

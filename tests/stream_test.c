@@ -4,8 +4,8 @@
 
 #include <math.h>
 
-#include "builtin_scenes.h"
-#include "stream_engine.h"
+#include "scene/builtin.h"
+#include "render/engine.h"
 
 enum { WIDTH_MOST = 128 };
 

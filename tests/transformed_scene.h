@@ -5,7 +5,7 @@
 
 #include <stdbool.h>
 
-#include "scene_description.h"
+#include "scene/description.h"
 
 /* Scales about the origin, then moves by `move` along x, y and z, all that a description says of
  * places. (Light that fades by C + D is no such thing: its brightness goes by the file's unit.) */

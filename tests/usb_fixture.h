@@ -4,7 +4,7 @@
 #define SUPERFRAME_TESTS_USB_FIXTURE_H
 
 #include "board_fixture.h"
-#include "usb_bus.h"
+#include "adapter/bus.h"
 #include "usb_device.h"
 
 /* One in so many packets, on average; 0: never. */

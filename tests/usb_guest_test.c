@@ -3,7 +3,7 @@
  * ends the visit. */
 #include "board_fixture.h"
 
-#include "usbip.h"
+#include "adapter/usbip.h"
 
 enum { HEADER = 48, SEEN_SIZE = 4096 };
 

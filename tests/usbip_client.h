@@ -14,7 +14,7 @@
 #include <cmocka.h>
 
 #include "usb_device.h"
-#include "usb_link.h"
+#include "adapter/link.h"
 
 enum { CLIENT_IN_BYTES = 4096, CLIENT_HEADER = 48 };
 

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* The validator agrees with what the scene compiler makes of scenes, and with nothing that has been
  * damaged since. */
-#include "builtin_scenes.h"
+#include "scene/builtin.h"
 #include "scene_fixture.h"
-#include "validate.h"
+#include "validate/validate.h"
 
 enum { TEXT_SIZE = 16384 };
 

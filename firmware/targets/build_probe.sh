@@ -16,4 +16,4 @@ mkdir -p "$folder"
 
 pc98_disk flat '-m32 -Os' 0x20000 0x2F000 -std=c99 -pedantic -Wall -Wextra -Wconversion -Wshadow \
     -Werror -ffreestanding -ffunction-sections -fdata-sections -fno-tree-loop-distribute-patterns \
-    -nostdlib -Wl,--gc-sections -Ihal -Ifirmware $here/pc98/probe/*.c firmware/board.c
+    -nostdlib -Wl,--gc-sections -Ihal -Ifirmware $here/pc98/probe/*.c firmware/board_driver.c

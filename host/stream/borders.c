@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The finish and the optics of boundaries: one pair of objects after the other. */
-#include "borders.h"
+#include "stream/borders.h"
 
 #include <string.h>
 

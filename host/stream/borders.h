@@ -3,7 +3,7 @@
 #ifndef SUPERFRAME_BORDERS_H
 #define SUPERFRAME_BORDERS_H
 
-#include "hits.h"
+#include "stream/hits.h"
 
 /* All of it is 0 in the lanes without a boundary. */
 struct border_lanes {

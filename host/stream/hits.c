@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Place, normal and mirror direction of each lane's boundary. */
-#include "hits.h"
+#include "stream/hits.h"
 
-#include "normals.h"
+#include "stream/normals.h"
 #include "optics.h"
 
 static void set_places(const struct search_lanes *restrict search, struct hit_lanes *restrict hit) {

@@ -3,7 +3,7 @@
 #ifndef SUPERFRAME_HITS_H
 #define SUPERFRAME_HITS_H
 
-#include "search.h"
+#include "stream/search.h"
 
 /* See struct hit; `is` is 1 in the lanes that have one, the others hold nothing of use. */
 struct hit_lanes {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Normals: primitive_normal() of firmware/solids.c for many rays at once, primitive by primitive.
  */
-#include "normals.h"
+#include "stream/normals.h"
 
 #include "solids.h"
 

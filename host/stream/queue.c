@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Blocks of waiting rays, one array a quantity. */
-#include "queue.h"
+#include "stream/queue.h"
 
 #include "compact.h"
 

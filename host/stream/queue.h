@@ -3,7 +3,7 @@
 #ifndef SUPERFRAME_QUEUE_H
 #define SUPERFRAME_QUEUE_H
 
-#include "lanes.h"
+#include "stream/lanes.h"
 
 /* Rays in one object meet the same primitives: those that wait in one bin are followed together.
  * Objects beyond the number of bins share them. A ray is written once, into a block of its bin, and

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The next crossing of each lane's ray, primitive by primitive. */
-#include "search_solids.h"
+#include "stream/search_solids.h"
 #include "solids.h"
 
 static const struct sloping sloping_unknown = {0, 0};

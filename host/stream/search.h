@@ -3,8 +3,8 @@
 #ifndef SUPERFRAME_SEARCH_H
 #define SUPERFRAME_SEARCH_H
 
-#include "lanes.h"
-#include "touches.h"
+#include "stream/lanes.h"
+#include "stream/surface_sets.h"
 
 /* Of which axes the slopes are there, and on which a component is zero in some lane: bits 0, 1, 2.
  */

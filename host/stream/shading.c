@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* Ambient light, the lights one by one, their fading. */
-#include "shading.h"
+#include "stream/shading.h"
 
-#include "media.h"
+#include "stream/objects.h"
 #include "optics.h"
-#include "stretch.h"
+#include "stream/interval.h"
 
 /* Way, cosine and distance from each lane's place to a light. */
 struct way_lanes {

@@ -3,7 +3,7 @@
 #ifndef SUPERFRAME_SHADING_H
 #define SUPERFRAME_SHADING_H
 
-#include "borders.h"
+#include "stream/borders.h"
 #include "image.h"
 
 /* The intensity that each boundary sends along its ray. scratch is a search to use for shadows,

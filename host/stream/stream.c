@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 /* A band of rows by streams of rays: eye rays go in, what arrives at the eye is summed by pixel. */
-#include "stream_engine.h"
+#include "render/engine.h"
 
 #include <string.h>
 
-#include "children.h"
+#include "stream/branches.h"
 #include "instruction_set.h"
-#include "media.h"
-#include "shading.h"
-#include "stretch.h"
+#include "stream/objects.h"
+#include "stream/shading.h"
+#include "stream/interval.h"
 
 #define STREAM_TEXT(name)         STREAM_TEXT_(name)
 #define STREAM_TEXT_(name)        #name

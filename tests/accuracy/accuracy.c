@@ -13,9 +13,9 @@
 
 #include <xxhash.h>
 
-#include "arithmetic.h"
-#include "compare.h"
-#include "load_scene.h"
+#include "render/arithmetic.h"
+#include "picture/compare.h"
+#include "scene/load.h"
 #include "transformed_scene.h"
 
 enum { WIDTH = 640, HEIGHT = 400, PIXELS = WIDTH * HEIGHT, BYTES = 3 * PIXELS, THREADS = 2 };

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "band.h"
+#include "render/rows.h"
 
 enum { THREADS = 2, PATH_SIZE = 512 };
 

@@ -5,8 +5,8 @@
 
 #include <stdbool.h>
 
-#include "arithmetic.h"
-#include "load_scene.h"
+#include "render/arithmetic.h"
+#include "scene/load.h"
 
 /* The depth level of all pictures here: what --error takes by itself. */
 enum { FRAME_DEPTH = SCENE_ERROR_DEPTH };

@@ -4,7 +4,7 @@
 #
 # TARGET is one of m0 m3 m4f i386 i387 x86_64. Each operation is run twice, 20 and 60 times, by qemu
 # one instruction at a time; the difference, less that of the empty loop, is what it takes. Prints
-# the columns `instructions` of cost_codes, host/cost_tables.c. Run from the root of the tree; needs qemu-user and the
+# the columns `instructions` of cost_codes, host/stats/cost_tables.c. Run from the root of the tree; needs qemu-user and the
 # target's compiler (gcc-arm-none-eabi, gcc-multilib).
 set -eu
 folder=$(mktemp -d)

@@ -2,7 +2,7 @@
 /* One operation of an arithmetic, many times: a program whose instructions are counted. */
 #include "real.h"
 
-#include "real/wrap_kinds.h"
+#include "real/lab/wrap_kinds.h"
 
 /* Built by tests/cost/instructions.sh with KIND, one of enum wrap_kind or WRAP_KINDS for none, and
  * ROUNDS; no library but the compiler's own, and no system but the call that ends it. */

@@ -6,7 +6,7 @@
 
 #include "board.h"
 #include "fuzz.h"
-#include "processor.h"
+#include "boot/cpu.h"
 
 enum {
     INSTRUCTIONS_MOST = 2000,

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "arithmetic.h"
+#include "render/arithmetic.h"
 #include "fuzz.h"
 
 enum {

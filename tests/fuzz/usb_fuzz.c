@@ -5,8 +5,8 @@
 #include <string.h>
 
 #include "fuzz.h"
-#include "usb_bus.h"
-#include "usbip.h"
+#include "adapter/bus.h"
+#include "adapter/usbip.h"
 
 static void hold_to_board(uint16_t port, unsigned width) {
     if (port < 0x00D0 || port + width > 0x00E0) {

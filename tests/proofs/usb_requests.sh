@@ -11,8 +11,8 @@ mkdir -p "$report"
 report=$report/usb_requests
 
 timeout -k 5 120 frama-c -eva -eva-precision 5 -eva-auto-loop-unroll 256 -main ask_all \
-    -machdep x86_16 -cpp-extra-args="-Ihal -Ihal/usb" "$here/usb_requests.c" hal/usb/usb_device.c \
-    hal/usb/usb_descriptors.c hal/usb/usb_adapter.c hal/usb/usb_ops.c hal/usb/usb_wire.c hal/bus.c \
+    -machdep x86_16 -cpp-extra-args="-Ihal -Ihal/usb" "$here/usb_requests.c" firmware/adapter/usb_device.c \
+    firmware/adapter/usb_descriptors.c firmware/adapter/usb_adapter.c hal/cable/usb_ops.c hal/cable/usb_wire.c hal/bus.c \
     -then -report-csv "$report.csv" > "$report.txt" 2>&1 || {
     tail -n 20 "$report.txt" >&2
     echo "usb_requests: Frama-C could not read it; all it said: $report.txt" >&2

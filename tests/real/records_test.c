@@ -2,7 +2,7 @@
 /* The arithmetic checked records what each operation did, and computes nothing else than fx. */
 
 /* It names its arithmetic itself, whatever the include path says. */
-#include "real/checked/record.c"
+#include "real/lab/checked/record.c"
 
 #include <setjmp.h>
 #include <stdarg.h>

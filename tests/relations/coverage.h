@@ -5,7 +5,7 @@
 
 #include <stdio.h>
 
-#include "compiled_scene.h"
+#include "compiler/tables.h"
 #include "syntax.h"
 
 enum { COVERAGE_MOST = 80 };

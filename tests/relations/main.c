@@ -17,7 +17,7 @@
 
 #include "coverage.h"
 #include "generate.h"
-#include "parallel.h"
+#include "base/parallel.h"
 #include "reduce.h"
 #include "trial.h"
 #include "write.h"

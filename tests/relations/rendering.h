@@ -3,7 +3,7 @@
 #ifndef SUPERFRAME_RELATIONS_RENDERING_H
 #define SUPERFRAME_RELATIONS_RENDERING_H
 
-#include "arithmetic.h"
+#include "render/arithmetic.h"
 #include "oracle.h"
 #include "syntax.h"
 

@@ -169,7 +169,7 @@ feature_names() {
     "$SUPERFRAME" compile fig3 --minimal -o - | grep -o 'FEATURE_[A-Z_]* =' | sort > "$work/minimal.txt"
     grep -o 'FEATURE_[A-Z_]* =' firmware/features/full/feature_set.h | sort > "$work/full.txt"
     [ -s "$work/full.txt" ] && diff "$work/full.txt" "$work/minimal.txt" ||
-        wrong 'host/emit_features.c and firmware/features/full/feature_set.h differ'
+        wrong 'host/compiler/features.c and firmware/features/full/feature_set.h differ'
 }
 
 # What `make size` says of figures that grew: FIELD (5 code ... 9 instructions), FACTOR, the status.

@@ -14,8 +14,8 @@
 
 #include "mock_adapter.h"
 #include "picture.h"
-#include "usb_backends.h"
-#include "usb_bus.h"
+#include "adapter/drivers.h"
+#include "adapter/bus.h"
 
 enum { LINES = 8 };
 

@@ -2,7 +2,7 @@
 /* One frame of the scene that a target was built for. */
 #include "frame.h"
 
-#include "board.h"
+#include "board_driver.h"
 #include "image.h"
 #include "port_records.h"
 #include "scene.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The picture on a PC-9801: rows, progress on the text screen, Esc, and whether a board is there.
  */
-#include "board.h"
+#include "board_driver.h"
 #include "image.h"
 #include "machine.h"
 #include "outp.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The board probe: experiments with a real board, their answers on the text screen. */
 #include "bars.h"
-#include "board.h"
+#include "board_driver.h"
 #include "experiments.h"
 #include "machine.h"
 #include "outp.h"

@@ -1,0 +1,194 @@
+/* SPDX-License-Identifier: MIT */
+/* The adapter at the end of a cable, for the sub-commands that draw on it. */
+#include "adapter/open.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "command/command.h"
+#include "base/interrupt.h"
+#include "adapter/drivers.h"
+
+enum {
+    WAIT_POLL_MS = 100,
+    WAIT_REOPEN_MS = 60000, /* for a replug in the middle, with --wait */
+    WAIT_SETTLE_MS = 3000, /* with --wait: for udev to let us in to an adapter that has just come */
+    RANGES_SIZE = 256
+};
+
+bool adapter_bus_is_asked(const struct options *options) {
+    return options->bus == BUS_CHOICE_USB || options->bus == BUS_CHOICE_HID;
+}
+
+static void pause_ms(long milliseconds) {
+    const struct timespec pause = {milliseconds / 1000, milliseconds % 1000 * 1000000L};
+    (void)nanosleep(&pause, NULL);
+}
+
+/* Different in each run: a session's number must not be known to an adapter already. */
+static uint64_t session_seed(void) {
+    struct timespec now = {0, 0};
+    (void)clock_gettime(CLOCK_REALTIME, &now);
+    return (uint64_t)now.tv_sec << 30 ^ (uint64_t)now.tv_nsec ^ (uint64_t)getpid() << 40;
+}
+
+static int open_backend(struct adapter_bus *adapter, const struct usb_backend *backend,
+                        const struct adapter_options *options) {
+    char reason[USB_LINK_REASON_SIZE] = "";
+    enum usb_open_status status = backend->open(options->serial, &adapter->link, reason);
+    if (status == USB_OPEN_ABSENT && options->waits) {
+        complain("--bus %s: waiting for an adapter%s%s", backend->name,
+                 options->serial != NULL ? " " : "",
+                 options->serial != NULL ? options->serial : "");
+    }
+    for (unsigned denied_ms = 0;
+         options->waits && (status == USB_OPEN_ABSENT ||
+                            (status == USB_OPEN_DENIED && denied_ms < WAIT_SETTLE_MS));) {
+        denied_ms += status == USB_OPEN_DENIED ? WAIT_POLL_MS : 0;
+        if (*interrupt_noted() != 0) {
+            complain("interrupted before an adapter came");
+            return STATUS_SIGNAL + *interrupt_noted();
+        }
+        pause_ms(WAIT_POLL_MS);
+        status = backend->open(options->serial, &adapter->link, reason);
+    }
+    if (status != USB_OPEN_OK) {
+        complain("--bus %s: %s; nothing was drawn", backend->name, reason);
+        return STATUS_FAILED;
+    }
+    return STATUS_DONE;
+}
+
+int adapter_bus_open(struct adapter_bus *adapter, const struct options *options) {
+    const struct usb_backend *backend =
+        options->bus == BUS_CHOICE_HID ? &usb_backend_hid : &usb_backend_bulk;
+    struct usb_limits limits = usb_default_limits();
+    limits.seed = session_seed();
+    limits.stop = interrupt_noted();
+    if (options->adapter.waits) {
+        limits.reopen_ms = WAIT_REOPEN_MS;
+    }
+    memset(adapter, 0, sizeof *adapter);
+    adapter->name = backend->name;
+    interrupt_catch();
+    int status = open_backend(adapter, backend, &options->adapter);
+    if (status != STATUS_DONE) {
+        return status;
+    }
+    adapter->usb = usb_bus_new(adapter->link, options->base, &limits);
+    if (adapter->usb == NULL) {
+        complain("out of memory");
+        return STATUS_FAILED;
+    }
+    if (adapter->usb->bus.status != BUS_OK) {
+        complain("--bus %s: %s; nothing was drawn", adapter->name, adapter->usb->reason);
+        return STATUS_FAILED;
+    }
+    return STATUS_DONE;
+}
+
+int adapter_bus_verify(struct adapter_bus *adapter, const struct options *options) {
+    struct usb_verification *found = &adapter->verification;
+    if (!usb_bus_verify(adapter->usb, options->adapter.verify_percent, options->overrides.seed,
+                        found)) {
+        complain("--verify: given up after %" PRIu64 " pixels", found->pixels);
+        return STATUS_FAILED;
+    }
+    adapter->is_verified = true;
+    if (found->wrong_lines > 0) {
+        complain("--verify: %u lines of the board still differ after %u repairs, the first is %u; "
+                 "%" PRIu64 " pixels were repaired",
+                 found->wrong_lines, (unsigned)USB_REPAIRS_MOST, found->first_wrong,
+                 found->repaired);
+        return STATUS_FAILED;
+    }
+    complain("--verify: %" PRIu64 " pixels read back, %" PRIu64 " differed and were repaired",
+             found->pixels, found->repaired);
+    return STATUS_DONE;
+}
+
+void adapter_bus_write_stats(const struct adapter_bus *adapter, FILE *out) {
+    const struct usb_counts *counts = &adapter->usb->counts;
+    const struct {
+        const char *key;
+        uint64_t count;
+    } entries[] = {{"bytes_out", counts->sent_bytes},
+                   {"bytes_in", counts->received_bytes},
+                   {"transfers", adapter->link->transfers},
+                   {"frames", counts->frames},
+                   {"resent", counts->resent},
+                   {"timeouts", counts->timeouts},
+                   {"stalls", counts->stalls},
+                   {"reconnects", counts->reconnects},
+                   {"restarts", counts->restarts}};
+    (void)fprintf(out, "  \"adapter\": {\"bus\": \"%s\"", adapter->name);
+    for (size_t i = 0; i < sizeof entries / sizeof entries[0]; i++) {
+        (void)fprintf(out, ", \"%s\": %" PRIu64, entries[i].key, entries[i].count);
+    }
+    if (adapter->is_verified) {
+        (void)fprintf(out,
+                      ", \"verified_pixels\": %" PRIu64 ", \"repaired_pixels\": %" PRIu64 "},\n",
+                      adapter->verification.pixels, adapter->verification.repaired);
+    } else {
+        (void)fputs(", \"verified_pixels\": null, \"repaired_pixels\": null},\n", out);
+    }
+}
+
+static bool is_row_there(const struct usb_bus *usb, unsigned row, unsigned lines) {
+    bool is_there = true;
+    for (unsigned line = row * lines; line < (row + 1) * lines && line < BOARD_HEIGHT; line++) {
+        is_there = is_there && usb_bus_line_is_there(usb, line);
+    }
+    return is_there;
+}
+
+/* The rows that are there, or are not, as "0-57, 60"; returns how many. */
+static unsigned print_rows(const struct usb_bus *usb, const unsigned rows[2], unsigned lines,
+                           bool is_there, char *text) {
+    unsigned count = 0;
+    int used = 0;
+    text[0] = '\0';
+    for (unsigned row = rows[0]; row < rows[1]; row++) {
+        unsigned begin = row;
+        while (row < rows[1] && is_row_there(usb, row, lines) == is_there) {
+            row++;
+        }
+        if (row > begin) {
+            count += row - begin;
+            if (used > RANGES_SIZE - 32) {
+                (void)snprintf(text + used, (size_t)(RANGES_SIZE - used), ", and more");
+                continue;
+            }
+            used += snprintf(text + used, (size_t)(RANGES_SIZE - used),
+                             row - begin == 1 ? "%s%u" : "%s%u-%u", used > 0 ? ", " : "", begin,
+                             row - 1);
+        }
+    }
+    return count;
+}
+
+void adapter_bus_explain(const struct adapter_bus *adapter, unsigned first, unsigned last,
+                         unsigned lines) {
+    const unsigned rows[2] = {first, last};
+    char there[RANGES_SIZE], missing[RANGES_SIZE];
+    unsigned count = print_rows(adapter->usb, rows, lines, true, there);
+    (void)print_rows(adapter->usb, rows, lines, false, missing);
+    complain("--bus %s: %s; of %u rows %u are known to be on the board%s%s; missing are %s",
+             adapter->name,
+             adapter->usb->reason[0] != '\0' ? adapter->usb->reason
+                                             : bus_status_text(adapter->usb->bus.status),
+             last - first, count, count > 0 ? ": " : "", there,
+             missing[0] != '\0' ? missing : "none");
+}
+
+void adapter_bus_close(struct adapter_bus *adapter) {
+    usb_bus_free(adapter->usb);
+    if (adapter->link != NULL) {
+        adapter->link->operations->close(adapter->link);
+    }
+    adapter->usb = NULL;
+    adapter->link = NULL;
+}

@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: MIT */
+/* The adapter that --bus usb or --bus hid asks for: found, waited for, verified, and explained. */
+#ifndef SUPERFRAME_ADAPTER_BUS_H
+#define SUPERFRAME_ADAPTER_BUS_H
+
+#include <stdio.h>
+
+#include "options/options.h"
+#include "adapter/bus.h"
+
+/* All zero: not open. */
+struct adapter_bus {
+    const char *name; /* "usb" or "hid" */
+    struct usb_link *link;
+    struct usb_bus *usb; /* usb->bus is the bus */
+    bool is_verified;
+    struct usb_verification verification; /* what adapter_bus_verify() found */
+};
+
+/* True if the options ask for one. */
+bool adapter_bus_is_asked(const struct options *options);
+
+/* Opens it, after waiting for it if --wait says so. STATUS_DONE; else the reason is printed. */
+int adapter_bus_open(struct adapter_bus *adapter, const struct options *options);
+
+/* Reads back what was drawn, repairs it, and prints what that came to. STATUS_DONE, or
+ * STATUS_FAILED if the bus failed or something can't be repaired. */
+int adapter_bus_verify(struct adapter_bus *adapter, const struct options *options);
+
+/* Writes what the cable carried as the key adapter of the statistics, a line ended by a comma. The
+ * counts of what was verified are null where nothing was. */
+void adapter_bus_write_stats(const struct adapter_bus *adapter, FILE *out);
+
+/* Prints why the bus failed and which of the picture's rows first..last-1 are known to be on the
+ * board. lines: of the board, to a row: 1 or 2. */
+void adapter_bus_explain(const struct adapter_bus *adapter, unsigned first, unsigned last,
+                         unsigned lines);
+
+/* Harmless if it is not open. */
+void adapter_bus_close(struct adapter_bus *adapter);
+
+#endif

@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: MIT */
+/* Runs gnuplot, where it is there. */
+#include "base/gnuplot.h"
+
+#include <errno.h>
+#include <stddef.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+enum { STATUS_NOT_FOUND = 127, STATUS_NOT_RUN = 126 };
+
+enum gnuplot_status gnuplot_run(const char *folder, const char *script) {
+    int status = 0;
+    pid_t child = fork();
+    if (child == 0) {
+        if (chdir(folder) == 0) {
+            (void)execlp("gnuplot", "gnuplot", script, (char *)NULL);
+        }
+        _exit(errno == ENOENT ? STATUS_NOT_FOUND : STATUS_NOT_RUN);
+    }
+    if (child < 0) {
+        return GNUPLOT_FAILED;
+    }
+    while (waitpid(child, &status, 0) < 0) {
+        if (errno != EINTR) {
+            return GNUPLOT_FAILED;
+        }
+    }
+    if (WIFEXITED(status) && WEXITSTATUS(status) == STATUS_NOT_FOUND) {
+        return GNUPLOT_NOT_FOUND;
+    }
+    return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? GNUPLOT_DONE : GNUPLOT_FAILED;
+}

@@ -1,0 +1,81 @@
+/* SPDX-License-Identifier: MIT */
+/* The buses behind the ports, put together: a hash of the writes, what is asked for besides, and
+ * the board or a device. */
+#ifndef SUPERFRAME_PORT_CHAIN_H
+#define SUPERFRAME_PORT_CHAIN_H
+
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#include "board.h"
+#include "bus.h"
+#include "cost_bus.h"
+#include "fault_bus.h"
+#include "board/first_write.h"
+#include "native_screen.h"
+#include "picture.h"
+#include "trace_hash.h"
+#include "trace_recorder.h"
+
+/* About a megabyte: make it with port_chain_new(). */
+struct port_chain {
+    struct trace_hash hash; /* outermost */
+    bool is_recording;
+    struct trace_recorder recorder;
+    bool is_counting;
+    struct cost_bus cost;
+    struct fault_bus faults;
+    struct first_write first; /* has_happened: of an observed chain */
+    bool has_board;
+    struct board_bus board_bus;
+    struct bus null_bus; /* in the board's place where there is none */
+    struct board board;
+    bool has_native;
+    struct native_screen native; /* the PC's own screen, black unless has_native */
+    uint8_t rgb[PICTURE_BYTES];  /* what the CRT shows: port_chain_picture() draws it */
+    enum picture_state picture_state;
+};
+
+/* A chain without a recorder. has_board: ends at a board of that desc, else at an empty slot. NULL
+ * if out of memory or the desc is none. */
+struct port_chain *port_chain_new(const struct board_desc *desc, bool has_board);
+
+/* The following four put something into the chain, before any access. What is put in later sees an
+ * access earlier: a device first, then faults, then the count, then the recorder. */
+
+/* A device in the place of the empty slot, for a chain without a board. It stays the caller's. */
+void port_chain_end_at(struct port_chain *chain, struct bus *device);
+
+/* Faults between what is recorded and the board. */
+void port_chain_spoil(struct port_chain *chain, const struct fault_plan *plan);
+
+/* A count of the accesses, for what they cost: chain->cost. */
+void port_chain_count(struct port_chain *chain);
+
+/* A recorder. The file stays the caller's. */
+void port_chain_record(struct port_chain *chain, FILE *file, enum trace_format format);
+
+/* The bus to bind, after all of the above. Observed: accesses are hashed and their writes counted
+ * in chain->hash, and chain->first notes when the first one comes; else nothing is known of them
+ * that was not put into the chain, and they come sooner to their end. */
+struct bus *port_chain_bus(struct port_chain *chain, bool is_observed);
+
+/* Ends the recording, if there is one; the status of the whole chain. No access may follow. */
+enum bus_status port_chain_finish(struct port_chain *chain);
+
+/* Draws into chain->rgb. */
+void port_chain_picture(struct port_chain *chain);
+
+/* Port accesses so far, where they are observed. */
+uint64_t port_chain_writes(const struct port_chain *chain);
+uint64_t port_chain_reads(const struct port_chain *chain);
+
+/* Whether a strict check holds: no violation and, with a grade, nothing relied on that is no
+ * better known. What was relied on is printed to standard error. */
+bool port_chain_holds(const struct port_chain *chain, bool has_grade, enum board_grade grade);
+
+/* Harmless on NULL. Unbinds the chain if it is bound. */
+void port_chain_free(struct port_chain *chain);
+
+#endif

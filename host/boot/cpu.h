@@ -1,0 +1,74 @@
+/* SPDX-License-Identifier: MIT */
+/* A 386 in a PC-9801 that has booted from a floppy: the firmware's machine code, its ports on a
+ * bus. */
+#ifndef SUPERFRAME_PROCESSOR_H
+#define SUPERFRAME_PROCESSOR_H
+
+#include "bus.h"
+#include "boot/pc98_machine.h"
+
+#include <signal.h>
+#include <stdbool.h>
+#include <stdint.h>
+
+/* The machine: 640 KiB of memory, text VRAM at A0000h, graphics planes at A8000h, B0000h, B8000h
+ * and E0000h as plain memory, the floppy by INT 1Bh, the keyboard; nothing else of the ROM, no
+ * interrupts. All other ports go to the bus. An access to what is not there ends the run. */
+
+enum processor_end {
+    PROCESSOR_HALTED,      /* HLT with interrupts off: the program has stopped by itself */
+    PROCESSOR_LOST,        /* a bad opcode, an exception, an address where nothing is */
+    PROCESSOR_LIMIT,       /* too many instructions */
+    PROCESSOR_STOPPED,     /* the caller's flag was set */
+    PROCESSOR_BUS_FAILED,  /* the bus says why */
+    PROCESSOR_UNAVAILABLE, /* not built in, or it could not be set up; `reason` says what lacks */
+    PROCESSOR_ENDS
+};
+
+struct processor_job {
+    const uint8_t *disk; /* PC98_DISK_BYTES */
+    struct bus *bus;
+    uint64_t instructions_most;
+    uint64_t escape_after;             /* Esc is pressed when the keyboard has been asked so often
+                                          (0: never) */
+    const volatile sig_atomic_t *stop; /* set from outside to end the run; may be NULL */
+};
+
+enum { PROCESSOR_REGISTERS = 16 };
+
+/* How a run ended, and where. */
+struct processor_report {
+    enum processor_end end;
+    uint64_t instructions; /* that the CPU has run */
+    char reason[160];      /* one English sentence, no full stop */
+    bool is_protected;     /* in protected mode; else the address is 16 * cs + ip */
+    uint32_t address;      /* linear, of the instruction where it ended */
+    uint32_t registers[PROCESSOR_REGISTERS]; /* by enum processor_register */
+    struct pc98_text text;                   /* what stands on the text screen */
+};
+
+/* The order of struct processor_report.registers: eax first. */
+enum processor_register {
+    REGISTER_EAX,
+    REGISTER_EBX,
+    REGISTER_ECX,
+    REGISTER_EDX,
+    REGISTER_ESI,
+    REGISTER_EDI,
+    REGISTER_EBP,
+    REGISTER_ESP,
+    REGISTER_EIP,
+    REGISTER_EFLAGS,
+    REGISTER_CS,
+    REGISTER_DS,
+    REGISTER_ES,
+    REGISTER_FS,
+    REGISTER_GS,
+    REGISTER_SS
+};
+
+/* Boots the disk and runs it to its end. Takes at most instructions_most and what one block of
+ * code has more. */
+void processor_run(const struct processor_job *job, struct processor_report *report);
+
+#endif

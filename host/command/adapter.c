@@ -1,0 +1,267 @@
+/* SPDX-License-Identifier: MIT */
+/* superframe adapter: a virtual USB adapter with the emulated board behind it, served by USB/IP. */
+#include <errno.h>
+#include <netdb.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <poll.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/socket.h>
+#include <sys/time.h>
+#include <unistd.h>
+
+#include "command/command.h"
+#include "base/interrupt.h"
+#include "base/output.h"
+#include "picture.h"
+#include "base/png_output.h"
+#include "adapter/usbip.h"
+#include "base/numbers.h"
+
+enum { GUESTS_MOST = 4, SEND_SECONDS = 10, NAME_SIZE = 256, POLL_MS = 200, PORT_MOST = 65535 };
+
+/* A connection. */
+struct guest {
+    int socket; /* -1: none */
+    struct usbip_guest usbip;
+};
+
+/* One run of the command. */
+struct server {
+    const struct options *options;
+    int listener;
+    struct board board;
+    struct board_bus board_bus;
+    struct usb_device device;
+    struct guest guests[GUESTS_MOST];
+    bool is_over; /* with --once: the guest that had the device has left */
+    int status;
+    uint8_t rgb[PICTURE_BYTES];
+};
+
+/* Splits "ADDRESS", "ADDRESS:PORT" or "[ADDRESS]:PORT". */
+static bool split(const char *listen, char *address, char *port) {
+    const char *begin = listen[0] == '[' ? listen + 1 : listen;
+    const char *stop = listen[0] == '[' ? strchr(begin, ']') : strchr(begin, ':');
+    if (listen[0] != '[' && stop != NULL && strchr(stop + 1, ':') != NULL) {
+        stop = NULL; /* an IPv6 address without a port */
+    }
+    const char *colon = stop != NULL && *stop == ']' ? stop + 1 : stop;
+    size_t length = stop != NULL ? (size_t)(stop - begin) : strlen(begin);
+    if (length >= NAME_SIZE || (listen[0] == '[' && stop == NULL)) {
+        return false;
+    }
+    memcpy(address, begin, length);
+    address[length] = '\0';
+    if (colon != NULL && *colon == ':') {
+        return snprintf(port, NAME_SIZE, "%s", colon + 1) < NAME_SIZE;
+    }
+    return snprintf(port, NAME_SIZE, "%d", (int)USBIP_PORT) < NAME_SIZE;
+}
+
+/* Says on standard output where the server listens: with port 0 the system has chosen. */
+static void announce(const struct server *server) {
+    struct sockaddr_storage place;
+    socklen_t size = sizeof place;
+    char address[NAME_SIZE] = "?", port[NAME_SIZE] = "?";
+    if (getsockname(server->listener, (struct sockaddr *)&place, &size) == 0) {
+        (void)getnameinfo((struct sockaddr *)&place, size, address, sizeof address, port,
+                          sizeof port, NI_NUMERICHOST | NI_NUMERICSERV);
+    }
+    (void)printf("listening on %s port %s; usbip --tcp-port %s attach -r %s -b " USBIP_BUS_ID "\n",
+                 address, port, port, address);
+    (void)fflush(stdout);
+}
+
+static int start_listening(struct server *server) {
+    const char *listen_at = server->options->adapter.listen;
+    char address[NAME_SIZE], port[NAME_SIZE];
+    uint64_t number;
+    struct addrinfo wanted, *found = NULL;
+    if (!split(listen_at != NULL ? listen_at : "127.0.0.1", address, port) ||
+        !value_whole(port, 0, PORT_MOST, &number)) {
+        return bad_input("--listen %.100s: allowed is ADDRESS, ADDRESS:PORT or [ADDRESS]:PORT, "
+                         "with a port 0..65535",
+                         listen_at);
+    }
+    memset(&wanted, 0, sizeof wanted);
+    wanted.ai_socktype = SOCK_STREAM;
+    wanted.ai_flags = AI_PASSIVE | AI_NUMERICHOST | AI_NUMERICSERV;
+    int error = getaddrinfo(address, port, &wanted, &found);
+    if (error != 0) {
+        return bad_input("--listen %.100s: %s; allowed are an address in numbers and a port",
+                         listen_at, gai_strerror(error));
+    }
+    int yes = 1;
+    server->listener = socket(found->ai_family, SOCK_STREAM, 0);
+    bool is_listening =
+        server->listener >= 0 &&
+        setsockopt(server->listener, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes) == 0 &&
+        bind(server->listener, found->ai_addr, found->ai_addrlen) == 0 &&
+        listen(server->listener, GUESTS_MOST) == 0;
+    error = errno;
+    freeaddrinfo(found);
+    if (!is_listening) {
+        complain("%s port %s: can't listen: %s", address, port, strerror(error));
+        return STATUS_FAILED;
+    }
+    announce(server);
+    return STATUS_DONE;
+}
+
+static void send_to_guest(void *context, const uint8_t *bytes, size_t count) {
+    struct guest *guest = context;
+    while (count > 0 && guest->socket >= 0) {
+        ssize_t sent = send(guest->socket, bytes, count, MSG_NOSIGNAL);
+        if (sent < 0 && errno == EINTR) {
+            continue;
+        }
+        if (sent <= 0) {
+            guest->usbip.is_over = true; /* gone, or it does not read */
+            return;
+        }
+        bytes += sent;
+        count -= (size_t)sent;
+    }
+}
+
+/* The picture goes out before anybody can come, so that a name that can't be written is known at
+ * once, whenever a guest has left the device, and at the end. */
+static void write_screen(struct server *server) {
+    struct output output;
+    if (server->options->output == NULL) {
+        return;
+    }
+    (void)picture_draw(&server->board, NULL, server->rgb);
+    if (!output_open(&output, server->options->output)) {
+        server->status = STATUS_FAILED;
+        return;
+    }
+    if (!png_output(&output, server->rgb, PICTURE_WIDTH, PICTURE_HEIGHT)) {
+        server->status = STATUS_FAILED;
+    }
+}
+
+static void part(struct server *server, struct guest *guest) {
+    bool had_device = guest->usbip.is_attached;
+    if (guest->usbip.reason[0] != '\0' && had_device) {
+        complain("a guest was sent away: %s", guest->usbip.reason);
+    }
+    usbip_guest_leave(&guest->usbip);
+    (void)close(guest->socket);
+    guest->socket = -1;
+    if (had_device) {
+        write_screen(server);
+        server->is_over = server->options->adapter.once;
+    }
+}
+
+static bool is_attached(const struct server *server) {
+    for (unsigned i = 0; i < GUESTS_MOST; i++) {
+        if (server->guests[i].socket >= 0 && server->guests[i].usbip.is_attached) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static void welcome(struct server *server) {
+    const struct timeval patience = {SEND_SECONDS, 0};
+    int yes = 1, socket = accept(server->listener, NULL, NULL);
+    if (socket < 0) {
+        return;
+    }
+    (void)setsockopt(socket, SOL_SOCKET, SO_SNDTIMEO, &patience, sizeof patience);
+    (void)setsockopt(socket, IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
+    for (unsigned i = 0; i < GUESTS_MOST; i++) {
+        struct guest *guest = &server->guests[i];
+        if (guest->socket < 0) {
+            guest->socket = socket;
+            usbip_guest_init(&guest->usbip, &server->device, false, send_to_guest, guest);
+            return;
+        }
+    }
+    (void)close(socket);
+}
+
+static void listen_to(struct server *server, struct guest *guest) {
+    uint8_t bytes[16384];
+    ssize_t count = recv(guest->socket, bytes, sizeof bytes, 0);
+    if (count < 0 && (errno == EINTR || errno == EAGAIN)) {
+        return;
+    }
+    if (count > 0) {
+        guest->usbip.is_busy = !guest->usbip.is_attached && is_attached(server);
+        usbip_guest_take(&guest->usbip, bytes, (size_t)count);
+    }
+    if (count <= 0 || guest->usbip.is_over) {
+        part(server, guest);
+    }
+}
+
+static void serve(struct server *server) {
+    while (!server->is_over && *interrupt_noted() == 0) {
+        struct pollfd watched[GUESTS_MOST + 1];
+        watched[GUESTS_MOST].fd = server->listener;
+        watched[GUESTS_MOST].events = POLLIN;
+        for (unsigned i = 0; i < GUESTS_MOST; i++) {
+            watched[i].fd = server->guests[i].socket; /* poll() passes over -1 */
+            watched[i].events = POLLIN;
+            watched[i].revents = 0;
+        }
+        if (poll(watched, GUESTS_MOST + 1, POLL_MS) <= 0) {
+            continue;
+        }
+        for (unsigned i = 0; i < GUESTS_MOST; i++) {
+            if (watched[i].revents != 0 && server->guests[i].socket >= 0) {
+                listen_to(server, &server->guests[i]);
+            }
+        }
+        if ((watched[GUESTS_MOST].revents & POLLIN) != 0) {
+            welcome(server);
+        }
+    }
+}
+
+int run_adapter(const struct options *options) {
+    struct server *server = calloc(1, sizeof *server);
+    struct board_desc desc = board_default_desc(options->profile);
+    desc.base = options->base;
+    if (server == NULL || !board_init(&server->board, &desc)) {
+        free(server);
+        complain("out of memory");
+        return STATUS_FAILED;
+    }
+    server->options = options;
+    server->listener = -1;
+    for (unsigned i = 0; i < GUESTS_MOST; i++) {
+        server->guests[i].socket = -1;
+    }
+    board_bus_init(&server->board_bus, &server->board);
+    usb_device_init(&server->device, &server->board_bus.bus, options->base,
+                    options->adapter.serial != NULL ? options->adapter.serial : "VIRTUAL", true);
+    interrupt_catch();
+    write_screen(server);
+    if (server->status == STATUS_DONE) {
+        server->status = start_listening(server);
+    }
+    if (server->status == STATUS_DONE) {
+        serve(server);
+        for (unsigned i = 0; i < GUESTS_MOST; i++) {
+            if (server->guests[i].socket >= 0) {
+                part(server, &server->guests[i]);
+            }
+        }
+        if (!server->is_over) {
+            write_screen(server);
+        }
+    }
+    if (server->listener >= 0) {
+        (void)close(server->listener);
+    }
+    int status = server->status;
+    free(server);
+    return status;
+}

@@ -1,0 +1,144 @@
+/* SPDX-License-Identifier: MIT */
+/* superframe check: reads and analyses a scene and says what it requires. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "render/arithmetic.h"
+#include "command/command.h"
+#include "scene/load.h"
+#include "render/remarks.h"
+#include "compiler/requirements.h"
+#include "validate/validate.h"
+
+static void print_description(const struct scene_description *scene) {
+    size_t opaque = 0;
+    for (size_t i = 0; i < scene->material_count; i++) {
+        opaque += !scene->materials[i].transparent;
+    }
+    (void)printf("title       %s\n", scene->title != NULL ? scene->title : "");
+    (void)printf("picture     %d x %d pixels, depth level %d, threshold %g\n", scene->width,
+                 scene->height, scene->depth, scene->threshold);
+    (void)printf("contents    %zu objects of %zu CSG nodes, %zu materials (%zu opaque), "
+                 "%zu lights\n",
+                 scene->object_count, scene->node_count, scene->material_count, opaque,
+                 scene->light_count);
+}
+
+/* Lengths in the file's own unit. */
+static void print_scaling(const struct compiled_scene *compiled) {
+    (void)printf("scaling     centre (%g, %g, %g), times 2^%d: +-512 scaled units are +-%g\n",
+                 compiled->centre[0], compiled->centre[1], compiled->centre[2], compiled->exponent,
+                 ldexp(512, -compiled->exponent));
+}
+
+static void print_indices(const struct compiled_scene *compiled) {
+    double least = HUGE_VAL, most = 0;
+    for (unsigned i = 0; i < compiled->material_count; i++) {
+        if (compiled->materials[i].transparent) {
+            least = fmin(least, compiled->materials[i].ior[1]);
+            most = fmax(most, compiled->materials[i].ior[1]);
+        }
+    }
+    if (most > 0) {
+        (void)printf("refraction  indices %g to %g\n", least, most);
+    }
+}
+
+static void print_tables(const struct compiled_scene *compiled) {
+    unsigned boxes = 0;
+    for (unsigned i = 0; i < compiled->primitive_count; i++) {
+        boxes += compiled->primitives[i].kind == KIND_BOX;
+    }
+    (void)printf("tables      %u primitives (%u boxes, %u balls), %u surfaces, %u bytes of "
+                 "programs\n",
+                 compiled->primitive_count, boxes, compiled->ball_count, compiled->surface_count,
+                 compiled->program_length);
+}
+
+static void print_done(const char *what, unsigned count, const char *one, const char *many) {
+    (void)printf("%-11s %u %s\n", what, count, count == 1 ? one : many);
+}
+
+/* What the scene compiler made of the solids, so that a ray asks fewer of them. */
+static void print_optimisations(const struct compiled_scene *compiled) {
+    const struct compiled_report *report = &compiled->report;
+    print_done("shared", report->shared, "solid is the same as another one",
+               "solids are the same as others");
+    print_done("simplified", report->simplified, "operation of CSG says nothing",
+               "operations of CSG say nothing");
+    print_done("fused", report->fused, "solid is taken in by its neighbour",
+               "solids are taken in by their neighbours");
+    print_done("bounded", report->bounded, "solid ends where nothing more of it is seen",
+               "solids end where nothing more of them is seen");
+    print_done("hidden", report->hidden, "primitive cannot be met from within another one",
+               "pairs of primitives cannot be met one from within the other");
+}
+
+/* Whether each arithmetic can hold the scene: fx is the one whose ranges are narrow. */
+static int print_arithmetics(const struct compiled_scene *compiled) {
+    int status = STATUS_DONE;
+    for (size_t i = 0; arithmetics_built[i] != NULL; i++) {
+        struct scene_error error;
+        const char *name = arithmetics_built[i]->image->name;
+        struct scene *scene = arithmetics_built[i]->load(compiled, &error);
+        if (scene == NULL) {
+            status = bad_input("%s (--arith %s)", error.text, name);
+        }
+        (void)printf("%-11s %s\n", name, scene != NULL ? "holds it" : "can't hold it");
+        free(scene);
+    }
+    return status;
+}
+
+/* Prints one line for each step of the compiler: what its tables were held against, and what did
+ * not agree. Returns STATUS_NOT_HELD where something did not. */
+static int print_validations(const struct validations *validations) {
+    int status = STATUS_DONE;
+    for (int i = 0; i < STEP_COUNT; i++) {
+        const struct validation *step = &validations->of[i];
+        (void)printf("validated   %s: %u points", compile_step_name((enum compile_step)i),
+                     step->points);
+        if (step->faults > 0) {
+            status = STATUS_NOT_HELD;
+            (void)printf(", %u disagree: %s\n", step->faults, step->first);
+        } else {
+            (void)printf(" agree\n");
+        }
+    }
+    return status;
+}
+
+static int print_check(const struct scene_description *scene, const struct compiled_scene *compiled,
+                       const struct validations *validations) {
+    print_description(scene);
+    print_scaling(compiled);
+    print_indices(compiled);
+    print_tables(compiled);
+    print_optimisations(compiled);
+    requirements_print(stdout, compiled);
+    remarks_print(stdout, compiled);
+    int held = validations != NULL ? print_validations(validations) : STATUS_DONE;
+    int status = print_arithmetics(compiled);
+    return status != STATUS_DONE ? status : held;
+}
+
+int run_check(const struct options *options) {
+    struct scene_error error;
+    struct scene_description *scene = load_scene(options->operands[0], &error);
+    if (scene == NULL) {
+        return bad_input("%s", error.text);
+    }
+    scene_override(scene, &options->overrides);
+    struct validations validations = {.description = scene};
+    const struct compile_observer observer = {validations_look, &validations};
+    struct compiled_scene *compiled =
+        scene_compile_observed(scene, options->validates ? &observer : NULL, &error);
+    int status = compiled == NULL
+                     ? bad_input("%s", error.text)
+                     : print_check(scene, compiled, options->validates ? &validations : NULL);
+    free(compiled);
+    scene_description_free(scene);
+    return status;
+}

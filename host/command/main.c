@@ -1,0 +1,94 @@
+/* SPDX-License-Identifier: MIT */
+/* The superframe program: finds the sub-command and hands over to it. */
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "command/command.h"
+
+static void print_help(void) {
+    (void)printf("superframe renders ray-traced scenes for the SuperFrame board.\n\n"
+                 "usage: superframe COMMAND ...\n\n");
+    for (const struct command *command = commands; command->name != NULL; command++) {
+        if (command->run != NULL) {
+            (void)printf("  %-9s %-12s %s\n", command->name, command->operands, command->summary);
+        }
+    }
+    (void)printf("\nsuperframe COMMAND --help says more. superframe --version is the version.\n"
+                 "Exit status: 0 done, 1 failed while working, 2 bad usage or input,\n"
+                 "3 a strict check or a comparison did not hold, 130 interrupted.\n");
+}
+
+static int run_command(enum command_id id, int argc, char **argv) {
+    const struct command *command = &commands[id];
+    struct options options;
+    struct options_error error = {""};
+    if (command->run == NULL) {
+        return bad_input("%s: not built into this version; superframe --help lists what is",
+                         command->name);
+    }
+    if (!options_parse(id, argc, argv, &options, &error)) {
+        return bad_input("%s", error.text);
+    }
+    if (options.help) {
+        (void)printf("%s\n\nusage: superframe %s %s [options]\n\n", command->summary, command->name,
+                     command->operands);
+        options_print(stdout, id);
+        return STATUS_DONE;
+    }
+    return command->run(&options);
+}
+
+static int dispatch(int argc, char **argv) {
+    if (argc < 2) {
+        return bad_input("a command is lacking; superframe --help lists them");
+    }
+    if (strcmp(argv[1], "--help") == 0) {
+        print_help();
+        return STATUS_DONE;
+    }
+    if (strcmp(argv[1], "--version") == 0) {
+        (void)printf("superframe %s\n", SUPERFRAME_VERSION);
+        return STATUS_DONE;
+    }
+    for (int i = 0; i < COMMAND_COUNT; i++) {
+        if (strcmp(argv[1], commands[i].name) == 0) {
+            return run_command((enum command_id)i, argc - 1, argv + 1);
+        }
+    }
+    return bad_input("no command \"%.100s\"; superframe --help lists them", argv[1]);
+}
+
+/* A program may be started with standard streams closed. The next file opened would become one of
+ * them, and messages would go into a picture; a descriptor that can't be written to stands in. */
+static bool hold_standard_streams(void) {
+    for (int descriptor = 0; descriptor <= 2; descriptor++) {
+        if (fcntl(descriptor, F_GETFD) < 0 && errno == EBADF &&
+            open("/dev/null", descriptor == 0 ? O_WRONLY : O_RDONLY) != descriptor) {
+            return false;
+        }
+    }
+    return true;
+}
+
+int main(int argc, char **argv) {
+    /* A closed pipe or a file over its limit is a failed write, with a message, not a death. */
+    struct sigaction ignore;
+    memset(&ignore, 0, sizeof ignore);
+    ignore.sa_handler = SIG_IGN;
+    if (!hold_standard_streams() || sigaction(SIGPIPE, &ignore, NULL) != 0 ||
+        sigaction(SIGXFSZ, &ignore, NULL) != 0) {
+        return STATUS_FAILED;
+    }
+
+    int status = dispatch(argc, argv);
+    errno = 0;
+    if ((fflush(stdout) != 0 || ferror(stdout)) && status == STATUS_DONE) {
+        complain("standard output: cannot be written: %s",
+                 errno != 0 ? strerror(errno) : "an earlier write failed");
+        return STATUS_FAILED;
+    }
+    return status;
+}

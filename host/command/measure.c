@@ -1,0 +1,114 @@
+/* SPDX-License-Identifier: MIT */
+/* superframe measure: speed against accuracy, as tables, plots and a report. */
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "command/command.h"
+#include "base/path.h"
+#include "scene/load.h"
+#include "lab/measure/measure.h"
+
+enum { FOLDER_MODE = 0777 };
+
+static const char *const default_scenes[] = {"fig3", "fig4a", "fig5"};
+
+bool measure_create(struct measure_file *file, const struct measure *measure, const char *name) {
+    memset(file, 0, sizeof *file);
+    file->path = path_join(measure->folder, name);
+    if (file->path == NULL) {
+        complain("out of memory");
+        return false;
+    }
+    if (!output_open(&file->output, file->path)) {
+        measure_discard(file);
+        return false;
+    }
+    return true;
+}
+
+int measure_close(struct measure_file *file) {
+    bool is_written = output_commit(&file->output);
+    measure_discard(file);
+    return is_written ? STATUS_DONE : STATUS_FAILED;
+}
+
+void measure_discard(struct measure_file *file) {
+    output_discard(&file->output);
+    free(file->path);
+    file->path = NULL;
+}
+
+double measure_predict(const struct measure *measure, const struct measure_point *point,
+                       const struct cost_target *target) {
+    struct cost_work work = {point->events, {1, 0, 0, 0, 0}, point->port_writes};
+    for (size_t i = 0; i < measure->scene_count; i++) {
+        if (strcmp(measure->scenes[i].name, point->scene) == 0) {
+            work.mix = measure->scenes[i].mix;
+        }
+    }
+    return cost_seconds(target, point->arithmetic, &work);
+}
+
+static int take_scenes(struct measure *measure) {
+    const struct options *options = measure->options;
+    size_t count = (size_t)options->operand_count;
+    bool are_given = count > 0;
+    count = are_given ? count : sizeof default_scenes / sizeof default_scenes[0];
+    if (count > MEASURE_SCENES_MOST) {
+        return bad_input("measure: %zu scenes; allowed are up to %d", count, MEASURE_SCENES_MOST);
+    }
+    for (size_t i = 0; i < count; i++) {
+        struct measure_scene *scene = &measure->scenes[i];
+        scene->operand = are_given ? options->operands[i] : default_scenes[i];
+        scene_short_name(scene->operand, scene->name, sizeof scene->name);
+        if (strpbrk(scene->name, ",\"'\n|<>&") != NULL) {
+            return bad_input("%s: allowed are: names without commas, quotes, |, <, > and &",
+                             scene->operand);
+        }
+        for (size_t j = 0; j < i; j++) {
+            if (strcmp(measure->scenes[j].name, scene->name) == 0) {
+                return bad_input("measure: two scenes are called \"%s\"; allowed are: names that "
+                                 "differ",
+                                 scene->name);
+            }
+        }
+    }
+    measure->scene_count = count;
+    return STATUS_DONE;
+}
+
+static int make_folder(struct measure *measure) {
+    measure->points_path = path_join(measure->folder, "points.csv");
+    if (measure->points_path == NULL) {
+        complain("out of memory");
+        return STATUS_FAILED;
+    }
+    if (mkdir(measure->folder, FOLDER_MODE) != 0 && errno != EEXIST) {
+        complain("%s: cannot be written: %s", measure->folder, strerror(errno));
+        return STATUS_FAILED;
+    }
+    return STATUS_DONE;
+}
+
+int run_measure(const struct options *options) {
+    static int (*const steps[])(struct measure *) = {take_scenes,    measure_plan, make_folder,
+                                                     measure_resume, measure_run,  measure_plot,
+                                                     measure_report};
+    struct measure *measure = calloc(1, sizeof *measure);
+    if (measure == NULL) {
+        complain("out of memory");
+        return STATUS_FAILED;
+    }
+    measure->options = options;
+    measure->folder = options->output;
+    int status = STATUS_DONE;
+    for (size_t i = 0; i < sizeof steps / sizeof steps[0] && status == STATUS_DONE; i++) {
+        status = steps[i](measure);
+    }
+    free(measure->points.points);
+    free(measure->points_path);
+    free(measure);
+    return status;
+}

@@ -1,0 +1,200 @@
+/* SPDX-License-Identifier: MIT */
+/* The places that a command reads and writes: no two results go to one, and none over an input. */
+#include "command/results.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "board/camera.h"
+#include "base/path.h"
+#include "scene/load.h"
+
+enum { RESULTS_MOST = 7 + RENDER_EXPOSURES, NAME_SIZE = 256 };
+
+/* A name, and what the system knows of it. */
+struct place {
+    const char *what; /* the option or operand that names it */
+    const char *name; /* "-": a standard stream */
+    bool is_there;
+    struct stat facts; /* where it is there */
+    char *resolved;    /* where it is not: its folder's real path, and its own name */
+};
+
+/* All results of a command line. */
+struct results {
+    struct place places[RESULTS_MOST];
+    unsigned count;
+    char picture[NAME_SIZE]; /* render's, where -o is not given */
+    char *exposures[RENDER_EXPOSURES];
+};
+
+static bool is_stream(const struct place *place) {
+    return strcmp(place->name, "-") == 0;
+}
+
+static struct place look_at(const char *what, const char *name, int stream) {
+    struct place place;
+    memset(&place, 0, sizeof place);
+    place.what = what;
+    place.name = name;
+    place.is_there =
+        is_stream(&place) ? fstat(stream, &place.facts) == 0 : stat(name, &place.facts) == 0;
+    if (!place.is_there && !is_stream(&place)) {
+        place.resolved = path_resolve(name);
+    }
+    return place;
+}
+
+static bool is_same_file(const struct place *a, const struct place *b) {
+    return a->facts.st_dev == b->facts.st_dev && a->facts.st_ino == b->facts.st_ino;
+}
+
+/* A device takes everything from everybody; a terminal shows it. */
+static bool is_shareable(const struct place *place) {
+    const struct place output = look_at("", "-", STDOUT_FILENO);
+    return (S_ISCHR(place->facts.st_mode) || S_ISBLK(place->facts.st_mode)) &&
+           !(is_same_file(place, &output) && isatty(STDOUT_FILENO));
+}
+
+/* Whether what goes to one place is lost or mixed up where something goes to the other too. */
+static bool do_results_clash(const struct place *a, const struct place *b) {
+    if (is_stream(a) && is_stream(b)) {
+        return true;
+    }
+    if (a->is_there && b->is_there) {
+        return is_same_file(a, b) && !is_shareable(a);
+    }
+    return a->resolved != NULL && b->resolved != NULL && strcmp(a->resolved, b->resolved) == 0;
+}
+
+/* Whether the result replaces the file that is read. */
+static bool is_overwritten(const struct place *input, const struct place *result) {
+    return input->is_there && result->is_there && S_ISREG(input->facts.st_mode) &&
+           is_same_file(input, result);
+}
+
+/* ---- Results -------------------------------------------------------------------------------- */
+
+static void add_result(struct results *results, const char *what, const char *name) {
+    if (name != NULL) {
+        results->places[results->count++] = look_at(what, name, STDOUT_FILENO);
+    }
+}
+
+/* What a command prints besides the results that are asked for by an option. */
+static const char *printed(enum command_id command, const struct options *options) {
+    const struct trace_options *tracing = &options->tracing;
+    switch (command) {
+    case COMMAND_COMPARE:
+        return "the report";
+    case COMMAND_ADAPTER:
+        return "where the adapter listens";
+    case COMMAND_TRACE:
+        return tracing->lists || tracing->counts || tracing->judges ? "what is told" : NULL;
+    default:
+        return NULL;
+    }
+}
+
+static void add_exposures(struct results *results, const char *folder) {
+    for (unsigned i = 0; folder != NULL && i < RENDER_EXPOSURES; i++) {
+        results->exposures[i] = exposure_name(folder, i);
+        add_result(results, "--keep-exposures", results->exposures[i]);
+    }
+}
+
+static void add_results(struct results *results, enum command_id command,
+                        const struct options *options) {
+    const char *output = options->output;
+    if (command == COMMAND_RENDER && output == NULL && options->bus == BUS_CHOICE_EMULATOR) {
+        scene_picture_name(options->operands[0], results->picture, sizeof results->picture);
+        output = results->picture;
+    }
+    add_result(results, "-o", output);
+    add_result(results, "--stats", options->stats);
+    add_result(results, "--trace", options->trace);
+    add_result(results, "--bus trace", options->bus_file);
+    add_result(results, "--difference", options->difference);
+    add_result(results, "--signatures", command == COMMAND_RENDER ? options->signatures : NULL);
+    add_result(results, printed(command, options), printed(command, options) != NULL ? "-" : NULL);
+    add_exposures(results, options->keep_exposures);
+}
+
+static void free_results(struct results *results) {
+    for (unsigned i = 0; i < results->count; i++) {
+        free(results->places[i].resolved);
+    }
+    for (unsigned i = 0; i < RENDER_EXPOSURES; i++) {
+        free(results->exposures[i]);
+    }
+}
+
+/* ---- What clashes --------------------------------------------------------------------------- */
+
+static bool are_results_apart(const struct results *results, struct options_error *error) {
+    for (unsigned i = 0; i < results->count; i++) {
+        for (unsigned j = 0; j < i; j++) {
+            const struct place *a = &results->places[j], *b = &results->places[i];
+            if (do_results_clash(a, b)) {
+                (void)snprintf(error->text, sizeof error->text,
+                               "two results can't go to the same place, %s: %s and %s; give each "
+                               "its own file",
+                               is_stream(a) || is_stream(b) ? "standard output" : b->name, a->what,
+                               b->what);
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+static bool stays(const char *name, const struct results *results, struct options_error *error) {
+    struct place input = look_at("", name, STDIN_FILENO);
+    bool stays = true;
+    for (unsigned i = 0; i < results->count && stays; i++) {
+        const struct place *result = &results->places[i];
+        stays = !is_overwritten(&input, result);
+        if (!stays) {
+            (void)snprintf(error->text, sizeof error->text,
+                           "%.200s: %s would overwrite what is read; allowed is: another file",
+                           name, result->what);
+        }
+    }
+    free(input.resolved);
+    return stays;
+}
+
+static bool reads_scenes(enum command_id command) {
+    return command == COMMAND_RENDER || command == COMMAND_COMPILE || command == COMMAND_EXPORT ||
+           command == COMMAND_TREE || command == COMMAND_MEASURE;
+}
+
+static bool do_inputs_stay(enum command_id command, const struct options *options,
+                           const struct results *results, struct options_error *error) {
+    const char *const others[] = {options->board.native, options->tracing.against,
+                                  command == COMMAND_COMPARE ? options->signatures : NULL};
+    int operands = command == COMMAND_TREE ? 1 : options->operand_count; /* then X and Y */
+    bool all_stay = true;
+    for (int i = 0; i < operands && all_stay; i++) {
+        const char *operand = options->operands[i];
+        all_stay =
+            (reads_scenes(command) && scene_is_builtin(operand)) || stays(operand, results, error);
+    }
+    for (size_t i = 0; i < sizeof others / sizeof others[0] && all_stay; i++) {
+        all_stay = others[i] == NULL || stays(others[i], results, error);
+    }
+    return all_stay;
+}
+
+bool places_are_apart(enum command_id command, const struct options *options,
+                      struct options_error *error) {
+    struct results results;
+    memset(&results, 0, sizeof results);
+    add_results(&results, command, options);
+    bool are_apart =
+        are_results_apart(&results, error) && do_inputs_stay(command, options, &results, error);
+    free_results(&results);
+    return are_apart;
+}

@@ -1,0 +1,15 @@
+/* SPDX-License-Identifier: MIT */
+/* The places that a command reads and writes: no two results go to one, and none over an input. */
+#ifndef SUPERFRAME_PLACES_H
+#define SUPERFRAME_PLACES_H
+
+#include "options/options.h"
+
+/* Whether each result of the command line has a place of its own that none of its inputs is read
+ * from. However two names are spelled, they are one place where they lead to the same file, be it
+ * there already or not. Devices may be shared (/dev/null), a terminal's standard output may not.
+ * False with *error filled where they clash. */
+bool places_are_apart(enum command_id command, const struct options *options,
+                      struct options_error *error);
+
+#endif

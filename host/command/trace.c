@@ -1,0 +1,251 @@
+/* SPDX-License-Identifier: MIT */
+/* superframe trace: a port trace in words, as statistics, as violations, as a picture. */
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "board/screen_file.h"
+#include "command/command.h"
+#include "cost_bus.h"
+#include "base/output.h"
+#include "board/strict.h"
+#include "trace_compare.h"
+#include "trace/convert.h"
+#include "trace/file.h"
+#include "trace/print.h"
+#include "trace_statistics.h"
+#include "trace/words.h"
+
+/* One run of the command: 1.4 MB. */
+struct trace_run {
+    const struct options *options;
+    const char *path;
+    bool lists; /* every access is printed: asked for, or nothing else was */
+    FILE *file;
+    struct trace_reader reader;
+    struct trace_statistics statistics; /* its board follows the accesses */
+    struct cost_bus cost;
+    struct native_screen native;
+    uint64_t different_reads;
+    struct output picture;
+};
+
+/* ---- One access ----------------------------------------------------------------------------- */
+
+static void print_access(const struct trace_run *run, const struct trace_access *access) {
+    char text[TRACE_TEXT_SIZE], words[TRACE_WORDS_SIZE];
+    (void)trace_text_format(text, access);
+    (void)printf("%9" PRIu64 "  %-15s  %s\n", run->reader.accesses, text,
+                 trace_words(words, &run->statistics.board, access));
+}
+
+/* A behaviour that the access relied on, and that is asked about. */
+static void print_behaviour(const struct trace_run *run, const struct trace_access *access,
+                            enum board_behaviour behaviour) {
+    const struct board *board = &run->statistics.board;
+    enum board_profile profile = board->desc.profile;
+    char text[TRACE_TEXT_SIZE], place[64] = "           ! ";
+    if (!run->lists) {
+        (void)trace_text_format(text, access);
+        (void)snprintf(place, sizeof place, "access %" PRIu64 ": %s: ", run->reader.accesses, text);
+    }
+    (void)printf("%s%s: %s (grade %s)\n", place,
+                 board_behaviour_is_violation(behaviour, profile) ? "violation" : "relied on",
+                 board_behaviour_text(behaviour),
+                 board_grade_letter(board_behaviour_grade(behaviour, profile)));
+}
+
+static void print_behaviours(const struct trace_run *run, const struct trace_access *access,
+                             const struct board_note before[BOARD_BEHAVIOURS]) {
+    const struct board *board = &run->statistics.board;
+    const struct options *options = run->options;
+    for (int i = 0; i < BOARD_BEHAVIOURS; i++) {
+        enum board_behaviour behaviour = (enum board_behaviour)i;
+        if (board->notes[i].count > before[i].count &&
+            strict_minds(board, behaviour, options->has_strict_grade, options->strict_grade)) {
+            print_behaviour(run, access, behaviour);
+        }
+    }
+}
+
+static void note_answer(struct trace_run *run, const struct trace_access *access, uint16_t answer) {
+    if (answer == access->value) {
+        return;
+    }
+    run->different_reads++;
+    if (run->lists || run->options->tracing.judges) {
+        (void)printf("%s%" PRIu64 "%s the board answers %0*X\n",
+                     run->lists ? "           ? access " : "access ", run->reader.accesses, ":",
+                     access->width == BUS_WORD ? 4 : 2, answer);
+    }
+}
+
+static void tell(struct trace_run *run, const struct trace_access *access) {
+    struct board_note before[BOARD_BEHAVIOURS];
+    memcpy(before, run->statistics.board.notes, sizeof before);
+    if (run->lists) {
+        print_access(run, access);
+    }
+    uint16_t answer = trace_statistics_add(&run->statistics, access);
+    if (access->is_read) {
+        (void)bus_read(&run->cost.bus, access->port, access->width);
+        note_answer(run, access, answer);
+    } else {
+        bus_write(&run->cost.bus, access->port, access->value, access->width);
+    }
+    if (run->lists || run->options->tracing.judges) {
+        print_behaviours(run, access, before);
+    }
+}
+
+/* ---- The whole trace ------------------------------------------------------------------------ */
+
+static int follow(struct trace_run *run) {
+    uint64_t stop = run->options->board.stop;
+    struct trace_access access;
+    while (stop == 0 || run->reader.accesses < stop) {
+        enum trace_status status = trace_reader_next(&run->reader, &access);
+        if (status == TRACE_END) {
+            break;
+        }
+        if (status != TRACE_OK) {
+            return trace_file_complain(run->path, &run->reader.error);
+        }
+        tell(run, &access);
+        if (ferror(stdout)) {
+            break; /* a closed pipe: main() says so */
+        }
+    }
+    if (run->reader.accesses < stop) {
+        complain("%s: the trace ends after access %" PRIu64 ", before --stop %" PRIu64, run->path,
+                 run->reader.accesses, stop);
+    }
+    return STATUS_DONE;
+}
+
+static int conclude(struct trace_run *run) {
+    const struct options *options = run->options;
+    const struct board *board = &run->statistics.board;
+    if (run->different_reads > 0) {
+        complain("%s: %" PRIu64 " reads were answered otherwise than recorded", run->path,
+                 run->different_reads);
+    }
+    if (options->tracing.judges) {
+        (void)printf("%" PRIu64 " violations in %" PRIu64 " accesses, profile %s\n",
+                     board_violations(board), board->accesses,
+                     board_profile_text(board->desc.profile));
+    }
+    if (options->tracing.counts) {
+        trace_print_statistics(stdout, &run->statistics, &run->cost, &options->board);
+    }
+    if (run->picture.file != NULL &&
+        !board_picture_write(&run->picture, board,
+                             options->board.native != NULL ? &run->native : NULL,
+                             options->board.picture)) {
+        return STATUS_FAILED;
+    }
+    if (options->strict && !strict_holds(board, options->has_strict_grade, options->strict_grade)) {
+        return STATUS_NOT_HELD;
+    }
+    return STATUS_DONE;
+}
+
+static int prepare(struct trace_run *run) {
+    const struct options *options = run->options;
+    struct board_desc desc;
+    int status = trace_file_open(run->path, &run->file, &run->reader);
+    if (status == STATUS_DONE) {
+        status = trace_file_fit(run->path, &run->reader, options, &desc);
+    }
+    if (status != STATUS_DONE) {
+        return status;
+    }
+    if (options->board.native != NULL && !native_read(&run->native, options->board.native)) {
+        return STATUS_BAD_INPUT;
+    }
+    (void)trace_statistics_init(&run->statistics, &desc); /* the desc was looked at */
+    cost_bus_init(&run->cost, NULL);
+    if (options->output != NULL && !output_open(&run->picture, options->output)) {
+        return STATUS_FAILED;
+    }
+    return STATUS_DONE;
+}
+
+static int watch(const struct options *options) {
+    const struct trace_options *tracing = &options->tracing;
+    struct trace_run *run = calloc(1, sizeof *run);
+    if (run == NULL) {
+        complain("out of memory");
+        return STATUS_FAILED;
+    }
+    run->options = options;
+    run->path = options->operands[0];
+    run->lists = tracing->lists || !(tracing->counts || tracing->judges || options->strict ||
+                                     options->output != NULL);
+    int status = prepare(run);
+    if (status == STATUS_DONE) {
+        status = follow(run);
+    }
+    if (status == STATUS_DONE) {
+        status = conclude(run);
+    }
+    output_discard(&run->picture);
+    trace_file_close(run->file);
+    free(run);
+    return status;
+}
+
+/* ---- Two traces ----------------------------------------------------------------------------- */
+
+static int compare_opened(const struct options *options, struct trace_reader *const readers[2],
+                          const char *const paths[2]) {
+    struct trace_difference difference;
+    struct board_desc desc[2];
+    for (int i = 0; i < 2; i++) {
+        int status = trace_file_fit(paths[i], readers[i], options, &desc[i]);
+        if (status != STATUS_DONE) {
+            return status;
+        }
+    }
+    if (trace_compare(readers, &difference) != TRACE_OK) {
+        return trace_file_complain(paths[difference.failed], &readers[difference.failed]->error);
+    }
+    if (!difference.is_found) {
+        (void)printf("the traces are equal: %" PRIu64 " accesses\n", difference.access);
+        return STATUS_DONE;
+    }
+    trace_print_difference(stdout, &difference, paths);
+    return STATUS_NOT_HELD;
+}
+
+static int compare(const struct options *options) {
+    const char *const paths[2] = {options->operands[0], options->tracing.against};
+    struct trace_reader *const readers[2] = {malloc(sizeof *readers[0]),
+                                             malloc(sizeof *readers[1])};
+    FILE *files[2] = {NULL, NULL};
+    int status = STATUS_DONE;
+    if (readers[0] == NULL || readers[1] == NULL) {
+        complain("out of memory");
+        status = STATUS_FAILED;
+    } else if (strcmp(paths[0], "-") == 0 && strcmp(paths[1], "-") == 0) {
+        status = bad_input("only one of the two traces can be standard input");
+    }
+    for (int i = 0; i < 2 && status == STATUS_DONE; i++) {
+        status = trace_file_open(paths[i], &files[i], readers[i]);
+    }
+    if (status == STATUS_DONE) {
+        status = compare_opened(options, readers, paths);
+    }
+    for (int i = 0; i < 2; i++) {
+        trace_file_close(files[i]);
+        free(readers[i]);
+    }
+    return status;
+}
+
+int run_trace(const struct options *options) {
+    if (options->tracing.against != NULL) {
+        return compare(options);
+    }
+    return options->tracing.converts ? trace_convert(options) : watch(options);
+}

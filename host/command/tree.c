@@ -1,0 +1,73 @@
+/* SPDX-License-Identifier: MIT */
+/* superframe tree: the tree of rays of one pixel, as in the paper's Fig. 2. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "render/arithmetic.h"
+#include "command/command.h"
+#include "scene/load.h"
+#include "base/output.h"
+#include "render/ray_tree.h"
+#include "base/numbers.h"
+
+static int print_tree(const struct options *options, const struct compiled_scene *compiled,
+                      const struct ray_tree *tree) {
+    struct output output;
+    if (!output_open(&output, options->output ? options->output : "-")) {
+        return STATUS_FAILED;
+    }
+    int printed = options->dot ? ray_tree_print_dot(output.file, tree, compiled)
+                               : ray_tree_print(output.file, tree, compiled);
+    if (printed != 0) {
+        output_complain(&output, "a write failed");
+        output_discard(&output);
+        return STATUS_FAILED;
+    }
+    return output_commit(&output) ? STATUS_DONE : STATUS_FAILED;
+}
+
+static int grow_and_print(const struct options *options, const struct compiled_scene *compiled,
+                          uint16_t x, uint16_t y) {
+    struct scene_error error;
+    struct ray_tree tree;
+    const struct arithmetic *arithmetic = arithmetic_find(options->arithmetic);
+    struct scene *scene = arithmetic->load(compiled, &error);
+    if (scene == NULL) {
+        return bad_input("%s", error.text);
+    }
+    struct estimate estimate;
+    struct render_counts counts = {0};
+    arithmetic->learn(scene, &estimate, &counts);
+    int status = STATUS_FAILED;
+    if (ray_tree_grow(&tree, arithmetic, scene, x, y)) {
+        status = print_tree(options, compiled, &tree);
+    } else {
+        complain("the tree has more than %d nodes; a smaller --depth or a larger --threshold "
+                 "makes it smaller",
+                 RAY_TREE_NODES_MOST);
+    }
+    ray_tree_free(&tree);
+    free(scene);
+    return status;
+}
+
+int run_tree(const struct options *options) {
+    struct scene_error error;
+    uint64_t x, y;
+    struct compiled_scene *compiled =
+        load_compiled_scene(options->operands[0], &options->overrides, &error);
+    if (compiled == NULL) {
+        return bad_input("%s", error.text);
+    }
+    int status;
+    if (!value_whole(options->operands[1], 0, compiled->width - 1u, &x) ||
+        !value_whole(options->operands[2], 0, compiled->height - 1u, &y)) {
+        status = bad_input("tree: pixel %.40s %.40s is not allowed; allowed is: X 0..%d, Y 0..%d",
+                           options->operands[1], options->operands[2], compiled->width - 1,
+                           compiled->height - 1);
+    } else {
+        status = grow_and_print(options, compiled, (uint16_t)x, (uint16_t)y);
+    }
+    free(compiled);
+    return status;
+}

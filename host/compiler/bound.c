@@ -1,0 +1,152 @@
+/* SPDX-License-Identifier: MIT */
+/* The scene compiler: solids that reach beyond all that their objects can show are cut off there.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "compiler/cut.h"
+#include "compiler/optimise.h"
+
+/* What may be seen of each primitive: the union over its uses. */
+struct views {
+    const struct compiled_scene *scene;
+    struct bounds of[COMPILED_DRAFTS_MOST];
+};
+
+/* What the operations above a node let through is `within`. */
+static void look_at(struct views *views, const struct csg_tree *tree, uint8_t index,
+                    const struct bounds *within) {
+    const struct csg_node *node = &tree->nodes[index];
+    if (csg_is_leaf(tree, index)) {
+        views->of[node->code] = bounds_union(&views->of[node->code], within);
+        return;
+    }
+    struct bounds left = *within, right = *within;
+    if (node->code != CODE_UNION) {
+        struct bounds first = csg_bounds(views->scene, tree, node->left);
+        right = bounds_intersection(within, &first);
+    }
+    if (node->code == CODE_INTERSECTION) {
+        struct bounds second = csg_bounds(views->scene, tree, node->right);
+        left = bounds_intersection(within, &second);
+    }
+    look_at(views, tree, node->left, &left);
+    look_at(views, tree, node->right, &right);
+}
+
+/* How far bounds reach along an axis, with the margin. */
+static double bounds_reach(const struct bounds *bounds, const double axis[3], double sign) {
+    double reach = COMPILE_MARGIN;
+    for (int i = 0; i < 3; i++) {
+        double along = sign * axis[i];
+        if (along < 0 || along > 0) {
+            reach += along * (along < 0 ? bounds->low[i] : bounds->high[i]);
+        }
+    }
+    return reach;
+}
+
+static bool bound_quadric(struct compiler *compiler, int primitive, const struct bounds *view) {
+    const struct compiled_scene *scene = compiler->scene;
+    struct cut_quadric cut;
+    bool changed = false;
+    cut_start(scene, primitive, &cut);
+    for (int face = 0; face < 6; face++) {
+        double sign = face < 3 ? -1 : 1;
+        const double *axis = compiled_axis(scene, cut.frame, face % 3);
+        const double outward[3] = {sign * axis[0], sign * axis[1], sign * axis[2]};
+        double end = bounds_reach(view, axis, sign);
+        if (end < COMPILE_FAR && primitive_reach(scene, primitive, outward) > end) {
+            cut_across(&cut, face % 3, sign, end);
+            changed = true;
+        }
+    }
+    return changed && cut_replace(compiler, &cut, primitive);
+}
+
+static bool bound_box(struct compiler *compiler, int index, const struct bounds *view) {
+    struct compiled_scene *scene = compiler->scene;
+    const struct compiled_primitive *primitive = &scene->primitives[index];
+    struct compiled_box *box = &scene->boxes[primitive->index];
+    bool changed = false;
+    for (int face = 0; face < 6; face++) {
+        double sign = face < 3 ? -1 : 1;
+        const double *axis = compiled_axis(scene, primitive->frame, face % 3);
+        double *place = face < 3 ? &box->minimum[face] : &box->maximum[face - 3];
+        double end = bounds_reach(view, axis, sign);
+        if (sign * *place > end) {
+            int surface = compile_plane_surface(compiler, axis, sign * end);
+            if (surface >= 0) {
+                *place = compile_place_of_plane(compiler, surface, axis);
+                box->surface[face] = (uint16_t)surface;
+                changed = true;
+            }
+        }
+    }
+    return changed;
+}
+
+/* What a plane across an axis of the world leaves of a polyhedron's bounds. */
+static void cut_bounds(struct compiled_polyhedron *polyhedron, const struct compiled_plane *plane) {
+    for (int i = 0; i < 3; i++) {
+        if (plane->normal[i] >= 1) {
+            polyhedron->high[i] = fmin(polyhedron->high[i], plane->offset);
+        } else if (plane->normal[i] <= -1) {
+            polyhedron->low[i] = fmax(polyhedron->low[i], -plane->offset);
+        }
+    }
+}
+
+/* Those planes of a half-space that end it where the world does. */
+static bool bound_polyhedron(struct compiler *compiler, int index, const struct bounds *view) {
+    struct compiled_scene *scene = compiler->scene;
+    struct compiled_polyhedron *polyhedron = &scene->polyhedra[scene->primitives[index].index];
+    bool changed = false;
+    for (int i = 0; i < polyhedron->count; i++) {
+        struct compiled_plane *plane = &scene->planes[polyhedron->first + i];
+        double end = bounds_reach(view, plane->normal, 1);
+        if (plane->offset >= COMPILE_WORLD && end < COMPILE_WORLD) {
+            int surface = compile_plane_surface(compiler, plane->normal, end);
+            if (surface >= 0) {
+                plane->offset = compile_place_of_plane(compiler, surface, plane->normal);
+                plane->surface = (uint16_t)surface;
+                changed = true;
+                cut_bounds(polyhedron, plane);
+            }
+        }
+    }
+    return changed;
+}
+
+static bool bound_primitive(struct compiler *compiler, int primitive, const struct bounds *view) {
+    compiler->line = compiler->scene->primitives[primitive].line;
+    switch (compiler->scene->primitives[primitive].kind) {
+    case KIND_BOX:
+        return bound_box(compiler, primitive, view);
+    case KIND_QUADRIC:
+        return bound_quadric(compiler, primitive, view);
+    case KIND_POLYHEDRON:
+        return bound_polyhedron(compiler, primitive, view);
+    default:
+        return false;
+    }
+}
+
+void optimise_bound(struct optimiser *optimiser) {
+    struct compiler *compiler = optimiser->compiler;
+    struct compiled_scene *scene = compiler->scene;
+    struct views views;
+    views.scene = scene;
+    for (int i = 0; i < scene->primitive_count; i++) {
+        views.of[i] = bounds_nothing;
+    }
+    for (int i = 1; i < scene->object_count; i++) {
+        csg_read(scene, &scene->objects[i], &optimiser->tree);
+        look_at(&views, &optimiser->tree, optimiser->tree.root, &bounds_everything);
+    }
+    for (int i = 0; i < scene->primitive_count; i++) {
+        if (!bounds_are_empty(&views.of[i]) && bound_primitive(compiler, i, &views.of[i])) {
+            scene->report.bounded++;
+        }
+    }
+}

@@ -1,0 +1,230 @@
+/* SPDX-License-Identifier: MIT */
+/* The scene compiler: from a description to the firmware's tables, centred and scaled. */
+#include "compiler/dead.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A scene whose contents reach less far has no scale. */
+#define REACH_LEAST 1e-12
+
+bool compile_fail(struct compiler *compiler, unsigned line, const char *format, ...) {
+    char what[400];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(what, sizeof what, format, arguments);
+    va_end(arguments);
+    const char *path = compiler->description->path;
+    if (line > 0) {
+        snprintf(compiler->error->text, sizeof compiler->error->text, "%.90s:%u: %s", path, line,
+                 what);
+    } else {
+        snprintf(compiler->error->text, sizeof compiler->error->text, "%.100s: %s", path, what);
+    }
+    return false;
+}
+
+/* Returns true if every part of an object of the file is dead. */
+static bool object_is_dead(const struct compile_dead *dead, size_t object) {
+    bool has_part = false;
+    for (int i = 0; i < dead->part_count; i++) {
+        if (dead->object_of_part[i] == object) {
+            has_part = true;
+            if (dead->part[i] == NULL) {
+                return false;
+            }
+        }
+    }
+    return has_part;
+}
+
+/* The bounds of all that has an end: finite solids, the eye, the point lights. */
+static struct bounds content_bounds(const struct scene_description *description,
+                                    const struct compile_dead *dead) {
+    struct bounds all = bounds_nothing;
+    bounds_include(&all, description->camera.eye);
+    for (size_t i = 0; i < description->light_count; i++) {
+        if (!description->lights[i].parallel && (dead == NULL || dead->light[i] == NULL)) {
+            bounds_include(&all, description->lights[i].position);
+        }
+    }
+    for (size_t i = 0; i < description->object_count; i++) {
+        if (dead != NULL && object_is_dead(dead, i)) {
+            continue;
+        }
+        struct bounds solid =
+            solid_bounds(description, description->objects[i].solid, &affine_identity);
+        if (bounds_are_finite(&solid) && !bounds_are_empty(&solid)) {
+            all = bounds_union(&all, &solid);
+        }
+    }
+    return all;
+}
+
+/* Coordinates of a file that were rounded a few times on their way: relative to the farthest. */
+#define FILE_ROUNDING 0x1p-50
+
+static double bounds_half(const struct bounds *bounds) {
+    double reach = 0;
+    for (int i = 0; i < 3; i++) {
+        reach = fmax(reach, bounds->high[i] / 2 - bounds->low[i] / 2);
+    }
+    return reach;
+}
+
+/* Scales by what is not dead. The rest counts where something endless is seen, whose end it
+ * decides, or where nothing else has a size. */
+bool compile_scaling(struct compiler *compiler) {
+    struct compiled_scene *scene = compiler->scene;
+    const bool is_whole = compiler->dead->has_endless || compiler->dead->keeps_scale;
+    const struct compile_dead *dead = is_whole ? NULL : compiler->dead;
+    struct bounds all = content_bounds(compiler->description, dead);
+    if (!(bounds_half(&all) >= REACH_LEAST)) {
+        all = content_bounds(compiler->description, NULL);
+    }
+    double reach = bounds_half(&all);
+    for (int i = 0; i < 3; i++) {
+        scene->centre[i] = all.low[i] / 2 + all.high[i] / 2;
+    }
+    if (!(reach <= 1e12 && reach >= REACH_LEAST)) {
+        return compile_fail(compiler, 0,
+                            "solids, eye and lights lie within %g units; 1e-12 to 1e12 is allowed: "
+                            "choose another unit of length",
+                            reach);
+    }
+    scene->exponent = (int)floor(log2(COMPILE_EXTENT / reach));
+    double farthest = 0;
+    for (int i = 0; i < 3; i++) {
+        farthest = fmax(farthest, fmax(fabs(all.low[i]), fabs(all.high[i])));
+    }
+    double weld = compiler->description->weld;
+    compiler->same = fmax(COMPILE_SAME, ldexp(FILE_ROUNDING * farthest, scene->exponent));
+    compiler->same = fmax(compiler->same, ldexp(weld, scene->exponent));
+    if (compiler->same > COMPILE_WELD_MOST) {
+        return compile_fail(compiler, 0,
+                            weld > 0 ? "'weld' is %g; at most %g is allowed for this scene's size"
+                                     : "the file's numbers are rounded to %g so far from the "
+                                       "origin; at most %g is allowed: move the scene nearer to it",
+                            weld > 0 ? weld : FILE_ROUNDING * farthest,
+                            ldexp(COMPILE_WELD_MOST, -scene->exponent));
+    }
+    compiler->scaling = affine_identity;
+    for (int i = 0; i < 3; i++) {
+        compiler->scaling.m[i][i] = ldexp(1, scene->exponent);
+        compiler->scaling.m[i][3] = -ldexp(scene->centre[i], scene->exponent);
+    }
+    return true;
+}
+
+void compile_show(const struct compiler *compiler, enum compile_step step) {
+    if (compiler->observer != NULL) {
+        compiler->observer->look(compiler->observer->context, step, compiler->scene);
+    }
+}
+
+/* Takes one step and shows the tables where it succeeds. */
+static bool step(struct compiler *compiler, bool (*work)(struct compiler *compiler),
+                 enum compile_step done) {
+    if (!work(compiler)) {
+        return false;
+    }
+    compile_show(compiler, done);
+    return true;
+}
+
+/* Makes the tables of what is not dead so far. */
+static bool compile_tables(struct compiler *compiler) {
+    if (!compile_scaling(compiler) || !compile_materials(compiler) ||
+        !step(compiler, compile_objects, STEP_OBJECTS) ||
+        !step(compiler, compile_optimise, STEP_COMPACT) || !compile_pattern_faces(compiler) ||
+        !step(compiler, compile_view, STEP_VIEW) || !compile_colour(compiler)) {
+        return false;
+    }
+    compile_lights(compiler);
+    return true;
+}
+
+/* Forgets all but what is dead. */
+static void begin(struct compiler *compiler) {
+    const struct compiler fresh = {.description = compiler->description,
+                                   .scene = compiler->scene,
+                                   .error = compiler->error,
+                                   .observer = compiler->observer,
+                                   .dead = compiler->dead,
+                                   .directions = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                                   .direction_count = 3};
+    *compiler = fresh;
+    memset(compiler->scene, 0, sizeof *compiler->scene);
+    snprintf(compiler->scene->path, sizeof compiler->scene->path, "%s",
+             compiler->description->path);
+}
+
+/* Makes the tables; by the scale that what is dead had a say in, where what is left refuses its
+ * own.
+ */
+static bool compile_round(struct compiler *compiler) {
+    begin(compiler);
+    if (compile_tables(compiler)) {
+        return true;
+    }
+    if (compiler->dead->count == 0 || compiler->dead->keeps_scale) {
+        return false;
+    }
+    compiler->dead->keeps_scale = true;
+    begin(compiler);
+    return compile_tables(compiler);
+}
+
+/* Makes the tables, and makes them anew as long as they prove something dead: without that, what
+ * is left may be scaled otherwise. */
+static bool compile_live(struct compiler *compiler) {
+    unsigned known;
+    do {
+        known = compiler->dead->count;
+        if (!compile_round(compiler) || !compile_find_dead(compiler)) {
+            return false;
+        }
+    } while (compiler->dead->count > known);
+    compile_settle(compiler);
+    compile_brightest(compiler);
+    compile_shadows(compiler);
+    compile_show(compiler, STEP_SHADOWS);
+    compile_enclosures(compiler);
+    compile_show(compiler, STEP_ENCLOSURES);
+    compile_near(compiler);
+    return true;
+}
+
+struct compiled_scene *scene_compile_observed(const struct scene_description *description,
+                                              const struct compile_observer *observer,
+                                              struct scene_error *error) {
+    struct compiled_scene *scene = calloc(1, sizeof *scene);
+    struct compiler *compiler = calloc(1, sizeof *compiler);
+    struct compile_dead *dead = calloc(1, sizeof *dead);
+    bool good = scene && compiler && dead;
+    if (!good) {
+        snprintf(error->text, sizeof error->text, "%.100s: out of memory", description->path);
+    } else {
+        compiler->description = description;
+        compiler->scene = scene;
+        compiler->error = error;
+        compiler->observer = observer;
+        compiler->dead = dead;
+        good = compile_live(compiler);
+    }
+    free(dead);
+    free(compiler);
+    if (!good) {
+        free(scene);
+        return NULL;
+    }
+    return scene;
+}
+
+struct compiled_scene *scene_compile(const struct scene_description *description,
+                                     struct scene_error *error) {
+    return scene_compile_observed(description, NULL, error);
+}

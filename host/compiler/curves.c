@@ -1,0 +1,187 @@
+/* SPDX-License-Identifier: MIT */
+/* The scene compiler: which curved surfaces are one, however the file writes each. */
+#include <math.h>
+#include <string.h>
+
+#include "compiler/compiler_internal.h"
+#include "splitmix64.h"
+
+/* Nine points in general position tell a quadric from all others; some more do so by a margin. */
+enum { POINTS_LEAST = 12, POINTS_MOST = 24, LINES = 96 };
+
+static double random_within(uint64_t *state, double most) {
+    return most * ((double)(splitmix64(state) >> 11) * 0x1p-52 - 1);
+}
+
+/* Returns half the gradient of a form at a point, and the form's value there. */
+static double form_at(const struct quadric_axes *form, const double point[3], double half[3]) {
+    double value = form->constant;
+    const double from[3] = {point[0] - form->origin[0], point[1] - form->origin[1],
+                            point[2] - form->origin[2]};
+    half[0] = half[1] = half[2] = 0;
+    for (int i = 0; i < 3; i++) {
+        double x = vector_dot(from, form->axis[i]), linear = i == 2 ? form->linear : 0;
+        value += (form->square[i] * x + 2 * linear) * x;
+        for (int j = 0; j < 3; j++) {
+            half[j] += (form->square[i] * x + linear) * form->axis[i][j];
+        }
+    }
+    return value;
+}
+
+/* Finds out how far lines are to start from the centre along each axis to meet the surface. */
+static void find_spans(const struct quadric_axes *form, double span[3]) {
+    double most = -HUGE_VAL, least = HUGE_VAL, square = fabs(form->constant);
+    for (int i = 0; i < 3; i++) {
+        most = fmax(most, form->square[i]);
+        least = fmin(least, form->square[i]);
+    }
+    if (form->linear != 0) {
+        square = fabs(form->linear) * COMPILE_EXTENT;
+    } else if (most > 0 && least < 0) {
+        square = fmax(square, 1); /* not at the tip, where cones are alike */
+    }
+    for (int i = 0; i < 3; i++) {
+        span[i] = form->square[i] == 0 ? COMPILE_EXTENT / 2
+                                       : fmin(sqrt(square / fabs(form->square[i])), COMPILE_WORLD);
+    }
+}
+
+/* Adds the points of a line, given in a form's own axes, that lie on it: their number. */
+static int meet_line(const struct quadric_axes *form, const double start[3], const double way[3],
+                     double points[2][3]) {
+    double a = 0, b = way[2] * form->linear, c = form->constant + 2 * form->linear * start[2];
+    for (int i = 0; i < 3; i++) {
+        a += form->square[i] * way[i] * way[i];
+        b += form->square[i] * way[i] * start[i];
+        c += form->square[i] * start[i] * start[i];
+    }
+    double square = b * b - a * c;
+    if (!(square > b * b / 64)) { /* it touches the surface, or misses it */
+        return 0;
+    }
+    double q = b < 0 ? sqrt(square) - b : -b - sqrt(square);
+    const double t[2] = {c / q, q / a};
+    int count = 0;
+    for (int root = 0; root < 2; root++) {
+        bool within = isfinite(t[root]);
+        for (int j = 0; j < 3; j++) {
+            points[count][j] = form->origin[j];
+            for (int i = 0; i < 3; i++) {
+                points[count][j] += (start[i] + t[root] * way[i]) * form->axis[i][j];
+            }
+            within = within && fabs(points[count][j]) < COMPILE_WORLD;
+        }
+        count += within;
+    }
+    return count;
+}
+
+/* Points of a surface, spread over what of it lies in the world: their number. */
+static int curve_points(const struct quadric_axes *form, double points[POINTS_MOST + 1][3]) {
+    static const double axes[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, centre[3] = {0, 0, 0};
+    uint64_t state = 1;
+    double span[3];
+    int count = 0;
+    bool is_cone = form->square[0] < 0 || form->square[1] < 0 || form->square[2] < 0;
+    for (int i = 0; i < 3 && !is_cone; i++) { /* the ends of axes, which move most */
+        count += meet_line(form, centre, axes[i], &points[count]);
+    }
+    find_spans(form, span);
+    for (int line = 0; line < LINES && count < POINTS_MOST; line++) {
+        double start[3], way[3];
+        for (int i = 0; i < 3; i++) {
+            start[i] = random_within(&state, span[i]);
+            way[i] = random_within(&state, span[i]);
+        }
+        count += meet_line(form, start, way, &points[count]);
+    }
+    return count;
+}
+
+static struct quadric_axes form_of_quadric(const struct compiled_scene *scene, uint8_t frame,
+                                           const struct compiled_quadric *quadric) {
+    struct quadric_axes form = {{0}, {{0}}, {0}, 0, 0};
+    for (int i = 0; i < 3; i++) {
+        memcpy(form.axis[i], compiled_axis(scene, frame, i), sizeof form.axis[i]);
+    }
+    memcpy(form.origin, quadric->centre, sizeof form.origin);
+    memcpy(form.square, quadric->square, sizeof form.square);
+    form.linear = quadric->linear;
+    form.constant = quadric->constant;
+    return form;
+}
+
+/* Gives the form of a ball or a quadric, without the planes that cut it; false for other kinds. */
+static bool curve_of_primitive(const struct compiled_scene *scene, int index,
+                               struct quadric_axes *form) {
+    const struct compiled_primitive *primitive = &scene->primitives[index];
+    struct compiled_quadric quadric = {.square = {1, 1, 1}};
+    if (primitive->kind == KIND_BALL) {
+        const struct compiled_ball *ball = &scene->balls[primitive->index];
+        memcpy(quadric.centre, ball->centre, sizeof quadric.centre);
+        quadric.constant = -ball->radius * ball->radius;
+    } else if (primitive->kind == KIND_QUADRIC) {
+        quadric = scene->quadrics[primitive->index];
+    } else {
+        return false;
+    }
+    *form = form_of_quadric(scene, primitive->frame, &quadric);
+    return true;
+}
+
+/* Measures the distance of points from a surface, at most: each is value over gradient. */
+static double stray(const struct quadric_axes *form, double points[][3], int count) {
+    double most = 0;
+    for (int i = 0; i < count; i++) {
+        double half[3];
+        double value = form_at(form, points[i], half);
+        most = fmax(most, fabs(value) / fmax(2 * vector_length(half), 1e-300));
+    }
+    return most;
+}
+
+double compiled_quadric_strays(const struct compiled_scene *scene, uint8_t frame,
+                               const struct compiled_quadric *from,
+                               const struct compiled_quadric *other) {
+    double points[POINTS_MOST + 1][3];
+    struct quadric_axes form = form_of_quadric(scene, frame, from);
+    struct quadric_axes moved = form_of_quadric(scene, frame, other);
+    return stray(&moved, points, curve_points(&form, points));
+}
+
+int compile_same_curve(const struct compiler *compiler, const struct quadric_axes *form,
+                       bool *opposite) {
+    double points[POINTS_MOST + 1][3];
+    int count = curve_points(form, points);
+    for (int i = 0; i < compiler->scene->primitive_count && count >= POINTS_LEAST; i++) {
+        struct quadric_axes other;
+        double here[3], there[3];
+        if (curve_of_primitive(compiler->scene, i, &other) &&
+            stray(&other, points, count) <= compiler->same) {
+            (void)form_at(form, points[0], here);
+            (void)form_at(&other, points[0], there);
+            *opposite = vector_dot(here, there) < 0;
+            return i;
+        }
+    }
+    return -1;
+}
+
+/* The number of the curved surface of a ball or a quadric. */
+static uint16_t curve_number(const struct compiled_scene *scene, int index) {
+    const struct compiled_primitive *primitive = &scene->primitives[index];
+    return primitive->kind == KIND_BALL ? scene->balls[primitive->index].surface
+                                        : scene->quadrics[primitive->index].surface;
+}
+
+double compile_curve_distance(const struct compiled_scene *scene, int one, int other) {
+    struct quadric_axes form, there;
+    double points[POINTS_MOST + 1][3];
+    if (!curve_of_primitive(scene, one, &form) || !curve_of_primitive(scene, other, &there) ||
+        curve_number(scene, one) == curve_number(scene, other)) {
+        return HUGE_VAL;
+    }
+    int count = curve_points(&form, points);
+    return count < POINTS_LEAST ? HUGE_VAL : stray(&there, points, count);
+}

@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: MIT */
+/* A quadric that planes across its axes cut, while the scene compiler puts it together. */
+#ifndef SUPERFRAME_COMPILE_CUT_H
+#define SUPERFRAME_COMPILE_CUT_H
+
+#include "compiler/compiler_internal.h"
+
+/* Sides of the box that nothing cuts are infinite. */
+struct cut_quadric {
+    struct compiled_quadric quadric;
+    struct compiled_box box;
+    uint8_t frame;
+    bool is_ball; /* any axes are its own */
+    unsigned line;
+};
+
+/* Begins with a ball or a quadric, perhaps one that is cut already; false for other kinds. */
+bool cut_start(const struct compiled_scene *scene, int primitive, struct cut_quadric *cut);
+
+/* The axis that a plane lies across, -1 if there is none. A ball takes on axes for its first one.
+ */
+int cut_axis(struct compiler *compiler, struct cut_quadric *cut, const double normal[3]);
+
+/* Cuts by a plane across an axis: `along` is what its normal has of it, 1 or -1. */
+void cut_across(struct cut_quadric *cut, int axis, double along, double offset);
+
+/* The primitive that came of it, a new one or one that is there; -1 with the failure recorded. */
+int cut_finish(struct compiler *compiler, struct cut_quadric *cut);
+
+/* The same in place of a primitive that is a quadric; false with the failure recorded. */
+bool cut_replace(struct compiler *compiler, struct cut_quadric *cut, int primitive);
+
+#endif

@@ -1,0 +1,226 @@
+/* SPDX-License-Identifier: MIT */
+/* The scene compiler: which primitives lie strictly within which. */
+#include <math.h>
+#include <string.h>
+
+#include "compiler/compiler_internal.h"
+
+bool compiled_set_has(const struct compiled_set *set, int primitive) {
+    return (set->word[primitive / 32] >> primitive % 32 & 1) != 0;
+}
+
+void compiled_set_include(struct compiled_set *set, int primitive) {
+    set->word[primitive / 32] |= (uint32_t)1 << primitive % 32;
+}
+
+static bool is_behind(const struct compiled_scene *scene, int inner, const double normal[3],
+                      double offset) {
+    return primitive_reach(scene, inner, normal) < offset - COMPILE_STRICTLY;
+}
+
+static bool is_within_box(const struct compiled_scene *scene, int inner, int outer) {
+    const struct compiled_primitive *primitive = &scene->primitives[outer];
+    const struct compiled_box *box = &scene->boxes[primitive->index];
+    for (int i = 0; i < 3; i++) {
+        double up[3], down[3];
+        memcpy(up, compiled_axis(scene, primitive->frame, i), sizeof up);
+        for (int j = 0; j < 3; j++) {
+            down[j] = -up[j];
+        }
+        if (!is_behind(scene, inner, up, box->maximum[i]) ||
+            !is_behind(scene, inner, down, -box->minimum[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* A ball within a ball, or a box's corners within one. */
+static bool is_within_ball(const struct compiled_scene *scene, int inner, int outer) {
+    const struct compiled_ball *ball = &scene->balls[scene->primitives[outer].index];
+    const struct compiled_primitive *primitive = &scene->primitives[inner];
+    double square = 0;
+    if (primitive->kind == KIND_BALL) {
+        const struct compiled_ball *small = &scene->balls[primitive->index];
+        for (int i = 0; i < 3; i++) {
+            square += pow(small->centre[i] - ball->centre[i], 2);
+        }
+        return sqrt(square) + small->radius < ball->radius - COMPILE_STRICTLY;
+    }
+    if (primitive->kind != KIND_BOX) {
+        return false;
+    }
+    const struct compiled_box *box = &scene->boxes[primitive->index];
+    for (int i = 0; i < 3; i++) {
+        const double *axis = compiled_axis(scene, primitive->frame, i);
+        double middle = vector_dot(ball->centre, axis);
+        square += pow(fmax(fabs(box->minimum[i] - middle), fabs(box->maximum[i] - middle)), 2);
+    }
+    return sqrt(square) < ball->radius - COMPILE_STRICTLY;
+}
+
+static bool is_within_polyhedron(const struct compiled_scene *scene, int inner, int outer) {
+    const struct compiled_polyhedron *polyhedron =
+        &scene->polyhedra[scene->primitives[outer].index];
+    for (int i = 0; i < polyhedron->count; i++) {
+        const struct compiled_plane *plane = &scene->planes[polyhedron->first + i];
+        if (!is_behind(scene, inner, plane->normal, plane->offset)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* The most of a convex quadric's form over a box along its axes, from its centre. */
+static double most_of_form(const struct compiled_quadric *quadric, const double low[3],
+                           const double high[3]) {
+    double most = quadric->constant;
+    for (int i = 0; i < 3; i++) {
+        double linear = i == 2 ? 2 * quadric->linear : 0;
+        most += fmax((quadric->square[i] * low[i] + linear) * low[i],
+                     (quadric->square[i] * high[i] + linear) * high[i]);
+    }
+    return most;
+}
+
+/* The ball that a primitive lies within: itself, or one about its box. */
+static void surrounding_ball(const struct compiled_scene *scene, int index, double centre[3],
+                             double *radius) {
+    const struct compiled_primitive *primitive = &scene->primitives[index];
+    double square = 0;
+    if (primitive->kind == KIND_BALL) {
+        memcpy(centre, scene->balls[primitive->index].centre, 3 * sizeof *centre);
+        *radius = scene->balls[primitive->index].radius;
+        return;
+    }
+    centre[0] = centre[1] = centre[2] = 0;
+    for (int i = 0; i < 3; i++) {
+        const double *axis = compiled_axis(scene, primitive->frame, i);
+        double down[3] = {-axis[0], -axis[1], -axis[2]};
+        double high = primitive_reach(scene, index, axis);
+        double low = -primitive_reach(scene, index, down);
+        square += (high - low) * (high - low) / 4;
+        for (int j = 0; j < 3; j++) {
+            centre[j] += (low + high) / 2 * axis[j];
+        }
+    }
+    *radius = sqrt(square);
+}
+
+/* Whether an ellipsoid holds a ball: in coordinates that make it one, the ball's centre and what
+ * its radius becomes at most. */
+static bool holds_ball(const struct compiled_scene *scene, int outer, const double centre[3],
+                       double radius) {
+    const struct compiled_primitive *primitive = &scene->primitives[outer];
+    const struct compiled_quadric *quadric = &scene->quadrics[primitive->index];
+    double square = 0, steepest = 0;
+    for (int i = 0; i < 3; i++) {
+        const double *axis = compiled_axis(scene, primitive->frame, i);
+        double x = vector_dot(centre, axis) - vector_dot(quadric->centre, axis);
+        square += quadric->square[i] * x * x;
+        steepest = fmax(steepest, quadric->square[i]);
+    }
+    return quadric->linear == 0 &&
+           sqrt(square) + radius * sqrt(steepest) < sqrt(-quadric->constant) - COMPILE_STRICTLY;
+}
+
+/* Within the form, and behind the planes that cut. */
+static bool is_within_quadric(const struct compiled_scene *scene, int inner, int outer) {
+    const struct compiled_primitive *primitive = &scene->primitives[outer];
+    const struct compiled_quadric *quadric = &scene->quadrics[primitive->index];
+    const struct compiled_box *box = &scene->boxes[quadric->box];
+    double low[3], high[3], centre[3], radius;
+    for (int i = 0; i < 3; i++) {
+        const double *axis = compiled_axis(scene, primitive->frame, i);
+        const double down[3] = {-axis[0], -axis[1], -axis[2]};
+        double middle = vector_dot(quadric->centre, axis);
+        bool cut = (quadric->cuts >> i & 1) != 0;
+        if (quadric->square[i] < 0 || (cut && (!is_behind(scene, inner, axis, box->maximum[i]) ||
+                                               !is_behind(scene, inner, down, -box->minimum[i])))) {
+            return false;
+        }
+        high[i] = primitive_reach(scene, inner, axis) - middle;
+        low[i] = -primitive_reach(scene, inner, down) - middle;
+        if (!isfinite(low[i]) || !isfinite(high[i])) {
+            return false;
+        }
+    }
+    surrounding_ball(scene, inner, centre, &radius);
+    return most_of_form(quadric, low, high) < -COMPILE_STRICTLY * COMPILE_EXTENT ||
+           holds_ball(scene, outer, centre, radius);
+}
+
+/* Only convex primitives enclose: from a point within, a ray leaves them once. */
+bool primitive_is_within(const struct compiled_scene *scene, int inner, int outer) {
+    switch (scene->primitives[outer].kind) {
+    case KIND_BOX:
+        return is_within_box(scene, inner, outer);
+    case KIND_BALL:
+        return is_within_ball(scene, inner, outer);
+    case KIND_POLYHEDRON:
+        return is_within_polyhedron(scene, inner, outer);
+    default:
+        return is_within_quadric(scene, inner, outer);
+    }
+}
+
+/* Whether all of one primitive lies before another one along a direction, which need not have
+ * length 1. */
+static bool lies_beyond(const struct compiled_scene *scene, int one, int other,
+                        const double direction[3]) {
+    double there[3] = {direction[0], direction[1], direction[2]}, back[3];
+    if (!vector_normalise(there)) {
+        return false;
+    }
+    for (int i = 0; i < 3; i++) {
+        back[i] = -there[i];
+    }
+    return primitive_reach(scene, one, there) + primitive_reach(scene, other, back) < -COMPILE_GAP;
+}
+
+/* Whether two primitives are found to have no point in common: by a plane between them across an
+ * axis of either, of the world, or across the way from one to the other. */
+bool primitives_are_apart(const struct compiled_scene *scene, int one, int other) {
+    const uint8_t frames[3] = {WORLD_FRAME, scene->primitives[one].frame,
+                               scene->primitives[other].frame};
+    double from[3], to[3], radius;
+    for (int i = 0; i < 9; i++) {
+        const double *axis = compiled_axis(scene, frames[i / 3], i % 3);
+        if (lies_beyond(scene, one, other, axis) || lies_beyond(scene, other, one, axis)) {
+            return true;
+        }
+    }
+    surrounding_ball(scene, one, from, &radius);
+    surrounding_ball(scene, other, to, &radius);
+    for (int i = 0; i < 3; i++) {
+        to[i] -= from[i];
+    }
+    return isfinite(vector_length(to)) && lies_beyond(scene, one, other, to);
+}
+
+/* The enclosure of a primitive is the innermost of all that it lies within: that which lies within
+ * the most others itself. */
+void compile_enclosures(struct compiler *compiler) {
+    struct compiled_scene *scene = compiler->scene;
+    int depth[COMPILED_PRIMITIVES_MOST] = {0};
+    for (int i = 0; i < scene->primitive_count; i++) {
+        for (int j = 0; j < scene->primitive_count; j++) {
+            bool within = i != j && primitive_is_within(scene, i, j);
+            depth[i] += within;
+            if (within || (i != j && primitives_are_apart(scene, i, j))) {
+                compiled_set_include(&scene->hidden_by[j], i);
+                scene->report.hidden++;
+            }
+        }
+    }
+    for (int i = 0; i < scene->primitive_count; i++) {
+        struct compiled_primitive *primitive = &scene->primitives[i];
+        primitive->enclosure = NO_ENCLOSURE;
+        for (int j = 0; j < scene->primitive_count; j++) {
+            if (i != j && primitive_is_within(scene, i, j) &&
+                (primitive->enclosure == NO_ENCLOSURE || depth[j] > depth[primitive->enclosure])) {
+                primitive->enclosure = (uint8_t)j;
+            }
+        }
+    }
+}

@@ -1,0 +1,171 @@
+/* SPDX-License-Identifier: MIT */
+/* The scene compiler: how far primitives reach. */
+#include <math.h>
+
+#include "compiler/compiler_internal.h"
+
+const double *compiled_axis(const struct compiled_scene *scene, uint8_t frame, int axis) {
+    return frame == WORLD_FRAME ? affine_identity.m[axis] : scene->frames[frame].axis[axis];
+}
+
+/* ---- Quadrics, in their own axes ------------------------------------------------------------ */
+
+/* The least and the most of square x^2 + 2 linear x over an interval, which may be infinite. */
+static double least_of(double square, double linear, double low, double high) {
+    double zero = fmax(low, fmin(high, 0));
+    if (square > 0) {
+        return square * zero * zero;
+    }
+    if (square < 0) {
+        return square * fmax(low * low, high * high);
+    }
+    return linear > 0 ? 2 * linear * low : linear < 0 ? 2 * linear * high : 0;
+}
+
+/* What an axis may have where the others take as little as they can of what the form allows. */
+static void tighten_axis(const struct compiled_quadric *quadric, int axis, double low[3],
+                         double high[3]) {
+    double left = -quadric->constant;
+    double square = quadric->square[axis], linear = axis == 2 ? quadric->linear : 0;
+    for (int i = 0; i < 3; i++) {
+        if (i != axis) {
+            left -= least_of(quadric->square[i], i == 2 ? quadric->linear : 0, low[i], high[i]);
+        }
+    }
+    if (!isfinite(left)) {
+        return;
+    }
+    if (square > 0) {
+        double most = sqrt(fmax(0, left / square));
+        low[axis] = fmax(low[axis], -most);
+        high[axis] = fmin(high[axis], most);
+    } else if (square == 0 && linear > 0) {
+        high[axis] = fmin(high[axis], left / (2 * linear));
+    } else if (square == 0 && linear < 0) {
+        low[axis] = fmax(low[axis], left / (2 * linear));
+    }
+}
+
+void quadric_extent(const struct compiled_scene *scene, const struct compiled_quadric *quadric,
+                    const struct compiled_box *box, uint8_t frame, double low[3], double high[3]) {
+    for (int i = 0; i < 3; i++) {
+        double centre = vector_dot(quadric->centre, compiled_axis(scene, frame, i));
+        bool cut = (quadric->cuts >> i & 1) != 0;
+        low[i] = cut ? box->minimum[i] - centre : -HUGE_VAL;
+        high[i] = cut ? box->maximum[i] - centre : HUGE_VAL;
+    }
+    for (int round = 0; round < 3; round++) {
+        for (int i = 0; i < 3; i++) {
+            tighten_axis(quadric, i, low, high);
+        }
+    }
+}
+
+/* The square of the farthest from the centre, if the two axes at right angles to this one hold what
+ * the form leaves them: the most of a parabola over an interval. */
+static double square_reach_about(const struct compiled_quadric *quadric, int axis, double low,
+                                 double high) {
+    double narrow = fmin(quadric->square[(axis + 1) % 3], quadric->square[(axis + 2) % 3]);
+    double linear = axis == 2 ? quadric->linear : 0;
+    if (narrow <= 0 || (axis != 2 && quadric->linear != 0) || !isfinite(low) || !isfinite(high)) {
+        return HUGE_VAL;
+    }
+    double square = 1 - quadric->square[axis] / narrow;
+    double places[3] = {low, high, low}, most = 0;
+    if (square < 0) {
+        places[2] = fmax(low, fmin(high, linear / narrow / square));
+    }
+    for (int i = 0; i < 3; i++) {
+        double x = places[i];
+        most = fmax(most, (square * x - 2 * linear / narrow) * x - quadric->constant / narrow);
+    }
+    return most;
+}
+
+double quadric_ball(const struct compiled_quadric *quadric, const double low[3],
+                    const double high[3]) {
+    double corner = 0;
+    for (int i = 0; i < 3; i++) {
+        corner += fmax(low[i] * low[i], high[i] * high[i]);
+    }
+    double square = corner;
+    for (int i = 0; i < 3; i++) {
+        square = fmin(square, square_reach_about(quadric, i, low[i], high[i]));
+    }
+    return sqrt(square);
+}
+
+/* ---- Along a direction ---------------------------------------------------------------------- */
+
+static double box_reach(const struct compiled_scene *scene,
+                        const struct compiled_primitive *primitive, const double direction[3]) {
+    const struct compiled_box *box = &scene->boxes[primitive->index];
+    double reach = 0;
+    for (int i = 0; i < 3; i++) {
+        double along = vector_dot(direction, compiled_axis(scene, primitive->frame, i));
+        reach += along * (along < 0 ? box->minimum[i] : box->maximum[i]);
+    }
+    return reach;
+}
+
+/* Exact for an ellipsoid that nothing cuts, and for the axes of any quadric. */
+static double quadric_reach(const struct compiled_scene *scene,
+                            const struct compiled_primitive *primitive, const double direction[3]) {
+    const struct compiled_quadric *quadric = &scene->quadrics[primitive->index];
+    double low[3], high[3], reach = 0, square = 0;
+    quadric_extent(scene, quadric, &scene->boxes[quadric->box], primitive->frame, low, high);
+    for (int i = 0; i < 3; i++) {
+        double along = vector_dot(direction, compiled_axis(scene, primitive->frame, i));
+        if (along < 0 || along > 0) {
+            reach += along * (along < 0 ? low[i] : high[i]);
+        }
+        square -= quadric->square[i] > 0 ? along * along * quadric->constant / quadric->square[i]
+                                         : -HUGE_VAL;
+    }
+    return vector_dot(direction, quadric->centre) + fmin(reach, sqrt(square));
+}
+
+/* Exact across its own faces, and along the axes of the world. */
+static double polyhedron_reach(const struct compiled_scene *scene,
+                               const struct compiled_polyhedron *polyhedron,
+                               const double direction[3]) {
+    double reach = 0;
+    for (int i = 0; i < 3; i++) {
+        if (direction[i] < 0 || direction[i] > 0) {
+            reach += direction[i] * (direction[i] < 0 ? polyhedron->low[i] : polyhedron->high[i]);
+        }
+    }
+    for (int i = polyhedron->first; i < polyhedron->first + polyhedron->count; i++) {
+        if (compile_parallel(direction, scene->planes[i].normal) > 0) {
+            reach = fmin(reach, scene->planes[i].offset);
+        }
+    }
+    return reach;
+}
+
+double primitive_reach(const struct compiled_scene *scene, int index, const double direction[3]) {
+    const struct compiled_primitive *primitive = &scene->primitives[index];
+    switch (primitive->kind) {
+    case KIND_BOX:
+        return box_reach(scene, primitive, direction);
+    case KIND_BALL:
+        return vector_dot(direction, scene->balls[primitive->index].centre) +
+               scene->balls[primitive->index].radius;
+    case KIND_QUADRIC:
+        return quadric_reach(scene, primitive, direction);
+    default:
+        return polyhedron_reach(scene, &scene->polyhedra[primitive->index], direction);
+    }
+}
+
+struct bounds primitive_bounds(const struct compiled_scene *scene, int primitive) {
+    struct bounds bounds;
+    for (int i = 0; i < 3; i++) {
+        double up[3] = {0, 0, 0}, down[3] = {0, 0, 0};
+        up[i] = 1;
+        down[i] = -1;
+        bounds.low[i] = -primitive_reach(scene, primitive, down);
+        bounds.high[i] = primitive_reach(scene, primitive, up);
+    }
+    return bounds;
+}

@@ -1,0 +1,136 @@
+/* SPDX-License-Identifier: MIT */
+/* The scene compiler: quadrics and the planes that cut them as one primitive, boxes that meet in a
+ * box as one box. */
+#include <math.h>
+#include <string.h>
+
+#include "compiler/cut.h"
+#include "compiler/optimise.h"
+
+/* Whether a plane leaves something of a primitive and takes something away. */
+static bool plane_cuts(const struct compiled_scene *scene, int primitive,
+                       const struct compiled_face *plane) {
+    return primitive_reach(scene, primitive, plane->normal) >= plane->offset - COMPILE_STRICTLY;
+}
+
+static bool plane_leaves(const struct compiled_scene *scene, int primitive,
+                         const struct compiled_face *plane) {
+    double back[3] = {-plane->normal[0], -plane->normal[1], -plane->normal[2]};
+    return -primitive_reach(scene, primitive, back) < plane->offset - COMPILE_STRICTLY;
+}
+
+/* Those planes of a box or a polyhedron that cut a primitive: their number, -1 if one of them
+ * leaves nothing. */
+static int cutting_planes(const struct compiled_scene *scene, int primitive, int solid,
+                          struct compiled_face planes[COMPILED_FACES_MOST]) {
+    uint8_t kind = scene->primitives[solid].kind;
+    bool is_flat = kind == KIND_BOX || kind == KIND_POLYHEDRON;
+    int count = is_flat ? compiled_faces(scene, solid, planes) : 0, kept = 0;
+    for (int i = 0; i < count; i++) {
+        if (!plane_leaves(scene, primitive, &planes[i])) {
+            return -1;
+        }
+        if (plane_cuts(scene, primitive, &planes[i])) {
+            planes[kept++] = planes[i];
+        }
+    }
+    return kept;
+}
+
+/* A primitive within a solid, or what of it lies outside of that, as one primitive; -1 if that is
+ * none. */
+static int fuse_quadric(struct compiler *compiler, int primitive, int solid, bool outside) {
+    struct compiled_face planes[COMPILED_FACES_MOST];
+    struct cut_quadric cut;
+    int count = cutting_planes(compiler->scene, primitive, solid, planes);
+    if (count <= 0 || (outside && count != 1) || !cut_start(compiler->scene, primitive, &cut)) {
+        return -1;
+    }
+    for (int i = 0; i < count; i++) {
+        int axis = cut_axis(compiler, &cut, planes[i].normal);
+        if (axis < 0) {
+            return -1;
+        }
+        double along =
+            vector_dot(planes[i].normal, compiled_axis(compiler->scene, cut.frame, axis));
+        double sign = outside ? -1 : 1;
+        cut_across(&cut, axis, sign * along, sign * planes[i].offset);
+    }
+    return cut_finish(compiler, &cut);
+}
+
+/* Two boxes of one frame, where they have something in common. */
+static int fuse_boxes(struct compiler *compiler, int a, int b) {
+    const struct compiled_scene *scene = compiler->scene;
+    const struct compiled_primitive *one = &scene->primitives[a], *other = &scene->primitives[b];
+    double low[3], high[3];
+    if (one->kind != KIND_BOX || other->kind != KIND_BOX || one->frame != other->frame) {
+        return -1;
+    }
+    for (int i = 0; i < 3; i++) {
+        const struct compiled_box *first = &scene->boxes[one->index];
+        const struct compiled_box *second = &scene->boxes[other->index];
+        low[i] = fmax(first->minimum[i], second->minimum[i]);
+        high[i] = fmin(first->maximum[i], second->maximum[i]);
+        if (high[i] - low[i] < COMPILE_STRICTLY) {
+            return -1;
+        }
+    }
+    compiler->line = one->line;
+    return compile_box_in(compiler, one->frame, low, high);
+}
+
+/* Whether a primitive is used nowhere else: a ball that becomes a quadric must not stay a ball
+ * elsewhere, for both would round otherwise. */
+static bool may_change(const struct optimiser *optimiser, int primitive) {
+    return optimiser->compiler->scene->primitives[primitive].kind != KIND_BALL ||
+           optimiser->uses[primitive] == 1;
+}
+
+/* Cuts a part of a tree by a primitive, or by what is outside of it, if one of its own primitives
+ * takes that in. */
+static bool absorb(struct optimiser *optimiser, uint8_t index, int solid, bool outside) {
+    struct csg_tree *tree = &optimiser->tree;
+    struct csg_node *node = &tree->nodes[index];
+    if (!csg_is_leaf(tree, index)) {
+        return node->code != CODE_UNION && (absorb(optimiser, node->left, solid, outside) ||
+                                            (node->code == CODE_INTERSECTION &&
+                                             absorb(optimiser, node->right, solid, outside)));
+    }
+    int fused = outside ? -1 : fuse_boxes(optimiser->compiler, node->code, solid);
+    if (fused < 0 && may_change(optimiser, node->code)) {
+        fused = fuse_quadric(optimiser->compiler, node->code, solid, outside);
+    }
+    if (fused < 0) {
+        return false;
+    }
+    node->code = (uint8_t)fused;
+    optimiser->compiler->scene->report.fused++;
+    return true;
+}
+
+/* What a node becomes when one of its two sides has taken in the other. */
+static void fuse_node(struct optimiser *optimiser, uint8_t index) {
+    struct csg_tree *tree = &optimiser->tree;
+    struct csg_node *node = &tree->nodes[index];
+    if (csg_is_leaf(tree, index)) {
+        return;
+    }
+    fuse_node(optimiser, node->left);
+    fuse_node(optimiser, node->right);
+    if (node->code == CODE_UNION) {
+        return;
+    }
+    bool outside = node->code == CODE_DIFFERENCE;
+    if (csg_is_leaf(tree, node->right) &&
+        absorb(optimiser, node->left, tree->nodes[node->right].code, outside)) {
+        *node = tree->nodes[node->left];
+    } else if (!outside && csg_is_leaf(tree, node->left) &&
+               absorb(optimiser, node->right, tree->nodes[node->left].code, false)) {
+        *node = tree->nodes[node->right];
+    }
+}
+
+void optimise_fuse(struct optimiser *optimiser) {
+    fuse_node(optimiser, optimiser->tree.root);
+}

@@ -1,0 +1,67 @@
+/* SPDX-License-Identifier: MIT */
+/* The scene compiler: faces that are not one, though nearer to each other than anybody means. */
+#include <math.h>
+
+#include "compiler/compiler_internal.h"
+
+/* In scaled units, of which a scene has 1,024: less than any arithmetic's noise for fine pictures.
+ */
+#define NEAR_MOST 0x1p-10
+
+static void note(struct compiled_scene *scene, int one, int other, double distance) {
+    if (scene->near_count < COMPILED_NEAR_MOST) {
+        scene->near[scene->near_count] = (struct compiled_near){
+            scene->primitives[one].line, scene->primitives[other].line, distance};
+    }
+    scene->near_count++;
+}
+
+/* Whether two primitives come so near that a ray may meet both at one place. */
+static bool meet(const struct compiled_scene *scene, int one, int other) {
+    struct bounds a = primitive_bounds(scene, one), b = primitive_bounds(scene, other);
+    for (int i = 0; i < 3; i++) {
+        a.low[i] -= NEAR_MOST;
+        a.high[i] += NEAR_MOST;
+    }
+    return bounds_overlap(&a, &b);
+}
+
+/* Gives how far two planes are apart within the scene; infinite where they are not nearly parallel.
+ */
+static double plane_distance(const struct compiled_face *a, const struct compiled_face *b) {
+    double sign = vector_dot(a->normal, b->normal) < 0 ? -1 : 1, lean = 0;
+    for (int i = 0; i < 3; i++) {
+        lean = fmax(lean, fabs(a->normal[i] - sign * b->normal[i]));
+    }
+    return fabs(a->offset - sign * b->offset) + lean * COMPILE_EXTENT;
+}
+
+/* Finds the nearest two faces of different surfaces; infinite where there are none. */
+static double face_distance(const struct compiled_scene *scene, int one, int other) {
+    struct compiled_face faces[COMPILED_FACES_MOST], others[COMPILED_FACES_MOST];
+    int count = compiled_faces(scene, one, faces), more = compiled_faces(scene, other, others);
+    double least = HUGE_VAL;
+    for (int i = 0; i < count; i++) {
+        for (int j = 0; j < more; j++) {
+            if (faces[i].surface != others[j].surface) {
+                least = fmin(least, plane_distance(&faces[i], &others[j]));
+            }
+        }
+    }
+    return least;
+}
+
+void compile_near(struct compiler *compiler) {
+    struct compiled_scene *scene = compiler->scene;
+    for (int i = 0; i < scene->primitive_count; i++) {
+        for (int j = 0; j <= i; j++) {
+            double distance = face_distance(scene, i, j);
+            if (i != j) {
+                distance = fmin(distance, compile_curve_distance(scene, i, j));
+            }
+            if (distance <= NEAR_MOST && meet(scene, i, j)) {
+                note(scene, j, i, ldexp(distance, -scene->exponent));
+            }
+        }
+    }
+}

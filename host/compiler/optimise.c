@@ -1,0 +1,69 @@
+/* SPDX-License-Identifier: MIT */
+/* The scene compiler as an optimiser: the same picture from less. */
+#include "compiler/optimise.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static void count_uses(struct optimiser *optimiser) {
+    struct compiled_scene *scene = optimiser->compiler->scene;
+    memset(optimiser->uses, 0, sizeof optimiser->uses);
+    for (int i = 0; i < scene->program_length; i++) {
+        if (scene->programs[i] < CODE_UNION) {
+            scene->report.shared += optimiser->uses[scene->programs[i]]++ > 0;
+        }
+    }
+}
+
+/* Takes an object out of the tables, and moves the later ones up. */
+static void remove_object(struct compiler *compiler, int object) {
+    struct compiled_scene *scene = compiler->scene;
+    size_t later = (size_t)(--scene->object_count - object);
+    memmove(&scene->objects[object], &scene->objects[object + 1], later * sizeof scene->objects[0]);
+    memmove(&scene->object_names[object], &scene->object_names[object + 1],
+            later * sizeof scene->object_names[0]);
+    memmove(&compiler->object_bounds[object], &compiler->object_bounds[object + 1],
+            later * sizeof compiler->object_bounds[0]);
+}
+
+static bool fuse(struct optimiser *optimiser) {
+    optimise_fuse(optimiser);
+    return true;
+}
+
+/* Takes the program of each object through one pass, which returns false where nothing is left of
+ * an object. Programs only get shorter: they are written over from the front. */
+static void rewrite_programs(struct optimiser *optimiser, bool (*pass)(struct optimiser *optimiser),
+                             enum compile_step step) {
+    struct compiled_scene *scene = optimiser->compiler->scene;
+    uint16_t place = 0;
+    int object = 1;
+    while (object < scene->object_count) {
+        csg_read(scene, &scene->objects[object], &optimiser->tree);
+        if (pass(optimiser)) {
+            place = csg_write(scene, &scene->objects[object], &optimiser->tree, place);
+            object++;
+        } else {
+            remove_object(optimiser->compiler, object);
+        }
+    }
+    scene->program_length = place;
+    compile_show(optimiser->compiler, step);
+}
+
+bool compile_optimise(struct compiler *compiler) {
+    struct optimiser *optimiser = calloc(1, sizeof *optimiser);
+    if (optimiser == NULL) {
+        return compile_fail(compiler, 0, "out of memory");
+    }
+    optimiser->compiler = compiler;
+    count_uses(optimiser);
+    rewrite_programs(optimiser, optimise_simplify, STEP_SIMPLIFY);
+    rewrite_programs(optimiser, fuse, STEP_FUSE);
+    /* What is fused may turn out to be the same as something else, or apart from it. */
+    rewrite_programs(optimiser, optimise_simplify, STEP_SIMPLIFY_FUSED);
+    optimise_bound(optimiser);
+    free(optimiser);
+    compile_show(compiler, STEP_BOUND);
+    return optimise_compact(compiler);
+}

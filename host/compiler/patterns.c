@@ -1,0 +1,117 @@
+/* SPDX-License-Identifier: MIT */
+/* The scene compiler: patterns, and the faces in which their cells end. */
+#include <math.h>
+#include <string.h>
+
+#include "compiler/compiler_internal.h"
+
+/* A face is so near the end of a cell that an arithmetic may round its points to either side. */
+#define BORDER_NEAR 0x1p-6
+
+/* From a corner of an even cell near the middle of the scene: the pattern is the same, and far
+ * origins lose no digits. Cells that are larger than the world end in it once at most. */
+static bool place_cells(const struct scene_pattern *pattern, int axis, double scale, double origin,
+                        struct compiled_pattern *compiled) {
+    double size = pattern->size[axis] * scale;
+    compiled->origin[axis] = remainder(origin, 2 * size);
+    compiled->size[axis] = fmin(size, COMPILE_FAR);
+    compiled->axes = (uint8_t)(compiled->axes | 1 << axis);
+    return fabs(compiled->origin[axis]) < COMPILE_WORLD;
+}
+
+bool compile_pattern(struct compiler *compiler, const struct scene_material *from,
+                     struct compiled_material *material) {
+    struct compiled_scene *scene = compiler->scene;
+    const struct scene_pattern *pattern = &from->pattern;
+    double origin[3];
+    if (!pattern->present) {
+        return true;
+    }
+    material->pattern = scene->pattern_count;
+    struct compiled_pattern *compiled = &scene->patterns[scene->pattern_count++];
+    compiled->line = from->line;
+    memcpy(compiled->colour, pattern->colour, sizeof compiled->colour);
+    affine_point(&compiler->scaling, pattern->origin, origin);
+    for (int i = 0; i < 3; i++) {
+        if (pattern->size[i] > 0 &&
+            !place_cells(pattern, i, ldexp(1, scene->exponent), origin[i], compiled)) {
+            return compile_fail(compiler, from->line,
+                                "a pattern of cells larger than the scene, whose origin lies "
+                                "outside of it: at most %g units from the middle are allowed",
+                                ldexp(COMPILE_WORLD, -scene->exponent));
+        }
+    }
+    return true;
+}
+
+static bool is_odd(double cell) {
+    return fmod(cell, 2) != 0;
+}
+
+/* The cells of a pattern on both sides of a plane across one of its axes, where a cell ends near
+ * it.
+ */
+static bool find_cells(const struct compiler *compiler, const struct compiled_pattern *pattern,
+                       int axis, double place, struct compiled_pattern_face *face) {
+    double nearest = round((place - pattern->origin[axis]) / pattern->size[axis]);
+    double beyond = place - (pattern->origin[axis] + nearest * pattern->size[axis]);
+    if (fabs(beyond) > BORDER_NEAR) {
+        return false;
+    }
+    bool ends_there = compile_same(compiler, beyond, 0);
+    face->axis = (uint8_t)axis;
+    face->odd_above = is_odd(ends_there || beyond > 0 ? nearest : nearest - 1);
+    face->odd_below = is_odd(ends_there || beyond < 0 ? nearest - 1 : nearest);
+    return true;
+}
+
+static bool has_face(const struct compiled_scene *scene, const struct compiled_pattern *pattern,
+                     uint16_t surface) {
+    for (int i = pattern->first_face; i < scene->pattern_face_count; i++) {
+        if (scene->pattern_faces[i].surface == surface) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool note_face(struct compiler *compiler, struct compiled_pattern *pattern,
+                      const struct compiled_face *face) {
+    struct compiled_scene *scene = compiler->scene;
+    struct compiled_pattern_face found;
+    for (int axis = 0; axis < 3; axis++) {
+        if ((pattern->axes >> axis & 1) == 0 || fabs(face->normal[axis]) != 1 ||
+            has_face(scene, pattern, face->surface) ||
+            !find_cells(compiler, pattern, axis, face->normal[axis] * face->offset, &found)) {
+            continue;
+        }
+        if (pattern->face_count == UINT8_MAX ||
+            scene->pattern_face_count == COMPILED_PATTERN_FACES_MOST) {
+            return compile_fail(compiler, pattern->line,
+                                "a pattern whose cells end in more than %d faces, or more than %d "
+                                "of all patterns: move its origin off the faces",
+                                UINT8_MAX, COMPILED_PATTERN_FACES_MOST);
+        }
+        found.surface = face->surface;
+        scene->pattern_faces[scene->pattern_face_count++] = found;
+        pattern->face_count++;
+    }
+    return true;
+}
+
+bool compile_pattern_faces(struct compiler *compiler) {
+    struct compiled_scene *scene = compiler->scene;
+    for (int i = 0; i < scene->pattern_count; i++) {
+        scene->patterns[i].first_face = scene->pattern_face_count;
+        for (int j = 0; j < scene->primitive_count; j++) {
+            struct compiled_face faces[COMPILED_FACES_MOST];
+            int count = compiled_faces(scene, j, faces);
+            for (int k = 0; k < count; k++) {
+                if (!note_face(compiler, &scene->patterns[i], &faces[k])) {
+                    return false;
+                }
+            }
+        }
+    }
+    return true;
+}

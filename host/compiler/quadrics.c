@@ -1,0 +1,223 @@
+/* SPDX-License-Identifier: MIT */
+/* The scene compiler: balls and quadrics, in their own axes. */
+#include <math.h>
+#include <string.h>
+
+#include "compiler/compiler_internal.h"
+
+static int compile_ball(struct compiler *compiler, const double centre[3], double radius) {
+    struct compiled_scene *scene = compiler->scene;
+    int primitive =
+        compile_new_primitive(compiler, KIND_BALL, scene->ball_count, WORLD_FRAME, true);
+    int surface = primitive < 0 ? -1 : compile_new_surface(compiler);
+    if (surface < 0) {
+        return -1;
+    }
+    struct compiled_ball *ball = &scene->balls[scene->ball_count++];
+    memcpy(ball->centre, centre, sizeof ball->centre);
+    ball->radius = radius;
+    ball->surface = (uint16_t)surface;
+    return primitive;
+}
+
+static int add_quadric(struct compiler *compiler, const struct compiled_quadric *quadric,
+                       uint8_t frame) {
+    const double *square = quadric->square;
+    bool convex = square[0] >= 0 && square[1] >= 0 && square[2] >= 0;
+    struct compiled_scene *scene = compiler->scene;
+    int primitive =
+        compile_new_primitive(compiler, KIND_QUADRIC, scene->quadric_count, frame, convex);
+    if (primitive >= 0) {
+        scene->quadrics[scene->quadric_count++] = *quadric;
+    }
+    return primitive;
+}
+
+/* Makes a quadric of a ball: the other side of its surface rounds as it does, then. */
+static void make_quadric(struct compiled_scene *scene, struct compiled_primitive *primitive) {
+    const struct compiled_ball *ball = &scene->balls[primitive->index];
+    struct compiled_quadric quadric = {.square = {1, 1, 1}, .surface = ball->surface};
+    memcpy(quadric.centre, ball->centre, sizeof quadric.centre);
+    quadric.constant = -ball->radius * ball->radius;
+    primitive->kind = KIND_QUADRIC;
+    primitive->index = scene->quadric_count;
+    scene->quadrics[scene->quadric_count++] = quadric;
+}
+
+/* The other side of a surface that is there, by the same numbers. */
+static int add_opposite(struct compiler *compiler, int twin) {
+    struct compiled_primitive *primitive = &compiler->scene->primitives[twin];
+    if (primitive->kind == KIND_BALL) {
+        make_quadric(compiler->scene, primitive);
+    }
+    struct compiled_quadric quadric = compiler->scene->quadrics[primitive->index];
+    for (int i = 0; i < 3; i++) {
+        quadric.square[i] = -quadric.square[i];
+    }
+    quadric.linear = -quadric.linear;
+    quadric.constant = -quadric.constant;
+    return add_quadric(compiler, &quadric, primitive->frame);
+}
+
+/* Whether a form is a ball's: its radius is the same along all axes. */
+static bool is_round(const struct compiler *compiler, const struct quadric_axes *axes) {
+    double radius = sqrt(fabs(axes->constant));
+    for (int i = 0; i < 3; i++) {
+        if (axes->square[i] <= 0 || !compile_same(compiler, axes->square[i] * radius, radius)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* A surface that no primitive has: the third axis takes the linear part with it. */
+static int add_curve(struct compiler *compiler, struct quadric_axes *axes) {
+    struct compiled_quadric quadric;
+    double sign[3];
+    int permutation[3];
+    int frame = compile_frame(compiler, axes->axis, axes->linear > 0, permutation, sign);
+    int surface = frame < 0 ? -1 : compile_new_surface(compiler);
+    if (surface < 0) {
+        return -1;
+    }
+    memset(&quadric, 0, sizeof quadric);
+    memcpy(quadric.centre, axes->origin, sizeof quadric.centre);
+    for (int i = 0; i < 3; i++) {
+        quadric.square[i] = axes->square[permutation[i]];
+    }
+    quadric.linear = axes->linear * sign[2];
+    quadric.constant = axes->constant;
+    quadric.surface = (uint16_t)surface;
+    return add_quadric(compiler, &quadric, (uint8_t)frame);
+}
+
+static bool holds_no_point(const struct quadric_axes *axes) {
+    return axes->square[0] > 0 && axes->square[1] > 0 && axes->square[2] > 0 && axes->constant >= 0;
+}
+
+/* Says why a form cannot be a primitive of the firmware; NULL if it can. */
+static const char *fault_of(const struct quadric_axes *axes) {
+    if (holds_no_point(axes)) {
+        return "a quadric that holds no point: its form has to be negative somewhere";
+    }
+    if (fabs(axes->linear) >= 2 * COMPILE_WORLD ||
+        fabs(axes->constant) >= 4 * COMPILE_WORLD * COMPILE_WORLD) {
+        return "a quadric that is nearly flat over the whole scene: use a half_space, or make it "
+               "smaller";
+    }
+    for (int i = 0; i < 3; i++) {
+        if (fabs(axes->origin[i]) >= COMPILE_WORLD) {
+            return "a quadric whose centre or apex lies outside of the scene, at more than twice "
+                   "its size: use a half_space, or move it";
+        }
+    }
+    return NULL;
+}
+
+/* Finds between what a form lies within the world's box, from above and below. */
+static void form_range(const struct quadric_axes *axes, double *least, double *most) {
+    *least = *most = axes->constant;
+    for (int i = 0; i < 3; i++) {
+        double reach = 0, square = axes->square[i], linear = i == 2 ? axes->linear : 0;
+        for (int j = 0; j < 3; j++) {
+            reach += COMPILE_WORLD * fabs(axes->axis[i][j]);
+        }
+        double middle = -vector_dot(axes->axis[i], axes->origin);
+        double low = middle - reach, high = middle + reach;
+        double at_low = (square * low + 2 * linear) * low;
+        double at_high = (square * high + 2 * linear) * high;
+        double bottom = fmin(at_low, at_high), top = fmax(at_low, at_high);
+        double turn = square == 0 ? low : -linear / square; /* where the form's slope is 0 */
+        if (turn > low && turn < high) {
+            bottom = fmin(bottom, -linear * turn);
+            top = fmax(top, -linear * turn);
+        }
+        *least += bottom;
+        *most += top;
+    }
+}
+
+/* Makes what holds the whole world, or nothing of it, of a form whose surface does not come near;
+ * -2 where it does. */
+static int compile_beyond(struct compiler *compiler, const struct quadric_axes *axes) {
+    double least, most;
+    form_range(axes, &least, &most);
+    if (holds_no_point(axes) || (least <= 0 && most >= 0)) {
+        return -2;
+    }
+    const struct scene_plane plane = {{0, 0, 1}, most < 0 ? COMPILE_WORLD : -2 * COMPILE_WORLD};
+    return compile_placed_half_space(compiler, &plane);
+}
+
+/* Moves a centre that lies out of the scene to the middle of it, along axes that say nothing of it.
+ */
+static void centre_form(struct quadric_axes *axes) {
+    for (int i = 0; i < 3; i++) {
+        double along = vector_dot(axes->origin, axes->axis[i]);
+        bool is_free = axes->square[i] == 0 && (i != 2 || axes->linear == 0);
+        for (int j = 0; j < 3 && is_free && fabs(along) >= COMPILE_EXTENT; j++) {
+            axes->origin[j] -= along * axes->axis[i][j];
+        }
+    }
+}
+
+/* Appends the half-spaces of a form that two parallel planes are: what is between them, or not.
+ * Their faces coincide with those of other solids, then. */
+static bool append_planes(struct compiler *compiler, const struct quadric_axes *axes) {
+    double half = sqrt(fabs(axes->constant)), between = axes->square[0];
+    double middle = vector_dot(axes->axis[0], axes->origin);
+    for (int side = -1; side <= 1; side += 2) {
+        struct scene_plane plane;
+        for (int i = 0; i < 3; i++) {
+            plane.normal[i] = side * between * axes->axis[0][i];
+        }
+        plane.offset = side * between * middle + between * half;
+        int primitive = compile_half_space(compiler, &plane, &affine_identity);
+        if (primitive < 0 || !compile_append(compiler, (uint8_t)primitive)) {
+            return false;
+        }
+    }
+    return compile_append(compiler, between > 0 ? CODE_INTERSECTION : CODE_UNION);
+}
+
+bool compile_general_quadric(struct compiler *compiler, const struct solid_node *leaf,
+                             const struct affine *placement) {
+    struct quadric_axes axes;
+    if (quadric_axes_of_leaf(leaf, placement, &axes) && axes.square[1] == 0 && axes.linear == 0 &&
+        axes.square[0] * axes.constant < 0) {
+        unsigned lost_line = compiler->lost_line;
+        bool is_done = append_planes(compiler, &axes);
+        compiler->lost_line = lost_line; /* one of the two may be out of the scene */
+        return is_done;
+    }
+    int primitive = compile_quadric(compiler, leaf, placement);
+    return primitive >= 0 && compile_append(compiler, (uint8_t)primitive);
+}
+
+int compile_quadric(struct compiler *compiler, const struct solid_node *leaf,
+                    const struct affine *placement) {
+    struct quadric_axes axes;
+    bool opposite;
+    if (!quadric_axes_of_leaf(leaf, placement, &axes)) {
+        compile_fail(compiler, compiler->line,
+                     "a quadric without a quadratic term: use a half_space");
+        return -1;
+    }
+    centre_form(&axes);
+    const char *fault = fault_of(&axes);
+    if (fault) {
+        int all_or_nothing = compile_beyond(compiler, &axes);
+        if (all_or_nothing != -2) {
+            return all_or_nothing;
+        }
+        compile_fail(compiler, compiler->line, "%s", fault);
+        return -1;
+    }
+    int twin = compile_same_curve(compiler, &axes, &opposite);
+    if (twin >= 0) {
+        return opposite ? add_opposite(compiler, twin) : twin;
+    }
+    return is_round(compiler, &axes)
+               ? compile_ball(compiler, axes.origin, sqrt(fabs(axes.constant)))
+               : add_curve(compiler, &axes);
+}

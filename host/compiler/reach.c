@@ -1,0 +1,314 @@
+/* SPDX-License-Identifier: MIT */
+/* The scene compiler: what the eye's rays, all that they turn into, and shadow rays can touch. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "compiler/dead.h"
+#include "compiler/tree.h"
+
+static const char out_of_view[] = "it is out of view, and nothing that is seen turns a ray aside";
+static const char out_of_light[] =
+    "it is out of view, as of the light on what is seen, and nothing "
+    "that is seen turns a ray aside";
+static const char is_filled[] = "a later object fills its place";
+static const char is_sealed[] = "it lies within an opaque object";
+
+/* An object's program as a tree, and what that lies within. */
+struct solid {
+    struct csg_tree tree;
+    struct bounds bounds;
+};
+
+struct search {
+    const struct compiled_scene *scene;
+    struct solid solids[COMPILED_OBJECTS_MOST];
+    struct compile_reach *reach;
+};
+
+static const struct compiled_material *material_of(const struct compiled_scene *scene, int object) {
+    return &scene->materials[scene->objects[object].material];
+}
+
+/* ---- Materials ------------------------------------------------------------------------------ */
+
+bool material_is_shaded(const struct compiled_scene *scene,
+                        const struct compiled_material *material) {
+    return !(scene->filters && material->transparent);
+}
+
+static bool has_specular(const struct compiled_material *material) {
+    return material->specular > 0 || material->specular_table != NO_TABLE;
+}
+
+/* Returns true if rays bend at the material. Between media of one index they go straight on, and
+ * nothing is reflected. */
+static bool refracts(const struct compiled_scene *scene, const struct compiled_material *material) {
+    return material->transparent && !scene->simple &&
+           material->optical != scene->materials[0].optical;
+}
+
+static double largest(const double three[3]) {
+    return fmax(three[0], fmax(three[1], three[2]));
+}
+
+static double mirror_most(const struct compiled_scene *scene,
+                          const struct compiled_material *material) {
+    double most = 0;
+    if (material->specular_table == NO_TABLE) {
+        return material->specular;
+    }
+    for (int i = 0; i < SCENE_SPECULAR_STEPS; i++) {
+        most = fmax(most, scene->specular_tables[material->specular_table].specular[i]);
+    }
+    return most;
+}
+
+double material_share_most(const struct compiled_scene *scene,
+                           const struct compiled_material *material) {
+    if (!material->transparent) {
+        return mirror_most(scene, material);
+    }
+    double through = largest(material->transmits) * (scene->simple ? material->transmittance : 1);
+    return refracts(scene, material) ? fmax(through, largest(material->reflects)) : through;
+}
+
+bool material_turns_aside(const struct compiled_scene *scene,
+                          const struct compiled_material *material) {
+    return material_share_most(scene, material) > 0 &&
+           (!material->transparent || refracts(scene, material));
+}
+
+double compiled_colour_most(const struct compiled_scene *scene,
+                            const struct compiled_material *material, int channel) {
+    double other =
+        material->pattern != NO_PATTERN ? scene->patterns[material->pattern].colour[channel] : 0;
+    return fmax(material->colour[channel], other);
+}
+
+static bool is_lit(const struct compiled_scene *scene, const struct compiled_material *material,
+                   const struct compiled_light *light) {
+    for (int i = 0; i < 3 && material_is_shaded(scene, material); i++) {
+        bool scatters = material->diffuse > 0 && compiled_colour_most(scene, material, i) > 0;
+        if (light->colour[i] > 0 && (scatters || has_specular(material))) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* ---- Places --------------------------------------------------------------------------------- */
+
+/* Returns true if all of a solid is on the far side of a plane through the eye, by more than any
+ * rounding. */
+static bool is_behind(const struct search *search, const struct solid *solid, double inward[3]) {
+    const double *eye = search->scene->camera.eye;
+    return vector_normalise(inward) && csg_reach(search->scene, &solid->tree, solid->tree.root,
+                                                 inward) < vector_dot(inward, eye) - COMPILE_GAP;
+}
+
+/* Returns true if a solid reaches into the view: a pyramid with four sides through the picture's
+ * edges, half a pixel from the outermost rays. What lies behind the eye is outside of it. */
+static bool is_in_view(const struct search *search, const struct solid *solid) {
+    const struct compiled_scene *scene = search->scene;
+    const struct compiled_camera *camera = &scene->camera;
+    const double *steps[2] = {camera->column, camera->row};
+    const double sizes[2] = {scene->width, scene->height};
+    double inward[3];
+    memcpy(inward, camera->forward, sizeof inward);
+    if (is_behind(search, solid, inward)) {
+        return false;
+    }
+    for (int side = 0; side < 4; side++) {
+        const double *step = steps[side / 2];
+        double length = vector_length(step), sign = side % 2 != 0 ? 1 : -1;
+        double half = ldexp(length, -camera->shift) * sizes[side / 2] /
+                      vector_dot(camera->forward, camera->forward);
+        for (int i = 0; i < 3; i++) {
+            inward[i] = half * camera->forward[i] + sign * step[i] / length;
+        }
+        if (is_behind(search, solid, inward)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Returns true if a part of a solid lies strictly within a primitive, or is that primitive where
+ * that will do. */
+static bool lies_within(const struct search *search, const struct csg_tree *tree, uint8_t index,
+                        uint8_t primitive, bool may_be_it) {
+    const struct csg_node *node = &tree->nodes[index];
+    if (csg_is_leaf(tree, index)) {
+        return node->code == primitive ? may_be_it
+                                       : primitive_is_within(search->scene, node->code, primitive);
+    }
+    bool left = lies_within(search, tree, node->left, primitive, may_be_it);
+    if (node->code == CODE_DIFFERENCE) {
+        return left;
+    }
+    bool right = lies_within(search, tree, node->right, primitive, may_be_it);
+    return node->code == CODE_UNION ? left && right : left || right;
+}
+
+static bool object_lies_within(const struct search *search, int inner, int outer, bool may_be_it) {
+    const struct csg_tree *tree = &search->solids[inner].tree;
+    const struct compiled_object *object = &search->scene->objects[outer];
+    return object->length == 1 && lies_within(search, tree, tree->root,
+                                              search->scene->programs[object->program], may_be_it);
+}
+
+static bool are_one_solid(const struct compiled_scene *scene, int one, int other) {
+    const struct compiled_object *a = &scene->objects[one], *b = &scene->objects[other];
+    return a->length == b->length &&
+           memcmp(&scene->programs[a->program], &scene->programs[b->program], a->length) == 0;
+}
+
+/* Returns true if an opaque object is whole: no later one reaches out of it, through which a ray
+ * could come in, and the eye is outside. */
+static bool is_closed(const struct search *search, int object) {
+    const struct compiled_scene *scene = search->scene;
+    if (material_of(scene, object)->transparent ||
+        compiled_object_holds(scene, (uint8_t)object, &scene->camera.inside)) {
+        return false;
+    }
+    for (int i = object + 1; i < scene->object_count; i++) {
+        if (!bounds_are_apart(&search->solids[i].bounds, &search->solids[object].bounds,
+                              COMPILE_GAP) &&
+            !object_lies_within(search, i, object, false)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Returns why no ray meets an object, wherever rays go; NULL if one may. */
+static const char *find_cover(const struct search *search, int object) {
+    for (int i = 1; i < search->scene->object_count; i++) {
+        if (i > object && (are_one_solid(search->scene, i, object) ||
+                           object_lies_within(search, object, i, true))) {
+            return is_filled;
+        }
+        if (i < object && object_lies_within(search, object, i, false) && is_closed(search, i)) {
+            return is_sealed;
+        }
+    }
+    return NULL;
+}
+
+/* ---- Paths from the eye --------------------------------------------------------------------- */
+
+static bool sends_paths_anywhere(const struct search *search) {
+    const struct compiled_scene *scene = search->scene;
+    for (int i = 1; i < scene->object_count; i++) {
+        if (search->reach->is_seen[i] && material_turns_aside(scene, material_of(scene, i))) {
+            return scene->depth > 0 || scene->estimates;
+        }
+    }
+    return false;
+}
+
+static void follow_paths(struct search *search) {
+    const struct compiled_scene *scene = search->scene;
+    struct compile_reach *reach = search->reach;
+    for (int i = 1; i < scene->object_count; i++) {
+        reach->lost[i] = find_cover(search, i);
+        reach->is_seen[i] = reach->lost[i] == NULL && is_in_view(search, &search->solids[i]);
+    }
+    bool anywhere = sends_paths_anywhere(search);
+    for (int i = 1; i < scene->object_count; i++) {
+        reach->is_seen[i] = reach->is_seen[i] || (anywhere && reach->lost[i] == NULL);
+        if (reach->is_seen[i]) {
+            reach->is_shown[scene->objects[i].material] = true;
+        }
+    }
+}
+
+/* ---- Shadow rays ---------------------------------------------------------------------------- */
+
+static void find_lights(struct search *search) {
+    const struct compiled_scene *scene = search->scene;
+    for (int i = 0; i < scene->light_count; i++) {
+        for (int j = 1; j < scene->material_count; j++) {
+            search->reach->lights[i] = search->reach->lights[i] ||
+                                       (search->reach->is_shown[j] &&
+                                        is_lit(scene, &scene->materials[j], &scene->lights[i]));
+        }
+    }
+}
+
+/* Returns bounds of the way from anywhere on a solid to a light. */
+static struct bounds way_to_light(const struct solid *from, const struct compiled_light *light) {
+    struct bounds way = from->bounds;
+    if (!light->parallel) {
+        bounds_include(&way, light->position);
+        return way;
+    }
+    for (int i = 0; i < 3; i++) {
+        way.high[i] = light->towards[i] > 0 ? HUGE_VAL : way.high[i];
+        way.low[i] = light->towards[i] < 0 ? -HUGE_VAL : way.low[i];
+    }
+    return way;
+}
+
+/* Returns true if an object may be met between something lit and a light. */
+static bool is_in_light(const struct search *search, int object) {
+    const struct compiled_scene *scene = search->scene;
+    for (int i = 1; i < scene->object_count; i++) {
+        for (int j = 0; j < scene->light_count && search->reach->is_seen[i]; j++) {
+            struct bounds way = way_to_light(&search->solids[i], &scene->lights[j]);
+            if (is_lit(scene, material_of(scene, i), &scene->lights[j]) &&
+                !bounds_are_apart(&way, &search->solids[object].bounds, COMPILE_GAP)) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+/* Returns true if an object keeps light off, or may fill a part of an earlier one that does. */
+static bool matters_to_shadows(const struct search *search, int object) {
+    const struct compiled_scene *scene = search->scene;
+    bool matters = material_of(scene, object)->casts_shadow;
+    for (int i = 1; i < object; i++) {
+        matters = matters || (material_of(scene, i)->casts_shadow &&
+                              !bounds_are_apart(&search->solids[i].bounds,
+                                                &search->solids[object].bounds, COMPILE_GAP));
+    }
+    return matters;
+}
+
+static void follow_shadow_rays(struct search *search) {
+    struct compile_reach *reach = search->reach;
+    for (int i = 1; i < search->scene->object_count; i++) {
+        if (reach->is_seen[i] || reach->lost[i] != NULL) {
+            continue;
+        }
+        if (!matters_to_shadows(search, i)) {
+            reach->lost[i] = out_of_view;
+        } else if (!is_in_light(search, i)) {
+            reach->lost[i] = out_of_light;
+        }
+    }
+}
+
+bool compile_find_reach(struct compiler *compiler, struct compile_reach *reach) {
+    const struct compiled_scene *scene = compiler->scene;
+    struct search *search = calloc(1, sizeof *search);
+    if (search == NULL) {
+        return compile_fail(compiler, 0, "out of memory");
+    }
+    memset(reach, 0, sizeof *reach);
+    search->scene = scene;
+    search->reach = reach;
+    for (int i = 1; i < scene->object_count; i++) {
+        struct solid *solid = &search->solids[i];
+        csg_read(scene, &scene->objects[i], &solid->tree);
+        solid->bounds = csg_bounds(scene, &solid->tree, solid->tree.root);
+    }
+    follow_paths(search);
+    find_lights(search);
+    follow_shadow_rays(search);
+    free(search);
+    return true;
+}

@@ -1,0 +1,136 @@
+/* SPDX-License-Identifier: MIT */
+/* The scene compiler: which directions, planes and frames are one, however the file writes each. */
+#include <math.h>
+#include <string.h>
+
+#include "compiler/compiler_internal.h"
+
+/* A direction may be off by so much that nothing within the scene moves by more than a length that
+ * is the same. */
+static bool same_direction(const struct compiler *compiler, const double a[3], const double b[3],
+                           double sign) {
+    for (int i = 0; i < 3; i++) {
+        if (fabs(a[i] - sign * b[i]) * COMPILE_EXTENT > compiler->same) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool compile_same(const struct compiler *compiler, double a, double b) {
+    return fabs(a - b) <= compiler->same;
+}
+
+bool compile_direction(struct compiler *compiler, double direction[3]) {
+    for (int i = 0; i < compiler->direction_count; i++) {
+        const double *known = compiler->directions[i];
+        double sign = vector_dot(direction, known) < 0 ? -1 : 1;
+        if (same_direction(compiler, direction, known, sign)) {
+            for (int j = 0; j < 3; j++) {
+                direction[j] = sign * known[j];
+            }
+            return true;
+        }
+    }
+    if (compiler->direction_count == COMPILED_DIRECTIONS_MOST) {
+        return compile_fail(compiler, compiler->line,
+                            "more than %d different directions of faces and axes",
+                            COMPILED_DIRECTIONS_MOST);
+    }
+    memcpy(compiler->directions[compiler->direction_count++], direction,
+           sizeof compiler->directions[0]);
+    return true;
+}
+
+double compile_parallel(const double a[3], const double b[3]) {
+    bool same = a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
+    bool opposite = a[0] == -b[0] && a[1] == -b[1] && a[2] == -b[2];
+    return same ? 1 : opposite ? -1 : 0;
+}
+
+int compile_new_surface(struct compiler *compiler) {
+    struct compiled_scene *scene = compiler->scene;
+    if (scene->surface_count == COMPILED_SURFACES_MOST) {
+        compile_fail(compiler, compiler->line, "more than %d different surfaces",
+                     COMPILED_SURFACES_MOST);
+        return -1;
+    }
+    return scene->surface_count++;
+}
+
+int compile_fail_thin(struct compiler *compiler) {
+    compile_fail(compiler, compiler->line,
+                 "a solid thinner than %g units: its faces are one; make it thicker, or 'weld' "
+                 "smaller",
+                 ldexp(compiler->same, -compiler->scene->exponent));
+    return -1;
+}
+
+int compile_plane_surface(struct compiler *compiler, const double normal[3], double offset) {
+    for (int i = 0; i < compiler->scene->surface_count; i++) {
+        const struct compile_plane *plane = &compiler->planes[i];
+        double sign = compile_parallel(normal, plane->normal);
+        if (sign != 0 && compile_same(compiler, sign * offset, plane->offset)) {
+            return i;
+        }
+    }
+    int surface = compile_new_surface(compiler);
+    if (surface >= 0) {
+        memcpy(compiler->planes[surface].normal, normal, 3 * sizeof *normal);
+        compiler->planes[surface].offset = offset;
+    }
+    return surface;
+}
+
+double compile_place_of_plane(const struct compiler *compiler, int surface, const double axis[3]) {
+    const struct compile_plane *plane = &compiler->planes[surface];
+    return compile_parallel(axis, plane->normal) < 0 ? -plane->offset : plane->offset;
+}
+
+/* Sorts axes into those of a frame, up to their order and signs. */
+static bool sort_axes(const struct compiled_scene *scene, uint8_t frame, double axis[3][3],
+                      bool third_stays, int permutation[3], double sign[3]) {
+    for (int i = 0; i < 3; i++) {
+        int j = 0;
+        while (j < 3 && compile_parallel(axis[j], compiled_axis(scene, frame, i)) == 0) {
+            j++;
+        }
+        if (j == 3) {
+            return false;
+        }
+        permutation[i] = j;
+        sign[i] = compile_parallel(axis[j], compiled_axis(scene, frame, i));
+    }
+    return !third_stays || permutation[2] == 2;
+}
+
+int compile_frame(struct compiler *compiler, double axis[3][3], bool third_stays,
+                  int permutation[3], double sign[3]) {
+    struct compiled_scene *scene = compiler->scene;
+    for (int i = 0; i < 3; i++) {
+        if (!compile_direction(compiler, axis[i])) {
+            return -1;
+        }
+    }
+    if (sort_axes(scene, WORLD_FRAME, axis, third_stays, permutation, sign)) {
+        return WORLD_FRAME;
+    }
+    for (uint8_t i = 0; i < scene->frame_count; i++) {
+        if (sort_axes(scene, i, axis, third_stays, permutation, sign)) {
+            return i;
+        }
+    }
+    if (scene->frame_count == COMPILED_FRAMES_MOST) {
+        compile_fail(compiler, compiler->line, "more than %d different places and rotations",
+                     COMPILED_FRAMES_MOST);
+        return -1;
+    }
+    struct compiled_frame *frame = &scene->frames[scene->frame_count];
+    memset(frame->origin, 0, sizeof frame->origin);
+    memcpy(frame->axis, axis, sizeof frame->axis);
+    for (int i = 0; i < 3; i++) {
+        permutation[i] = i;
+        sign[i] = 1;
+    }
+    return scene->frame_count++;
+}

@@ -1,0 +1,88 @@
+/* SPDX-License-Identifier: MIT */
+/* The scene compiler: what can keep light off a surface, and what is proved not to. */
+#include <math.h>
+
+#include "compiler/compiler_internal.h"
+
+static void collect_uses(struct compiled_scene *scene, struct compiled_object *object) {
+    for (uint8_t i = 0; i < object->length; i++) {
+        uint8_t code = scene->programs[object->program + i];
+        if (code < CODE_UNION) {
+            compiled_set_include(&object->uses, code);
+        }
+    }
+}
+
+static bool casts(const struct compiled_scene *scene, int object) {
+    return scene->materials[scene->objects[object].material].casts_shadow;
+}
+
+/* Whether everything but one object, and the light, lie on the far side of a plane that has all of
+ * that object behind it. */
+static bool is_clear_of(const struct compiler *compiler, int object,
+                        const struct compiled_light *light, int axis, double side, double place) {
+    const struct compiled_scene *scene = compiler->scene;
+    if (light->parallel ? side * light->towards[axis] < 0
+                        : side * (light->position[axis] - place) < 0) {
+        return false;
+    }
+    for (int i = 1; i < scene->object_count; i++) {
+        const struct bounds *bounds = &compiler->object_bounds[i];
+        double nearest = side > 0 ? bounds->low[axis] : bounds->high[axis];
+        if (i != object && !bounds_are_empty(bounds) && side * (nearest - place) < 0) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Checks whether an object casts no shadow that is seen. An opaque convex body throws none on
+ * itself, and none on what lies, with the light, before one of its faces; a transparent one does,
+ * on its own far side. Proved for boxes along the axes: the floors and boards of most scenes. */
+static bool is_harmless(const struct compiler *compiler, int object,
+                        const struct compiled_light *light) {
+    const struct compiled_scene *scene = compiler->scene;
+    const struct compiled_primitive *primitive =
+        &scene->primitives[scene->programs[scene->objects[object].program]];
+    if (scene->objects[object].length != 1 || primitive->kind != KIND_BOX ||
+        primitive->frame != WORLD_FRAME ||
+        scene->materials[scene->objects[object].material].transparent) {
+        return false;
+    }
+    const struct compiled_box *box = &scene->boxes[primitive->index];
+    for (int axis = 0; axis < 3; axis++) {
+        if (is_clear_of(compiler, object, light, axis, 1, box->maximum[axis]) ||
+            is_clear_of(compiler, object, light, axis, -1, box->minimum[axis])) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* The objects that cast shadows for some light, and those after them that may fill some of their
+ * place with something that does not. */
+void compile_shadows(struct compiler *compiler) {
+    struct compiled_scene *scene = compiler->scene;
+    bool harms[COMPILED_OBJECTS_MOST] = {false};
+    for (int i = 1; i < scene->object_count; i++) {
+        collect_uses(scene, &scene->objects[i]);
+        for (int j = 0; j < scene->light_count; j++) {
+            bool harm = casts(scene, i) && !is_harmless(compiler, i, &scene->lights[j]);
+            scene->lights[j].casts_shadows = scene->lights[j].casts_shadows || harm;
+            harms[i] = harms[i] || harm;
+            scene->has_shadows = scene->has_shadows || harm;
+        }
+    }
+    for (int i = 1; i < scene->object_count; i++) {
+        struct compiled_object *object = &scene->objects[i];
+        object->in_shadow_test = harms[i];
+        for (int j = 1; j < i; j++) {
+            object->in_shadow_test =
+                object->in_shadow_test || (harms[j] && bounds_overlap(&compiler->object_bounds[i],
+                                                                      &compiler->object_bounds[j]));
+        }
+        for (int k = 0; k < COMPILED_PRIMITIVES_MOST / 32 && object->in_shadow_test; k++) {
+            scene->shadow_primitives.word[k] |= object->uses.word[k];
+        }
+    }
+}

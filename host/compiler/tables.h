@@ -1,0 +1,296 @@
+/* SPDX-License-Identifier: MIT */
+/* A compiled scene before it takes on an arithmetic: the firmware's tables, in doubles. */
+#ifndef SUPERFRAME_COMPILED_SCENE_H
+#define SUPERFRAME_COMPILED_SCENE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "scene/description.h"
+
+/* Member by member what firmware/scene.h holds; read its comments there. Lengths are scaled
+ * already. host/render/per_arithmetic/load.c turns this into tables in memory, host/compiler/emit.c into C source. */
+
+enum {
+    COMPILED_PRIMITIVES_MOST = 64,
+    COMPILED_DRAFTS_MOST = 240, /* primitives, and boxes, before what is not needed has gone */
+    COMPILED_SURFACES_MOST = 768,
+    COMPILED_FRAMES_MOST = 128,
+    COMPILED_PLANES_MOST = 512,
+    COMPILED_OBJECTS_MOST = 128,
+    COMPILED_PROGRAM_BYTES_MOST = 4096,
+    COMPILED_MATERIALS_MOST = SCENE_MATERIALS_MOST + 1,
+    COMPILED_PATTERN_FACES_MOST = 1024,
+    COMPILED_NEAR_MOST = 16,
+    COMPILED_DEAD_MOST = COMPILED_OBJECTS_MOST + SCENE_LIGHTS_MOST + 6 * SCENE_MATERIALS_MOST + 8
+};
+
+struct compiled_set {
+    uint32_t word[COMPILED_PRIMITIVES_MOST / 32];
+};
+
+struct compiled_frame {
+    double origin[3];
+    double axis[3][3];
+};
+
+struct compiled_primitive {
+    uint8_t kind, index, frame;
+    bool left_for_good;
+    uint8_t enclosure;
+    unsigned line; /* of the scene file, for what an arithmetic may find wrong with it */
+};
+
+struct compiled_box {
+    double minimum[3], maximum[3];
+    uint16_t surface[6];
+};
+
+struct compiled_ball {
+    double centre[3];
+    double radius;
+    uint16_t surface;
+};
+
+struct compiled_plane {
+    double normal[3];
+    double offset;
+    uint16_t surface;
+};
+
+struct compiled_polyhedron {
+    uint16_t first;
+    uint8_t count;
+    double low[3], high[3]; /* bounds, perhaps infinite; no part of the firmware's tables */
+};
+
+struct compiled_quadric {
+    double centre[3], square[3];
+    double linear, constant;
+    double reach; /* 0: it has no end */
+    uint16_t surface;
+    uint8_t box, cuts;
+    bool left_for_good;
+};
+
+struct compiled_object {
+    uint16_t program;
+    uint8_t length;
+    uint8_t material;
+    bool in_shadow_test;
+    struct compiled_set uses;
+    unsigned line;          /* of the scene file */
+    uint8_t part;           /* of the file's objects, in the order in which they are taken apart */
+    double low[3], high[3]; /* bounds, perhaps infinite; no part of the firmware's tables */
+};
+
+struct compiled_pattern {
+    unsigned line; /* of the material's, in the file */
+    uint8_t axes, face_count;
+    uint16_t first_face;
+    double origin[3], size[3], colour[3];
+};
+
+struct compiled_pattern_face {
+    uint16_t surface;
+    uint8_t axis;
+    bool odd_above, odd_below;
+};
+
+struct compiled_material {
+    double colour[3], ambient[3];
+    double ambient_share, diffuse, specular;
+    uint16_t gloss;
+    bool transparent, casts_shadow, absorbs, disperses, tints;
+    uint8_t specular_table, pattern, optical;
+    double ior[3], inverse_ior[3];
+    double transmittance;
+    double reflects[3], transmits[3], filter[3];
+    double absorption[3];
+    uint8_t file; /* its number in the file, from 0; no part of the firmware's tables */
+};
+
+struct compiled_specular_table {
+    double cosine[SCENE_SPECULAR_STEPS], specular[SCENE_SPECULAR_STEPS];
+};
+
+struct compiled_light {
+    uint8_t file; /* its number in the file */
+    bool parallel, casts_shadows;
+    double towards[3], position[3], colour[3];
+};
+
+struct compiled_camera {
+    double eye[3], forward[3], column[3], row[3], up[3];
+    uint8_t shift;
+    struct compiled_set inside;
+    uint8_t object;
+};
+
+/* What the compiler made of the file's solids. */
+struct compiled_report {
+    unsigned shared;     /* solids that are one with another one */
+    unsigned simplified; /* operations of CSG that say nothing */
+    unsigned fused;      /* solids that a neighbour has taken in */
+    unsigned bounded;    /* solids cut off where nothing is to be seen of them */
+    unsigned hidden;     /* pairs of primitives of which one is not met from within the other */
+};
+
+/* Two faces that are not one, though nearer to each other than seems to be meant. */
+struct compiled_near {
+    unsigned line, other_line; /* of their solids */
+    double distance;           /* in the file's unit */
+};
+
+/* What of the file can't change the picture, and is not in the tables, for people. */
+struct compiled_dead {
+    char what[80];
+    const char *why;
+};
+
+struct compiled_scene {
+    uint16_t width, height;
+    uint8_t depth;
+    double threshold;
+    bool estimates;
+    double error; /* levels; 0: none is asked for */
+    uint32_t ray_budget;
+    uint16_t brightest;
+    double background[3];
+    bool simple, filters, blinn, fades;
+    double fade_start;
+    int8_t fade_exponent;
+    struct compiled_camera camera;
+
+    char path[256];                               /* of the scene file, for messages */
+    char object_names[COMPILED_OBJECTS_MOST][32]; /* of the file's object that each is part of */
+
+    /* How the file's coordinates became these: scaled = (p - centre) * 2^exponent. */
+    double centre[3];
+    int exponent;
+
+    uint8_t primitive_count, frame_count, box_count, ball_count, polyhedron_count, quadric_count;
+    uint8_t object_count, pattern_count, material_count, light_count, specular_table_count;
+    uint16_t surface_count, program_length, plane_count, pattern_face_count;
+    struct compiled_frame frames[COMPILED_FRAMES_MOST];
+    struct compiled_primitive primitives[COMPILED_DRAFTS_MOST];
+    struct compiled_box boxes[COMPILED_DRAFTS_MOST];
+    struct compiled_ball balls[COMPILED_DRAFTS_MOST];
+    struct compiled_polyhedron polyhedra[COMPILED_DRAFTS_MOST];
+    struct compiled_plane planes[COMPILED_PLANES_MOST];
+    struct compiled_quadric quadrics[COMPILED_DRAFTS_MOST];
+    struct compiled_set surfaces[COMPILED_SURFACES_MOST];
+    struct compiled_set hidden_by[COMPILED_PRIMITIVES_MOST];
+    uint8_t programs[COMPILED_PROGRAM_BYTES_MOST];
+    struct compiled_object objects[COMPILED_OBJECTS_MOST];
+    struct compiled_material materials[COMPILED_MATERIALS_MOST];
+    struct compiled_pattern patterns[COMPILED_MATERIALS_MOST];
+    struct compiled_pattern_face pattern_faces[COMPILED_PATTERN_FACES_MOST];
+    struct compiled_specular_table specular_tables[COMPILED_MATERIALS_MOST];
+    struct compiled_light lights[SCENE_LIGHTS_MOST];
+
+    /* Parts of the file's objects that the picture does not need; no part of the firmware's tables.
+     */
+    bool is_left_out[COMPILED_OBJECTS_MOST];
+
+    struct compiled_report report;
+    unsigned near_count; /* of all; the first ones are kept */
+    struct compiled_near near[COMPILED_NEAR_MOST];
+    struct compiled_set shadow_primitives;
+    bool has_shadows; /* some light casts them; no part of the firmware's tables */
+
+    /* No part of the firmware's tables either. */
+    bool has_branches;   /* paths go on behind some surface, if the depth level lets them */
+    uint8_t depth_asked; /* depth is as much of it as paths can use */
+    struct compiled_dead dead[COMPILED_DEAD_MOST];
+    unsigned dead_count;
+
+    uint8_t show, show_bits; /* enum compiled_show */
+    uint32_t seed;
+};
+
+/* The numbers that programs and tables are made of; firmware/scene.h has the same, but needs an
+ * arithmetic. host/render/per_arithmetic/load.c holds the two against each other. */
+enum compiled_kind { KIND_BOX = 0, KIND_BALL = 1, KIND_POLYHEDRON = 2, KIND_QUADRIC = 3 };
+
+enum {
+    CURVED_FACE = 6,
+    CODE_UNION = 0xFD,
+    CODE_INTERSECTION = 0xFE,
+    CODE_DIFFERENCE = 0xFF,
+    WORLD_FRAME = 0xFF,
+    NO_PATTERN = 0xFF,
+    NO_TABLE = 0xFF,
+    NO_ENCLOSURE = 0xFF
+};
+
+enum compiled_show { COMPILED_FULL, COMPILED_BITS, COMPILED_DITHER, COMPILED_EXPOSURES };
+
+/* The steps of the scene compiler, in their order. After each of them the tables describe the same
+ * scene; simplifying and fusing are three passes. */
+enum compile_step {
+    STEP_OBJECTS,
+    STEP_SIMPLIFY,
+    STEP_FUSE,
+    STEP_SIMPLIFY_FUSED,
+    STEP_BOUND,
+    STEP_COMPACT,
+    STEP_VIEW,
+    STEP_SHADOWS,
+    STEP_ENCLOSURES,
+    STEP_COUNT
+};
+
+/* Looks at the tables after each step. The tables are valid during the call only. */
+struct compile_observer {
+    void (*look)(void *context, enum compile_step step, const struct compiled_scene *scene);
+    void *context;
+};
+
+/* Flattens, centres, scales and analyses a scene. NULL with *error filled where the scene cannot be
+ * rendered (the line is that of the culprit). The caller frees the result with free(). */
+struct compiled_scene *scene_compile(const struct scene_description *description,
+                                     struct scene_error *error);
+
+/* Compiles as scene_compile() does and shows the tables to an observer, which may be NULL. */
+struct compiled_scene *scene_compile_observed(const struct scene_description *description,
+                                              const struct compile_observer *observer,
+                                              struct scene_error *error);
+
+/* A plane face of a primitive, in scaled world coordinates: normal . p < offset inside. */
+struct compiled_face {
+    double normal[3];
+    double offset;
+    uint16_t surface;
+};
+
+enum { COMPILED_FACES_MOST = SCENE_PLANES_MOST + 6 };
+
+/* Lists the plane faces of a primitive; returns their number, which may be 0. */
+int compiled_faces(const struct compiled_scene *scene, int primitive,
+                   struct compiled_face faces[COMPILED_FACES_MOST]);
+
+/* An axis of a frame, or of the world. */
+const double *compiled_axis(const struct compiled_scene *scene, uint8_t frame, int axis);
+
+/* Measures how far the surface of one quadric lies from another one's, both in one frame, at
+ * most: by points spread over what of it lies in the world. 0 where none does. */
+double compiled_quadric_strays(const struct compiled_scene *scene, uint8_t frame,
+                               const struct compiled_quadric *from,
+                               const struct compiled_quadric *other);
+
+/* Whether a point, in scaled coordinates, is strictly inside a primitive. */
+bool compiled_primitive_holds(const struct compiled_scene *scene, uint8_t index,
+                              const double point[3]);
+
+/* Whether an object holds a point that is inside these primitives; other objects may fill the
+ * place. */
+bool compiled_object_holds(const struct compiled_scene *scene, uint8_t index,
+                           const struct compiled_set *inside);
+
+/* Whether a set has a primitive, and putting it in. */
+bool compiled_set_has(const struct compiled_set *set, int primitive);
+void compiled_set_include(struct compiled_set *set, int primitive);
+
+#endif

@@ -1,0 +1,214 @@
+/* SPDX-License-Identifier: MIT */
+/* Which points `superframe measure` measures. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "command/command.h"
+#include "scene/load.h"
+#include "lab/measure/measure.h"
+
+enum { BASE_WIDTH = 160, BASE_HEIGHT = 100, BASE_DEPTH = 10, TAIL_DEPTH = 64 };
+
+static const double base_threshold = 1.0 / 4096;
+
+static const char *const model_words[] = {"simple", "fresnel", "wavelength"};
+
+static void colour_text(enum scene_colour colour, int bits, char text[16]) {
+    if (colour == COLOUR_BITS) {
+        (void)snprintf(text, 16, "bits:%d", bits);
+    } else {
+        (void)snprintf(text, 16, "%s", colour == COLOUR_DITHER ? "dither" : "full");
+    }
+}
+
+static int add(struct measure *measure, const struct measure_point *point) {
+    if (measure_list_find(&measure->points, point) == NULL &&
+        !measure_list_add(&measure->points, point)) {
+        complain("out of memory");
+        return STATUS_FAILED;
+    }
+    return STATUS_DONE;
+}
+
+/* Tells whether the board shows a point: a dithered pixel has 2 x 2 dots. */
+static bool can_be_shown(const struct measure_point *point) {
+    return strcmp(point->colour, "dither") != 0 || measure_dots(point) == 2;
+}
+
+/* Adds a point beside the grid, where the board shows it. */
+static int vary(struct measure *measure, const struct measure_point *point) {
+    return can_be_shown(point) ? add(measure, point) : STATUS_DONE;
+}
+
+/* Arithmetic by depth by threshold. Without a threshold a tree doubles with each level: only as far
+ * as the paper goes. The finest threshold says nothing new where the depth ends the tree. */
+static int plan_grid(struct measure *measure, struct measure_point point) {
+    static const char *const arithmetics[] = {"fx", "f32", "f64", "q16", "q16_epsilon"};
+    static const unsigned depths[] = {1, 2, 4, 7, 10, 16, 32, 64};
+    static const double thresholds[] = {0,          1.0 / 256,   1.0 / 1024,
+                                        1.0 / 4096, 1.0 / 16384, 1.0 / 65536};
+    const struct options *options = measure->options;
+    const struct scene_overrides *overrides = &options->overrides;
+    unsigned many_a = options->has_arithmetic ? 1 : 5, many_d = overrides->has_depth ? 1 : 8;
+    unsigned many_t = overrides->has_threshold ? 1 : 6;
+    for (unsigned i = 0; i < many_a * many_d * many_t; i++) {
+        unsigned a = i / (many_d * many_t), d = i / many_t % many_d, t = i % many_t;
+        (void)snprintf(point.arithmetic, sizeof point.arithmetic, "%s",
+                       options->has_arithmetic ? options->arithmetic : arithmetics[a]);
+        point.depth = overrides->has_depth ? (unsigned)overrides->depth : depths[d];
+        point.threshold = overrides->has_threshold ? overrides->threshold : thresholds[t];
+        bool is_endless = point.depth > BASE_DEPTH && !(point.threshold > 0);
+        bool is_idle = point.depth < 64 && point.threshold > 0 && point.threshold < 1e-4 / 2;
+        if ((is_endless || is_idle) && !overrides->has_depth && !overrides->has_threshold) {
+            continue;
+        }
+        if (add(measure, &point) != STATUS_DONE) {
+            return STATUS_FAILED;
+        }
+    }
+    return STATUS_DONE;
+}
+
+/* What an estimated tail gains, where there is room for it. */
+static int plan_tails(struct measure *measure, struct measure_point point) {
+    static const char *const arithmetics[] = {"fx", "f32", "f64"};
+    static const double thresholds[] = {1.0 / 256,  1.0 / 1024,  1.0 / 2048,
+                                        1.0 / 4096, 1.0 / 16384, 1.0 / 65536};
+    const struct options *options = measure->options;
+    const struct scene_overrides *overrides = &options->overrides;
+    unsigned many_a = options->has_arithmetic ? 1 : 3, many_t = overrides->has_threshold ? 1 : 6;
+    strcpy(point.tail, "estimate");
+    point.depth = overrides->has_depth ? (unsigned)overrides->depth : TAIL_DEPTH;
+    for (unsigned i = 0; i < many_a * many_t && !overrides->has_estimates; i++) {
+        (void)snprintf(point.arithmetic, sizeof point.arithmetic, "%s",
+                       options->has_arithmetic ? options->arithmetic : arithmetics[i / many_t]);
+        point.threshold = overrides->has_threshold ? overrides->threshold : thresholds[i % many_t];
+        if (add(measure, &point) != STATUS_DONE) {
+            return STATUS_FAILED;
+        }
+    }
+    return STATUS_DONE;
+}
+
+/* An accuracy asked for instead of a threshold; the tail is estimated then. */
+static int plan_errors(struct measure *measure, struct measure_point point) {
+    static const char *const arithmetics[] = {"fx", "f32", "f64"};
+    static const double errors[] = {4, 2, 1, 0.5};
+    const struct options *options = measure->options;
+    const struct scene_overrides *overrides = &options->overrides;
+    unsigned many_a = options->has_arithmetic ? 1 : 3, many_e = overrides->has_error ? 1 : 4;
+    strcpy(point.tail, "estimate");
+    point.threshold = 0;
+    point.depth = overrides->has_depth ? (unsigned)overrides->depth : TAIL_DEPTH;
+    bool is_fixed = overrides->has_threshold || (overrides->has_estimates && !overrides->estimates);
+    for (unsigned i = 0; i < many_a * many_e && !is_fixed; i++) {
+        (void)snprintf(point.arithmetic, sizeof point.arithmetic, "%s",
+                       options->has_arithmetic ? options->arithmetic : arithmetics[i / many_e]);
+        point.error = overrides->has_error ? overrides->error : errors[i % many_e];
+        if (add(measure, &point) != STATUS_DONE) {
+            return STATUS_FAILED;
+        }
+    }
+    return STATUS_DONE;
+}
+
+/* One setting varied, the others as in the middle of the grid. */
+static int plan_star(struct measure *measure, struct measure_point point) {
+    static const unsigned sizes[][2] = {{80, 50}, {320, 200}, {640, 400}};
+    static const char *const colours[] = {"bits:6", "bits:4", "bits:2", "bits:1", "dither"};
+    const struct options *options = measure->options;
+    const struct scene_overrides *overrides = &options->overrides;
+    (void)snprintf(point.arithmetic, sizeof point.arithmetic, "%s", options->arithmetic);
+    point.depth = overrides->has_depth ? (unsigned)overrides->depth : BASE_DEPTH;
+    point.threshold = overrides->has_threshold ? overrides->threshold : base_threshold;
+    int status = STATUS_DONE;
+    for (int i = 0; i < 3 && !overrides->has_size && status == STATUS_DONE; i++) {
+        struct measure_point other = point;
+        other.width = sizes[i][0];
+        other.height = sizes[i][1];
+        status = vary(measure, &other);
+    }
+    for (int i = 0; i < 5 && !overrides->has_colour && status == STATUS_DONE; i++) {
+        struct measure_point other = point;
+        (void)snprintf(other.colour, sizeof other.colour, "%s", colours[i]);
+        status = vary(measure, &other);
+    }
+    for (int i = 0; i < 3 && !overrides->has_model && status == STATUS_DONE; i++) {
+        struct measure_point other = point;
+        (void)snprintf(other.model, sizeof other.model, "%s", model_words[i]);
+        status = vary(measure, &other);
+    }
+    return status;
+}
+
+/* The scene as all its points have it: with the options that no column tells, so that points with
+ * another value of theirs count as points of another scene. */
+static struct scene_description *load_as_measured(const struct measure_scene *scene,
+                                                  const struct scene_overrides *options,
+                                                  struct scene_error *error) {
+    struct scene_description *description = load_scene(scene->operand, error);
+    struct scene_overrides untold;
+    memset(&untold, 0, sizeof untold);
+    untold.has_highlight = options->has_highlight;
+    untold.highlight = options->highlight;
+    untold.has_seed = options->has_seed;
+    untold.seed = options->seed;
+    if (description != NULL) {
+        scene_override(description, &untold);
+    }
+    return description;
+}
+
+/* What is known of a scene before it is rendered, and where its settings begin. */
+static int look_at_scene(struct measure_scene *scene, const struct scene_overrides *overrides,
+                         struct measure_point *point) {
+    struct scene_error error;
+    struct scene_description *description = load_as_measured(scene, overrides, &error);
+    struct compiled_scene *compiled = NULL;
+    memset(point, 0, sizeof *point);
+    if (description != NULL) {
+        compiled = scene_compile(description, &error);
+    }
+    if (compiled == NULL) {
+        scene_description_free(description);
+        return bad_input("%s", error.text);
+    }
+    (void)snprintf(point->scene, sizeof point->scene, "%s", scene->name);
+    point->width = overrides->has_size ? (unsigned)overrides->width : BASE_WIDTH;
+    point->height = overrides->has_size ? (unsigned)overrides->height : BASE_HEIGHT;
+    colour_text(overrides->has_colour ? overrides->colour : COLOUR_FULL, overrides->colour_bits,
+                point->colour);
+    enum scene_model model = overrides->has_model ? overrides->model : description->model;
+    (void)snprintf(point->model, sizeof point->model, "%s", model_words[model]);
+    bool estimates = overrides->has_estimates && overrides->estimates;
+    strcpy(point->tail, estimates ? "estimate" : "black");
+    scene->mix = cost_mix_of(compiled);
+    bool has_digest = scene_digest(compiled, scene->digest);
+    scene_description_free(description);
+    free(compiled);
+    if (!has_digest) {
+        complain("out of memory");
+    }
+    return has_digest ? STATUS_DONE : STATUS_FAILED;
+}
+
+int measure_plan(struct measure *measure) {
+    for (size_t i = 0; i < measure->scene_count; i++) {
+        struct measure_point point;
+        int status = look_at_scene(&measure->scenes[i], &measure->options->overrides, &point);
+        if (status != STATUS_DONE) {
+            return status;
+        }
+        if (!can_be_shown(&point)) {
+            return bad_input("measure: --colour dither with %u x %u pixels; allowed is: up to "
+                             "%d x %d, or another colour",
+                             point.width, point.height, BOARD_WIDTH / 2, BOARD_HEIGHT / 2);
+        }
+        if (plan_grid(measure, point) != STATUS_DONE || plan_tails(measure, point) != STATUS_DONE ||
+            plan_errors(measure, point) != STATUS_DONE ||
+            plan_star(measure, point) != STATUS_DONE) {
+            return STATUS_FAILED;
+        }
+    }
+    return STATUS_DONE;
+}

@@ -1,0 +1,59 @@
+/* SPDX-License-Identifier: MIT */
+/* The images of the firmware that the host links, one for each arithmetic. */
+#ifndef SUPERFRAME_ARITHMETIC_H
+#define SUPERFRAME_ARITHMETIC_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "compiler/tables.h"
+#include "image.h"
+#include "render/observed.h"
+
+struct arithmetic {
+    const struct image *image;
+
+    /* How far a distance along a ray may be off by rounding, in scaled units. */
+    double noise;
+
+    /* The scene's tables in this arithmetic, in one block that free() takes back. NULL with *error
+     * filled where the arithmetic cannot hold the scene, or memory is out. */
+    struct scene *(*load)(const struct compiled_scene *compiled, struct scene_error *error);
+
+    /* Learns what the scene's cut branches are worth, if that is asked for; to be called once,
+     * before rows and pixels. The estimate is all 0 where they count as black. */
+    void (*learn)(struct scene *scene, struct estimate *estimate, struct render_counts *counts);
+
+    /* Renders one pixel: its intensities in levels, neither rounded nor clamped, what it took added
+     * to *counts, and its tree told to the observer, if there is one. */
+    void (*pixel)(const struct scene *scene, uint16_t x, uint16_t y, double intensity[3],
+                  struct render_counts *counts, const struct pixel_observer *observer);
+};
+
+extern const struct arithmetic arithmetic_fx;
+extern const struct arithmetic arithmetic_f32;
+extern const struct arithmetic arithmetic_f64;
+
+/* Plain Q16.16, to be measured against the others; arithmetic_find() does not know them. */
+extern const struct arithmetic arithmetic_q16;
+extern const struct arithmetic arithmetic_q16_epsilon;
+
+/* The arithmetics of this build, in a list that make makes; NULL ends it. */
+extern const struct arithmetic *const arithmetics_built[];
+
+/* The names of those that this build was made without; NULL ends them. */
+extern const char *const arithmetics_missing[];
+
+/* The arithmetic of that name; NULL if there is none. */
+const struct arithmetic *arithmetic_find(const char *name);
+
+/* The same, with those that are there to be measured only. */
+const struct arithmetic *arithmetic_find_any(const char *name);
+
+/* Tells an arithmetic that this build was made without from one that does not exist. */
+bool arithmetic_is_missing(const char *name);
+
+/* The names of those that are there, as "fx, f32, f64 or f128", for messages. */
+extern const char arithmetic_names[];
+
+#endif

@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: MIT */
+/* What the command line may put in the place of what a scene file says. */
+#ifndef SUPERFRAME_OVERRIDES_H
+#define SUPERFRAME_OVERRIDES_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "scene/description.h"
+
+/* All zero: the scene as it is. */
+struct scene_overrides {
+    bool has_depth, has_threshold, has_size, has_model, has_highlight, has_colour, has_seed;
+    bool has_estimates, has_error;
+    bool estimates;    /* a cut branch counts as what it is worth on average */
+    double error;      /* SCENE_ERROR_LEAST..255 levels */
+    int depth;         /* 0..255 */
+    double threshold;  /* 0..1 */
+    int width, height; /* 1..640, 1..400 pixels */
+    enum scene_model model;
+    enum scene_highlight highlight;
+    enum scene_colour colour;
+    int colour_bits; /* 1..8 with COLOUR_BITS */
+    uint32_t seed;
+};
+
+/* Puts them into the description. */
+void scene_override(struct scene_description *description, const struct scene_overrides *overrides);
+
+#endif

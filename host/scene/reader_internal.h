@@ -1,0 +1,82 @@
+/* SPDX-License-Identifier: MIT */
+/* What the parts of the scene reader share; callers of the reader need scene_description.h only. */
+#ifndef SUPERFRAME_SCENE_READER_H
+#define SUPERFRAME_SCENE_READER_H
+
+#include <libconfig.h>
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "scene/description.h"
+
+enum {
+    SCENE_TEXT_MOST = 1024 * 1024, /* bytes of a scene file */
+    SCENE_BRACKETS_MOST = 64,      /* { ( [ within each other: libconfig's parser recurses */
+    SCENE_KEYS_MOST = 100,         /* keys of one group: libconfig searches them one by one */
+    SCENE_ELEMENTS_MOST = 1024,    /* of one list: libconfig enlarges them little by little */
+    SCENE_STRING_MOST = 200        /* bytes of a string */
+};
+
+/* A named solid, ready to be used by those after it. */
+struct scene_part {
+    const char *name; /* libconfig's */
+    int node;
+};
+
+/* What is known of a node beyond its description. */
+struct scene_node_facts {
+    int height;           /* levels, itself included; a part's are counted where it is used */
+    long instances;       /* nodes below it and itself, a part's counted at every use */
+    int without_material; /* a leaf below it that no material reaches, or -1 */
+};
+
+/* One reading of one file. */
+struct scene_reader {
+    const char *path;
+    struct scene_error *error;
+    struct scene_description *scene; /* what has been read so far */
+    double wavelengths[3];           /* of R, G, B, in nm */
+    const config_setting_t *part_list;
+    struct scene_part *parts;
+    size_t part_count;
+    struct scene_node_facts facts[SCENE_NODES_MOST];
+};
+
+/* Records why the file is refused, and returns false. Line 0 counts as line 1. */
+bool scene_fail(struct scene_reader *reader, unsigned line, const char *format, ...)
+#if defined(__GNUC__)
+    __attribute__((format(printf, 3, 4)))
+#endif
+    ;
+
+/* Memory for count things, zeroed, or NULL with the failure recorded. Never NULL for count 0. */
+void *scene_allocate(struct scene_reader *reader, size_t count, size_t size);
+
+/* A copy of a string, or NULL with the failure recorded. */
+char *scene_copy(struct scene_reader *reader, const char *text);
+
+/* Checks the text by its letters and brackets and returns a copy, ended by NUL and with blanks for
+ * comments, that libconfig reads as it is meant; or NULL with the failure recorded. */
+char *scene_text_check(struct scene_reader *reader, const char *text, size_t length);
+
+/* Read the file's materials; its parts and objects. */
+bool scene_read_materials(struct scene_reader *reader, const config_setting_t *root);
+bool scene_read_parts(struct scene_reader *reader, const config_setting_t *root);
+bool scene_read_objects(struct scene_reader *reader, const config_setting_t *root);
+
+/* The index of the material that `key` names, or false with the failure recorded. */
+bool scene_find_material(struct scene_reader *reader, const char *name, unsigned line, int *index);
+
+/* Reads a solid of its group into the scene's nodes; *index is its place there. */
+bool scene_read_solid(struct scene_reader *reader, const config_setting_t *group, int *index);
+
+/* Reads the members of a leaf of one kind from its group. */
+struct scene_leaf {
+    const char *key;
+    bool (*read)(struct scene_reader *reader, const config_setting_t *group,
+                 struct solid_node *node);
+};
+extern const struct scene_leaf scene_leaves[];
+extern const size_t scene_leaf_count;
+
+#endif

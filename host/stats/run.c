@@ -1,0 +1,166 @@
+/* SPDX-License-Identifier: MIT */
+/* The statistics of a run as a JSON object. */
+#include "stats/run.h"
+
+#include <inttypes.h>
+#include <stdbool.h>
+
+#include "stats/port_cost.h"
+#include "base/stopwatch.h"
+
+/* The bytes of the UTF-8 character that the text begins with; 0: it begins with none. */
+static size_t utf8_length(const char *text) {
+    /* By its first byte, the range of the second one: no surrogates, nothing beyond 10FFFF, nothing
+     * that fewer bytes could say (RFC 3629). */
+    static const struct {
+        unsigned char first, last, low, high;
+        size_t length;
+    } kinds[] = {
+        {0x01, 0x7F, 0, 0xFF, 1},    {0xC2, 0xDF, 0x80, 0xBF, 2}, {0xE0, 0xE0, 0xA0, 0xBF, 3},
+        {0xE1, 0xEC, 0x80, 0xBF, 3}, {0xED, 0xED, 0x80, 0x9F, 3}, {0xEE, 0xEF, 0x80, 0xBF, 3},
+        {0xF0, 0xF0, 0x90, 0xBF, 4}, {0xF1, 0xF3, 0x80, 0xBF, 4}, {0xF4, 0xF4, 0x80, 0x8F, 4}};
+    const unsigned char *bytes = (const unsigned char *)text;
+    for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
+        if (bytes[0] < kinds[i].first || bytes[0] > kinds[i].last) {
+            continue;
+        }
+        bool is_whole = bytes[1] >= kinds[i].low && bytes[1] <= kinds[i].high;
+        for (size_t j = 2; j < kinds[i].length && is_whole; j++) {
+            is_whole = bytes[j] >= 0x80 && bytes[j] <= 0xBF; /* no NUL: no further than the end */
+        }
+        return is_whole ? kinds[i].length : 0;
+    }
+    return 0;
+}
+
+void stats_write_string(FILE *out, const char *text) {
+    (void)fputc('"', out);
+    while (*text != '\0') {
+        size_t length = utf8_length(text);
+        unsigned letter = (unsigned char)*text;
+        if (length == 0) {
+            (void)fputs("\\ufffd", out); /* the mark of what is no character */
+        } else if (letter < 0x20 || letter == '"' || letter == '\\') {
+            (void)fprintf(out, "\\u%04x", letter);
+        } else {
+            (void)fwrite(text, 1, length, out);
+        }
+        text += length > 0 ? length : 1;
+    }
+    (void)fputc('"', out);
+}
+
+static void write_count(FILE *out, const char *key, uint64_t count) {
+    (void)fprintf(out, "  \"%s\": %" PRIu64 ",\n", key, count);
+}
+
+/* What was reached, where cut branches are estimated. */
+static void write_estimate(FILE *out, const struct run_stats *stats) {
+    static const char *const names[WAYS + 1] = {
+        [WAY_DOWN] = "tail_down", [WAY_UP] = "tail_up", [WAY_ANY] = "tail"};
+    const struct render_totals *totals = stats->totals;
+    const struct estimate_level *level = &totals->estimate.level[totals->estimate.typical];
+    write_count(out, "learning_rays", totals->learning_rays);
+    for (int way = 0; way <= WAYS; way++) {
+        const int32_t *mean = level->mean[way];
+        (void)fprintf(out, "  \"%s\": [%.6f, %.6f, %.6f],\n", names[way], mean[0] / 65536.0,
+                      mean[1] / 65536.0, mean[2] / 65536.0);
+    }
+    if (stats->compiled->error > 0) {
+        (void)fprintf(out, "  \"error\": %.17g,\n  \"spread\": %.6f,\n", stats->compiled->error,
+                      level->spread / 65536.0);
+        (void)fprintf(out, "  \"estimated_error\": %.6f,\n", totals->estimated_error / 65536.0);
+        (void)fprintf(out, "  \"worst_pixel\": [%u, %u],\n", totals->worst_x, totals->worst_y);
+        write_count(out, "proved_error", totals->proved_error);
+    }
+}
+
+static void write_render(FILE *out, const struct run_stats *stats) {
+    const struct compiled_scene *compiled = stats->compiled;
+    const struct render_totals *totals = stats->totals;
+    (void)fputs("  \"scene\": ", out);
+    stats_write_string(out, stats->scene);
+    (void)fputs(",\n  \"arith\": ", out);
+    stats_write_string(out, stats->arithmetic);
+    (void)fprintf(out, ",\n  \"depth\": %u,\n  \"threshold\": %.17g,\n", compiled->depth_asked,
+                  compiled->threshold);
+    write_count(out, "width", compiled->width);
+    write_count(out, "height", compiled->height);
+    write_count(out, "pixels", (uint64_t)compiled->width * totals->rows);
+    write_count(out, "nodes", totals->nodes);
+    write_count(out, "rays", totals->rays);
+    write_count(out, "shadow_rays", totals->shadow_rays);
+    write_count(out, "solid_tests", totals->solid_tests);
+    write_count(out, "leaked_rays", totals->leaked_rays);
+    write_count(out, "exhausted_pixels", totals->exhausted_pixels);
+    if (compiled->estimates) {
+        write_estimate(out, stats);
+    }
+}
+
+/* 4.4 clocks an instruction are an average for the 80386, assumed: the mix here has more products
+ * than most. The ports' own clocks come in port_cost. */
+static void write_processor(FILE *out, const struct run_stats *stats) {
+    const double clocks = 4.4;
+    const struct cost_machine *machine = cost_machine_by_name("RA2");
+    write_count(out, "instructions", stats->processor->instructions);
+    (void)fprintf(out, "  \"predicted_seconds_RA2\": %.1f,\n",
+                  (double)stats->processor->instructions * clocks / (machine->megahertz * 1e6));
+}
+
+static void write_cost(FILE *out, const struct run_stats *stats) {
+    const struct port_chain *chain = stats->chain;
+    double frames[COST_SHOWN];
+    if (stats->totals == NULL) {
+        stats_write_cost(out, &chain->cost, stats->board, NULL);
+        return;
+    }
+    stats_predict_frames(stats->compiled, stats->totals, stats->arithmetic,
+                         port_chain_writes(chain), frames);
+    stats_write_cost(out, &chain->cost, stats->board, frames);
+}
+
+void stats_write(FILE *out, const struct run_stats *stats) {
+    struct port_chain *chain = stats->chain;
+    (void)fputs("{\n", out);
+    if (stats->totals != NULL) {
+        write_render(out, stats);
+    }
+    write_count(out, "port_writes", port_chain_writes(chain));
+    write_count(out, "port_reads", port_chain_reads(chain));
+    if (stats->totals != NULL && stats->totals->rows > 0) {
+        double pixels = (double)stats->compiled->width * stats->totals->rows;
+        (void)fprintf(out, "  \"port_writes_per_pixel\": %.6f,\n",
+                      (double)port_chain_writes(chain) / pixels);
+    }
+    (void)fprintf(out, "  \"trace_hash\": \"%016" PRIx64 "\",\n", trace_hash_value(&chain->hash));
+    if (chain->has_board) {
+        port_chain_picture(chain);
+        (void)fprintf(out, "  \"frame_crc\": \"%08" PRIx32 "\",\n", picture_crc(chain->rgb));
+        write_count(out, "violations", board_violations(&chain->board));
+    } else {
+        (void)fputs("  \"frame_crc\": null,\n  \"violations\": null,\n", out);
+    }
+    if (stats->photograph != NULL) {
+        (void)fprintf(out, "  \"photograph_crc\": \"%08" PRIx32 "\",\n",
+                      picture_crc(stats->photograph));
+    }
+    if (stats->board != NULL && chain->is_counting) {
+        write_cost(out, stats);
+    }
+    if (stats->adapter != NULL) {
+        adapter_bus_write_stats(stats->adapter, out);
+    }
+    if (stats->processor != NULL) {
+        write_processor(out, stats);
+    }
+    if (stats->began != NULL && chain->first.has_happened) {
+        (void)fprintf(out,
+                      "  \"first_write_seconds\": %.6f,\n  \"first_write_cpu_seconds\": %.6f,\n",
+                      stopwatch_between(stats->began, &chain->first.at), chain->first.cpu_seconds);
+    }
+    if (stats->totals != NULL) {
+        (void)fprintf(out, "  \"render_seconds\": %.6f,\n", stats->totals->seconds);
+    }
+    (void)fprintf(out, "  \"total_seconds\": %.6f\n}\n", stats->total_seconds);
+}

@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: MIT */
+/* The statistics of a run as a JSON object. */
+#ifndef SUPERFRAME_STATS_H
+#define SUPERFRAME_STATS_H
+
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#include "adapter/open.h"
+#include "board/options.h"
+#include "board/port_chain.h"
+#include "boot/cpu.h"
+#include "render/render.h"
+
+/* What there is to tell; NULL where there is none of it. */
+struct run_stats {
+    const char *scene, *arithmetic;
+    const struct compiled_scene *compiled;
+    const struct render_totals *totals; /* of a render; NULL: a replay, which has only the ports */
+    struct port_chain *chain;           /* its picture is drawn if it has a board */
+    double total_seconds;
+    const struct timespec *began;      /* of the command, for the first write; NULL: not told */
+    const struct board_options *board; /* for the cost of the ports; NULL: not told */
+    const struct processor_report
+        *processor;                    /* of a run on an emulated CPU; NULL: there was none */
+    const struct adapter_bus *adapter; /* at the end of a cable; NULL: there was none */
+    const uint8_t *photograph; /* of a multiple exposure, PICTURE_BYTES; NULL: none was taken */
+};
+
+/* Writes the object and a line's end. The keys are those that superframe(1) lists; frame_crc and
+ * violations are null where no board was behind the ports. */
+void stats_write(FILE *out, const struct run_stats *stats);
+
+/* Writes a string in JSON's quotes. Bytes that are not ASCII go out as they are. */
+void stats_write_string(FILE *out, const char *text);
+
+#endif

@@ -1,0 +1,104 @@
+/* SPDX-License-Identifier: MIT */
+/* A trace in its other form: read access by access, and recorded again. */
+#include "trace/convert.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "command/command.h"
+#include "base/output.h"
+#include "trace/file.h"
+#include "trace_recorder.h"
+
+/* Stands behind the recorder and answers a read as the trace says it was answered. */
+struct answering_bus {
+    struct bus bus; /* the first member */
+    uint16_t answer;
+};
+
+static void ignore_write(struct bus *bus, uint16_t port, uint16_t value, unsigned width) {
+    (void)bus;
+    (void)port;
+    (void)value;
+    (void)width;
+}
+
+static uint16_t give_answer(struct bus *bus, uint16_t port, unsigned width) {
+    (void)port;
+    (void)width;
+    return ((struct answering_bus *)bus)->answer;
+}
+
+static const struct bus_operations answering_operations = {ignore_write, give_answer, NULL};
+
+struct conversion {
+    const struct options *options;
+    const char *path;
+    FILE *file;
+    struct trace_reader reader;
+    struct answering_bus answering;
+    struct trace_recorder recorder;
+    struct output output;
+};
+
+static int convert_accesses(struct conversion *conversion) {
+    struct bus *recorder = &conversion->recorder.bus;
+    uint64_t stop = conversion->options->board.stop;
+    struct trace_access access;
+    while (recorder->status == BUS_OK && (stop == 0 || conversion->reader.accesses < stop)) {
+        enum trace_status status = trace_reader_next(&conversion->reader, &access);
+        if (status == TRACE_END) {
+            break;
+        }
+        if (status != TRACE_OK) {
+            return trace_file_complain(conversion->path, &conversion->reader.error);
+        }
+        if (access.is_read) {
+            conversion->answering.answer = access.value;
+            (void)bus_read(recorder, access.port, access.width);
+        } else {
+            bus_write(recorder, access.port, access.value, access.width);
+        }
+    }
+    if (trace_recorder_finish(&conversion->recorder) != BUS_OK) {
+        output_complain(&conversion->output, strerror(conversion->recorder.error_number));
+        return STATUS_FAILED;
+    }
+    return output_commit(&conversion->output) ? STATUS_DONE : STATUS_FAILED;
+}
+
+static int convert(struct conversion *conversion) {
+    const struct options *options = conversion->options;
+    const char *to = options->output != NULL ? options->output : "-";
+    struct board_desc desc;
+    int status = trace_file_open(conversion->path, &conversion->file, &conversion->reader);
+    if (status == STATUS_DONE) {
+        status = trace_file_fit(conversion->path, &conversion->reader, options, &desc);
+    }
+    if (status != STATUS_DONE) {
+        return status;
+    }
+    if (!output_open(&conversion->output, to)) {
+        return STATUS_FAILED;
+    }
+    const struct trace_header header = {desc.profile, desc.base};
+    conversion->answering.bus.operations = &answering_operations;
+    trace_recorder_init(&conversion->recorder, &conversion->answering.bus, conversion->output.file,
+                        options->tracing.to, &header);
+    return convert_accesses(conversion);
+}
+
+int trace_convert(const struct options *options) {
+    struct conversion *conversion = calloc(1, sizeof *conversion); /* 130 KB */
+    if (conversion == NULL) {
+        complain("out of memory");
+        return STATUS_FAILED;
+    }
+    conversion->options = options;
+    conversion->path = options->operands[0];
+    int status = convert(conversion);
+    output_discard(&conversion->output);
+    trace_file_close(conversion->file);
+    free(conversion);
+    return status;
+}

@@ -1,0 +1,87 @@
+/* SPDX-License-Identifier: MIT */
+/* What `superframe trace` prints of a whole trace. */
+#include "trace/print.h"
+
+#include <inttypes.h>
+
+#include "stats/port_cost.h"
+#include "trace/words.h"
+
+static void print_registers(FILE *out, const struct board *board) {
+    uint64_t own = 0;
+    (void)fprintf(out, "%-16s %12s %12s %12s %12s\n", "register", "bytes out", "words out",
+                  "bytes in", "words in");
+    for (unsigned offset = 0; offset < BOARD_PORTS; offset++) {
+        const uint64_t *writes = board->writes[offset];
+        const uint64_t *reads = board->reads[offset];
+        uint64_t sum = writes[0] + writes[1] + reads[0] + reads[1];
+        own += sum;
+        if (sum > 0 || (offset & 1) == 0) {
+            char name[32];
+            (void)snprintf(name, sizeof name, "%04X %s%s", board->desc.base + offset,
+                           trace_register_name(offset), (offset & 1) != 0 ? ", odd" : "");
+            (void)fprintf(out, "%-16s %12" PRIu64 " %12" PRIu64 " %12" PRIu64 " %12" PRIu64 "\n",
+                          name, writes[0], writes[1], reads[0], reads[1]);
+        }
+    }
+    (void)fprintf(out, "%-16s %12" PRIu64 " of %" PRIu64 " accesses\n", "elsewhere",
+                  board->accesses - own, board->accesses);
+}
+
+static void print_cost(FILE *out, const struct cost_bus *cost,
+                       const struct board_options *options) {
+    (void)fprintf(out, "\n%-8s %-6s %5s %12s  %s\n", "machine", "CPU", "MHz", "seconds",
+                  "share of the frame");
+    for (int i = 0; cost_shown_machines[i] != NULL; i++) {
+        const struct cost_machine *machine = cost_machine_by_name(cost_shown_machines[i]);
+        double seconds = cost_bus_seconds(cost, machine, options->bus_wait);
+        (void)fprintf(out, "%-8s %-6s %5.1f %12.6f  ", machine->name, cost_cpu_text(machine->cpu),
+                      machine->megahertz, seconds);
+        if (options->frame_seconds > 0) {
+            (void)fprintf(out, "%.4f %%\n", 100 * seconds / options->frame_seconds);
+        } else {
+            (void)fprintf(out, "not known: --frame-seconds says what a frame takes\n");
+        }
+    }
+    (void)fprintf(out, "(clocks of IN and OUT alone, and %g ns of the bus for each access)\n",
+                  options->bus_wait);
+}
+
+void trace_print_statistics(FILE *out, const struct trace_statistics *statistics,
+                            const struct cost_bus *cost, const struct board_options *options) {
+    struct trace_pixels pixels = trace_statistics_pixels(statistics);
+    print_registers(out, &statistics->board);
+    (void)fprintf(out, "\n%-28s %12" PRIu64 "\n", "writes", statistics->writes);
+    (void)fprintf(out, "%-28s %12" PRIu64 "\n", "redundant writes", statistics->redundant_writes);
+    (void)fprintf(out, "%-28s %12" PRIu64 "\n", "reads", statistics->reads);
+    (void)fprintf(out, "%-28s %12" PRIu32 "\n", "pixels touched once", pixels.once);
+    (void)fprintf(out, "%-28s %12" PRIu32 "\n", "pixels touched twice or more", pixels.again);
+    (void)fprintf(out, "%-28s %12" PRIu32 "\n", "pixels never touched", pixels.never);
+    (void)fprintf(out, "%-28s %12" PRIu64 "\n", "violations", board_violations(&statistics->board));
+    print_cost(out, cost, options);
+}
+
+static void print_access(FILE *out, char mark, uint64_t number, const struct trace_access *access) {
+    char text[TRACE_TEXT_SIZE];
+    (void)trace_text_format(text, access);
+    (void)fprintf(out, "%c %8" PRIu64 "  %s\n", mark, number, text);
+}
+
+void trace_print_difference(FILE *out, const struct trace_difference *difference,
+                            const char *const names[2]) {
+    static const char marks[2] = {'-', '+'};
+    (void)fprintf(out, "the traces differ first at access %" PRIu64 "\n--- %s\n+++ %s\n",
+                  difference->access, names[0], names[1]);
+    for (unsigned i = 0; i < difference->before_count; i++) {
+        print_access(out, ' ', difference->access - difference->before_count + i,
+                     &difference->before[i]);
+    }
+    for (int which = 0; which < 2; which++) {
+        for (unsigned i = 0; i < difference->after_count[which]; i++) {
+            print_access(out, marks[which], difference->access + i, &difference->after[which][i]);
+        }
+        if (difference->after_count[which] == 0) {
+            (void)fprintf(out, "%c           (the trace ends here)\n", marks[which]);
+        }
+    }
+}

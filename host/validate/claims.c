@@ -1,0 +1,298 @@
+/* SPDX-License-Identifier: MIT */
+/* The validator: what the tables claim of primitives and surfaces, held against points of them. */
+#include <math.h>
+#include <string.h>
+
+#include "compiler/compiler_internal.h"
+#include "validate/validate_internal.h"
+
+/* Faces of one surface may differ by this: COMPILE_SAME in each number, at the world's end. */
+#define ONE_SURFACE 0x1p-26
+
+/* Faces that agree to this at a point, and in their directions there, are of one surface. */
+#define COINCIDENT 0x1p-41
+
+/* ---- How far things reach ------------------------------------------------------------------- */
+
+static void check_along(struct validator *validator, int primitive, const double point[3],
+                        const double direction[3]) {
+    const double reach = primitive_reach(validator->scene, primitive, direction);
+    if (!(vector_dot(point, direction) <= reach + VALIDATE_NEAR)) {
+        validate_fault(validator, point,
+                       "the solid of line %u reaches farther than its reach along (%.3g, %.3g, "
+                       "%.3g) says",
+                       validate_line(validator, primitive), direction[0], direction[1],
+                       direction[2]);
+    }
+}
+
+/* Chooses a direction that bounds are taken along: an axis of the world or of the primitive's
+ * frame, a face's own, or any. */
+static void choose_direction(struct validator *validator, int primitive, const double point[3],
+                             double direction[3]) {
+    const struct table *table = &validator->table;
+    const uint8_t frame = validator->scene->primitives[primitive].frame;
+    const int choice = dice_below(&validator->dice, 14);
+    if (choice < 12) {
+        const double *axis =
+            compiled_axis(validator->scene, choice < 6 ? WORLD_FRAME : frame, choice % 3);
+        for (int j = 0; j < 3; j++) {
+            direction[j] = choice / 3 % 2 == 0 ? axis[j] : -axis[j];
+        }
+        return;
+    }
+    dice_direction(&validator->dice, direction);
+    if (choice == 12) {
+        const int face = dice_below(&validator->dice, table->count[primitive]);
+        face_gradient(&table->faces[table->first[primitive] + face], point, direction);
+        vector_normalise(direction);
+    }
+}
+
+static bool is_in(const double low[3], const double high[3], const double point[3]) {
+    for (int i = 0; i < 3; i++) {
+        if (!(point[i] >= low[i] - VALIDATE_NEAR && point[i] <= high[i] + VALIDATE_NEAR)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static void check_quadric(struct validator *validator, int primitive, const double point[3]) {
+    const struct compiled_scene *scene = validator->scene;
+    const struct compiled_primitive *entry = &scene->primitives[primitive];
+    const struct compiled_quadric *quadric = &scene->quadrics[entry->index];
+    double low[3], high[3], from[3], turned[3];
+    quadric_extent(scene, quadric, &scene->boxes[quadric->box], entry->frame, low, high);
+    for (int i = 0; i < 3; i++) {
+        from[i] = point[i] - quadric->centre[i];
+    }
+    for (int i = 0; i < 3; i++) {
+        turned[i] = vector_dot(from, compiled_axis(scene, entry->frame, i));
+    }
+    if (!is_in(low, high, turned)) {
+        validate_fault(validator, point, "the solid of line %u goes beyond its extent",
+                       validate_line(validator, primitive));
+    }
+    const double far = vector_length(from);
+    if (far > quadric_ball(quadric, low, high) + VALIDATE_NEAR ||
+        (validator->step >= STEP_COMPACT && quadric->reach > 0 && far >= quadric->reach)) {
+        validate_fault(validator, point, "the solid of line %u goes beyond the ball about it",
+                       validate_line(validator, primitive));
+    }
+}
+
+void validate_reach(struct validator *validator, int primitive, const double point[3],
+                    int directions) {
+    const struct compiled_scene *scene = validator->scene;
+    const struct compiled_primitive *entry = &scene->primitives[primitive];
+    if (entry->kind == KIND_POLYHEDRON &&
+        !is_in(scene->polyhedra[entry->index].low, scene->polyhedra[entry->index].high, point)) {
+        validate_fault(validator, point, "the polyhedron of line %u goes beyond its bounds",
+                       validate_line(validator, primitive));
+    }
+    if (entry->kind == KIND_QUADRIC) {
+        check_quadric(validator, primitive, point);
+    }
+    for (int i = 0; i < directions; i++) {
+        double direction[3];
+        choose_direction(validator, primitive, point, direction);
+        check_along(validator, primitive, point, direction);
+    }
+}
+
+/* ---- Surfaces ------------------------------------------------------------------------------- */
+
+static bool are_parallel(const struct table_face *a, const struct table_face *b,
+                         const double point[3]) {
+    double one[3], other[3], cross[3];
+    face_gradient(a, point, one);
+    face_gradient(b, point, other);
+    vector_normalise(one);
+    vector_normalise(other);
+    vector_cross(one, other, cross);
+    return vector_length(cross) < COINCIDENT;
+}
+
+/* Holds a point of one face against all other faces: those of its surface go through it, and what
+ * goes through it is of its surface. */
+static void check_surface(struct validator *validator, const struct sight_line *line,
+                          const struct table_crossing *crossing) {
+    const struct table *table = &validator->table;
+    for (int i = 0; i < validator->scene->primitive_count; i++) {
+        for (int j = 0; j < table->count[i]; j++) {
+            const struct table_face *face = &table->faces[table->first[i] + j];
+            const double apart = fabs(face_distance(face, crossing->point));
+            if (face->surface == crossing->face->surface && apart > ONE_SURFACE) {
+                validate_fault(validator, crossing->point,
+                               "a face of the solid of line %u has the number of a surface of line "
+                               "%u that it does not lie on",
+                               validate_line(validator, i),
+                               validate_line(validator, crossing->primitive));
+            }
+            if (face->surface != crossing->face->surface && line->random && apart < COINCIDENT &&
+                are_parallel(face, crossing->face, crossing->point)) {
+                validate_fault(validator, crossing->point,
+                               "faces of the solids of lines %u and %u coincide and are two "
+                               "surfaces",
+                               validate_line(validator, i),
+                               validate_line(validator, crossing->primitive));
+            }
+        }
+    }
+}
+
+void validate_surface_sets(struct validator *validator) {
+    const struct compiled_scene *scene = validator->scene;
+    const struct table *table = &validator->table;
+    static const struct compiled_set nothing;
+    struct compiled_set sets[COMPILED_SURFACES_MOST];
+    memset(sets, 0, sizeof sets);
+    for (int i = 0; i < scene->primitive_count; i++) {
+        for (int j = 0; j < table->count[i]; j++) {
+            const uint16_t surface = table->faces[table->first[i] + j].surface;
+            if (surface >= scene->surface_count) {
+                validate_fault(validator, NULL, "a face of the solid of line %u has no surface",
+                               validate_line(validator, i));
+                return;
+            }
+            compiled_set_include(&sets[surface], i);
+        }
+    }
+    for (int i = 0; i < scene->surface_count; i++) {
+        if (memcmp(&sets[i], &scene->surfaces[i], sizeof sets[i]) != 0 ||
+            memcmp(&sets[i], &nothing, sizeof nothing) == 0) {
+            validate_fault(validator, NULL,
+                           "surface %d does not bound the solids that have faces on it", i);
+        }
+    }
+}
+
+/* ---- What is met after what ----------------------------------------------------------------- */
+
+static bool is_left_for_good(const struct compiled_scene *scene, int primitive,
+                             const struct table_face *face) {
+    const struct compiled_primitive *entry = &scene->primitives[primitive];
+    return entry->left_for_good || (entry->kind == KIND_QUADRIC && face->curved &&
+                                    scene->quadrics[entry->index].left_for_good);
+}
+
+/* Holds a primitive with a face on the surface that a ray starts on: outside of it, the ray must
+ * not come to it again. */
+static void check_return(struct validator *validator, const struct sight_line *line,
+                         const struct table_crossing *crossings, int count, int start,
+                         int primitive) {
+    const double from = crossings[start].t;
+    int next = start + 1;
+    while (next < count && (crossings[next].primitive != primitive ||
+                            crossings[next].t < from + 2 * VALIDATE_NEAR)) {
+        next++;
+    }
+    double between[3];
+    for (int i = 0; i < 3 && next < count; i++) {
+        between[i] = line->origin[i] + (from + crossings[next].t) / 2 * line->direction[i];
+    }
+    if (next < count && crossings[next].clean &&
+        table_distance(&validator->table, primitive, between) > VALIDATE_NEAR) {
+        validate_fault(validator, crossings[next].point,
+                       "a ray comes back to the solid of line %u, which is left for good",
+                       validate_line(validator, primitive));
+    }
+}
+
+static void check_returns(struct validator *validator, const struct sight_line *line,
+                          const struct table_crossing *crossings, int count, int start) {
+    const struct table *table = &validator->table;
+    for (int i = 0; i < validator->scene->primitive_count; i++) {
+        for (int j = 0; j < table->count[i]; j++) {
+            const struct table_face *face = &table->faces[table->first[i] + j];
+            if (face->surface == crossings[start].face->surface &&
+                is_left_for_good(validator->scene, i, face)) {
+                check_return(validator, line, crossings, count, start, i);
+            }
+        }
+    }
+}
+
+/* Holds a point of a primitive's surface against those that hide it and the one around it. */
+static void check_order(struct validator *validator, const struct table_crossing *crossing) {
+    const struct compiled_scene *scene = validator->scene;
+    const int primitive = crossing->primitive;
+    const uint8_t enclosure = scene->primitives[primitive].enclosure;
+    for (int i = 0; i < scene->primitive_count; i++) {
+        if (compiled_set_has(&scene->hidden_by[primitive], i) &&
+            table_distance(&validator->table, i, crossing->point) < VALIDATE_STRICTLY) {
+            validate_fault(validator, crossing->point,
+                           "the solid of line %u is said to hide that of line %u, and they meet",
+                           validate_line(validator, i), validate_line(validator, primitive));
+        }
+    }
+    if (enclosure != NO_ENCLOSURE &&
+        (enclosure >= scene->primitive_count ||
+         table_distance(&validator->table, enclosure, crossing->point) > -VALIDATE_STRICTLY)) {
+        validate_fault(validator, crossing->point,
+                       "the solid of line %u does not lie within the one that is said to enclose "
+                       "it",
+                       validate_line(validator, primitive));
+    }
+}
+
+void validate_crossings(struct validator *validator, const struct sight_line *line,
+                        const struct table_crossing *crossings, int count) {
+    for (int i = 0; i < count; i++) {
+        if (!crossings[i].clean) {
+            continue;
+        }
+        validate_reach(validator, crossings[i].primitive, crossings[i].point, 8);
+        check_surface(validator, line, &crossings[i]);
+        if (validator->step >= STEP_COMPACT) {
+            check_returns(validator, line, crossings, count, i);
+        }
+        if (validator->step >= STEP_ENCLOSURES) {
+            check_order(validator, &crossings[i]);
+        }
+    }
+}
+
+/* ---- The eye -------------------------------------------------------------------------------- */
+
+/* Tells how far a compiled place lies from where the file has it. */
+static double displacement(const struct validator *validator, const double file[3],
+                           const double scaled[3]) {
+    const struct compiled_scene *scene = validator->scene;
+    double most = 0;
+    for (int i = 0; i < 3; i++) {
+        const double there = ldexp(file[i] - scene->centre[i], scene->exponent);
+        most = fmax(most,
+                    fabs(there - scaled[i]) / (1 + fabs(ldexp(scene->centre[i], scene->exponent))));
+    }
+    return most;
+}
+
+void validate_eye(struct validator *validator) {
+    const struct compiled_scene *scene = validator->scene;
+    const struct compiled_camera *camera = &scene->camera;
+    const int part = described_filler(&validator->described, camera->eye);
+    if (displacement(validator, validator->described.description->camera.eye, camera->eye) >
+        0x1p-40) {
+        validate_fault(validator, camera->eye, "the eye is elsewhere");
+    }
+    for (int i = 0; i < COMPILED_PRIMITIVES_MOST; i++) {
+        const double distance = i < scene->primitive_count
+                                    ? table_distance(&validator->table, i, camera->eye)
+                                    : HUGE_VAL;
+        if (fabs(distance) > VALIDATE_NEAR &&
+            compiled_set_has(&camera->inside, i) != (distance < 0)) {
+            validate_fault(validator, camera->eye,
+                           "the tables have the eye %s the solid of line %u",
+                           distance < 0 ? "outside of" : "in", validate_line(validator, i));
+        }
+    }
+    const bool is_there = part == -1 ? camera->object == 0
+                                     : camera->object > 0 && camera->object < scene->object_count &&
+                                           scene->objects[camera->object].part == part;
+    if (part != -2 && !is_there) {
+        validate_fault(validator, camera->eye,
+                       "the tables have the eye in object %u, which is not there", camera->object);
+    }
+}

@@ -1,0 +1,163 @@
+/* SPDX-License-Identifier: MIT */
+/* The validator: what stands between a surface and a light. */
+#include <math.h>
+#include <string.h>
+
+#include "validate/validate_internal.h"
+
+/* Places nearer together than this, along a way to a light, are not told apart. */
+#define SHORT_WAY 0x1p-16
+
+/* The distance before and behind a boundary at which its objects are asked for. */
+#define ASIDE 0x1p-18
+
+static double dot(const double a[3], const double b[3]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void along(const struct sight_line *line, double t, double point[3]) {
+    for (int i = 0; i < 3; i++) {
+        point[i] = line->origin[i] + t * line->direction[i];
+    }
+}
+
+/* ---- The sets ------------------------------------------------------------------------------- */
+
+/* Checks which primitives each object uses, and which of them are tried for shadows. */
+void validate_shadow_sets(struct validator *validator) {
+    const struct compiled_scene *scene = validator->scene;
+    struct compiled_set tried;
+    memset(&tried, 0, sizeof tried);
+    for (int i = 1; i < scene->object_count; i++) {
+        const struct compiled_object *object = &scene->objects[i];
+        struct compiled_set uses;
+        memset(&uses, 0, sizeof uses);
+        for (int j = 0; j < object->length; j++) {
+            const uint8_t code = scene->programs[object->program + j];
+            if (code < CODE_UNION) {
+                compiled_set_include(&uses, code);
+                compiled_set_include(object->in_shadow_test ? &tried : &uses, code);
+            }
+        }
+        if (memcmp(&uses, &object->uses, sizeof uses) != 0) {
+            validate_fault(validator, NULL, "object '%s' uses other solids than it is said to",
+                           scene->object_names[i]);
+        }
+    }
+    if (memcmp(&tried, &scene->shadow_primitives, sizeof tried) != 0) {
+        validate_fault(validator, NULL,
+                       "other solids are tried for shadows than those of objects "
+                       "that can cast one");
+    }
+}
+
+/* ---- Ways to lights ------------------------------------------------------------------------- */
+
+/* Tells whether the tables' shadow test finds something at a point that keeps light off. */
+static bool test_finds(const struct validator *validator, const double point[3]) {
+    const struct compiled_scene *scene = validator->scene;
+    bool inside[COMPILED_DRAFTS_MOST];
+    table_inside(&validator->table, point, inside);
+    for (int i = 0; i < scene->primitive_count; i++) {
+        inside[i] = inside[i] && compiled_set_has(&scene->shadow_primitives, i);
+    }
+    for (int i = scene->object_count - 1; i > 0; i--) {
+        if (scene->objects[i].in_shadow_test && table_object_holds(&validator->table, i, inside)) {
+            return scene->materials[scene->objects[i].material].casts_shadow;
+        }
+    }
+    return false;
+}
+
+/* Holds one place on the way: what is there by the description, and what the test finds. */
+static void check_place(struct validator *validator, int light, const double point[3]) {
+    const struct described *described = &validator->described;
+    const int part = described_filler(described, point);
+    const bool casts =
+        part >= 0 &&
+        described->description->materials[described->parts[part].material].casts_shadow;
+    const bool found =
+        validator->scene->lights[light].casts_shadows && test_finds(validator, point);
+    if (part != -2 && casts != found) {
+        validate_fault(validator, point, "light %d: %s", light + 1,
+                       casts ? "what keeps it off here is not tried"
+                             : "something is said to keep it off here");
+    }
+}
+
+static void check_way(struct validator *validator, int light, const struct sight_line *way,
+                      double distance) {
+    struct table_crossing crossings[TABLE_CROSSINGS_MOST];
+    const int count = table_crossings(&validator->table, way, 0, crossings);
+    double before = 0;
+    for (int i = 0; i <= count && before < distance; i++) {
+        const double t = fmin(i < count ? crossings[i].t : HUGE_VAL, distance);
+        double point[3];
+        along(way, before + (t - before) / 2, point);
+        if (t - before > SHORT_WAY && validate_is_in_world(point)) {
+            check_place(validator, light, point);
+        }
+        before = fmax(before, t);
+    }
+}
+
+/* Sets out from a boundary towards a light, on the side that `normal` points to; no way where the
+ * light is behind it. */
+static void check_light(struct validator *validator, int light, const double from[3],
+                        const double normal[3]) {
+    const struct compiled_scene *scene = validator->scene;
+    const struct scene_light *source =
+        &validator->described.description->lights[validator->scene->lights[light].file];
+    struct sight_line way = {{0, 0, 0}, {0, 0, 0}, true};
+    double distance = VALIDATE_WORLD;
+    for (int i = 0; i < 3; i++) {
+        way.origin[i] = from[i];
+        way.direction[i] =
+            source->parallel
+                ? -source->direction[i]
+                : ldexp(source->position[i] - scene->centre[i], scene->exponent) - from[i];
+    }
+    const double length = sqrt(dot(way.direction, way.direction));
+    if (!source->parallel) {
+        distance = length;
+    }
+    for (int i = 0; i < 3; i++) {
+        way.direction[i] /= length;
+    }
+    if (dot(way.direction, normal) > 1e-3) {
+        check_way(validator, light, &way, distance);
+    }
+}
+
+static bool lets_through(const struct described *described, int part) {
+    return part == -1 ||
+           (part >= 0 &&
+            described->description->materials[described->parts[part].material].transparent);
+}
+
+void validate_shadow(struct validator *validator, const struct sight_line *line,
+                     const struct table_crossing *crossing) {
+    const struct described *described = &validator->described;
+    double before[3], behind[3], normal[3];
+    along(line, crossing->t - ASIDE, before);
+    along(line, crossing->t + ASIDE, behind);
+    const int here = described_filler(described, before),
+              there = described_filler(described, behind);
+    if (here == -2 || there == -2 || here == there) {
+        return;
+    }
+    face_gradient(crossing->face, crossing->point, normal);
+    const double length = sqrt(dot(normal, normal));
+    const double back = dot(normal, line->direction) > 0 ? -1 : 1;
+    const bool sides[2] = {lets_through(described, here), lets_through(described, there)};
+    const int light = dice_below(&validator->dice, validator->scene->light_count);
+    for (int i = 0; i < 2; i++) {
+        double outward[3];
+        for (int j = 0; j < 3; j++) {
+            outward[j] = (i == 0 ? back : -back) * normal[j] / length;
+        }
+        if (sides[i]) {
+            check_light(validator, light, crossing->point, outward);
+        }
+    }
+}
