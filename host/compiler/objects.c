@@ -198,7 +198,9 @@ static bool add_objects(struct compiler *compiler, const struct instance *instan
         cutters[i].next = i + 1 < count ? &cutters[i + 1] : instance->cutters;
     }
     child.node = node->children[0];
-    child.cutters = cutters;
+    if (count > 0) {
+        child.cutters = cutters;
+    }
     return add_objects(compiler, &child);
 }
 

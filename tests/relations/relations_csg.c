@@ -195,3 +195,16 @@ bool rewrite_cutter(struct syntax *scene, uint64_t *random) {
     scene->solids[last].children[1] = syntax_combine(scene, SYNTAX_INTERSECTION, cutter, around);
     return scene->solids[last].kind == SYNTAX_DIFFERENCE;
 }
+
+/* Makes unions and intersections of one child each of solids and operations. */
+bool rewrite_alone(struct syntax *scene, uint64_t *random) {
+    static const enum syntax_kind kinds[] = {SYNTAX_UNION, SYNTAX_INTERSECTION};
+    int list[SYNTAX_SOLIDS_MOST], count = syntax_list(scene, list);
+    for (int i = 0; i < count && !scene->is_full; i++) {
+        if (chance_is(random, 50)) {
+            int below = syntax_push_down(scene, list[i], kinds[chance_pick(random, 2)]);
+            syntax_adopt(scene, list[i], below);
+        }
+    }
+    return true;
+}
