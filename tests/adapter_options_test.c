@@ -9,8 +9,8 @@
 
 #include <cmocka.h>
 
-#include "options/options.h"
 #include "adapter/drivers.h"
+#include "command/command.h"
 
 static struct options options;
 static struct options_error error;
@@ -24,7 +24,7 @@ static bool parse(enum command_id command, const char *line) {
         argv[argc++] = word;
     }
     argv[argc] = NULL;
-    return options_parse(command, argc, argv, &options, &error);
+    return options_parse(&commands[command], argc, argv, &options, &error);
 }
 
 static void usb_and_hid_take_a_serial_number_or_none(void **state) {

@@ -140,7 +140,8 @@ static void verified_and_repaired_pixels_are_counted(void **state) {
     board.memory[3 * 17] ^= 0x40;
     board.memory[3 * (BOARD_WIDTH + 5) + 2] ^= 0x01;
     options.adapter.verify_percent = 100;
-    assert_int_equal(adapter_bus_verify(&adapter, &options), 0);
+    assert_int_equal(
+        adapter_bus_verify(&adapter, options.adapter.verify_percent, options.overrides.seed), 0);
     assert_int_equal(count_of("verified_pixels"), 40 * BOARD_WIDTH);
     assert_int_equal(count_of("repaired_pixels"), 2);
     adapter_bus_close(&adapter);

@@ -8,13 +8,14 @@ set -u
 cd "$(dirname "$0")/.." || exit 1
 
 flags='-m32 -std=c99 -pedantic -Wall -Wextra -Wconversion -Wshadow -Werror -D_POSIX_C_SOURCE=200809L
- -D_FILE_OFFSET_BITS=64 -fsyntax-only -Ihal -Ihal/usb -Iemulator -Iemulator/testing -Ifirmware -Ihost
+ -D_FILE_OFFSET_BITS=64 -fsyntax-only -Ihal -Ihal/cable -Iemulator/board -Iemulator/picture -Iemulator/trace
+ -Iemulator/bus -Iemulator/testing -Ifirmware -Ifirmware/adapter -Ihost
  -isystem /usr/include/libusb-1.0 -isystem /usr/include/hidapi'
 # The kernel's headers are one for both; only gcc-multilib, which no cross compiler stands beside, says so.
 flags="$flags -idirafter /usr/include/$(gcc -print-multiarch)"
 # The arithmetics, the streams and what one kind of CPU alone has are compiled with flags of their own.
 # shellcheck disable=SC2086 # a list of words
-printf '%s\n' hal/*.c hal/usb/*.c emulator/*.c emulator/testing/*.c host/*.c host/usb/*.c \
-    host/processor/*.c |
+find hal firmware/adapter emulator host -name '*.c' ! -path 'host/stream/*' ! -path '*/per_arithmetic/*' \
+    ! -name engines_x86_64.c |
     xargs -P 2 -n 12 gcc $flags || exit 1
 echo 'check_32_bits: no warning'

@@ -23,18 +23,27 @@ BEGIN {
     may["hal"] = "hal hal/*"
     may["firmware"] = "firmware hal firmware/real/* firmware/features/*"
     may["firmware/real"] = "firmware/real"
+    may["firmware/real/lab"] = "firmware/real/lab firmware/real"
     may["firmware/features"] = "firmware/features"
+    may["firmware/adapter"] = "firmware/adapter hal hal/*"
     # The ports for other CPUs lie around the firmware; the module for a web page holds the board too.
     may["firmware/targets"] = "firmware/targets/* firmware hal firmware/real/* firmware/features/*"
-    may["firmware/targets/wasm"] = "firmware/targets/wasm emulator " may["firmware/targets"]
-    may["emulator"] = "emulator hal hal/*"
-    may["emulator/testing"] = "emulator/testing emulator hal"
-    may["host"] = "host hal hal/* emulator firmware"
-    may["host/arithmetic"] = "host/arithmetic host firmware firmware/real/* firmware/features/*"
-    may["host/stream"] = "host/stream host/stream/sets/* host firmware firmware/real/* firmware/features/*"
-    # What host/ may see of the folders below it; host/arithmetic/ and host/stream/ are compiled beside the
-    # firmware.
+    may["firmware/targets/wasm"] = "firmware/targets/wasm emulator/board " may["firmware/targets"]
+    may["emulator"] = "emulator/* hal hal/*"
+    # The folders of host/: each may include what stands before it.
+    count = split("base scene compiler validate picture render stream board adapter boot stats trace " \
+        "export options lab command", order, " ")
+    outside = "hal hal/* emulator/* firmware firmware/adapter"
+    for (i = 1; i <= count; i++) {
+        before = before " host/" order[i]
+        may["host/" order[i]] = outside before
+    }
+    # Compiled beside the firmware, once for each arithmetic.
+    may["host/render/per_arithmetic"] = may["host/render"] " host/render/per_arithmetic firmware/real/* firmware/features/*"
+    may["host/stream"] = may["host/stream"] " host/stream/sets/* firmware/real/* firmware/features/*"
+    # What the rest of host/ may see of the firmware.
     is_public["firmware/image.h"] = 1
+    sees_private["host/render/per_arithmetic"] = sees_private["host/stream"] = 1
     freestanding = " float.h iso646.h limits.h stdarg.h stdbool.h stddef.h stdint.h "
     while ((getline file < list) > 0) {
         is_ours[file] = 1
@@ -71,6 +80,10 @@ function place_of(name, folders, count, i, file, pattern) {
     file = without_dots(folder_of(FILENAME) "/" name)
     if (file in is_ours) {
         return file
+    }
+    # In host/ a header is called by its folder.
+    if (FILENAME ~ /^host\// && ("host/" name) in is_ours) {
+        return "host/" name
     }
     count = split(may[rule_of(folder_of(FILENAME))], folders, " ")
     for (i = 1; i <= count; i++) {
@@ -128,7 +141,7 @@ function wrong(text) {
     place = place_of(name)
     if (place == "" || !is_allowed(place)) {
         wrong("\"" name "\": " own "/ may include only: " may[own])
-    } else if (own == "host" && place ~ /^firmware\// && !(place in is_public)) {
+    } else if (own ~ /^host/ && !(own in sees_private) && place ~ /^firmware\/[^\/]*$/ && !(place in is_public)) {
         wrong("\"" name "\": not a public header of the firmware")
     } else if (folder_of(place) != folder_of(FILENAME) && place ~ /_internal\.h$/) {
         wrong("\"" name "\": an internal header of another folder")

@@ -4,9 +4,9 @@
  *
  * The oracle is the solids' definitions in this file's own words. Solids stand anywhere but in the
  * scene's middle; the second of a pair lies within the first one, across its face, or beside it. */
+#include "compiled_points.h"
 #include "compiler/affine.h"
 #include "compiler/bounds.h"
-#include "compiled_points.h"
 
 enum { TEXT_SIZE = 4096, LEAF_SIZE = 512, PAIRS = 400, POINTS = 300, OBJECT = 2 };
 

@@ -5,8 +5,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "board/first_write.h"
 #include "base/stopwatch.h"
+#include "board/first_write.h"
 #include "trace_hash.h"
 
 static struct first_write first;

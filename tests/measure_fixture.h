@@ -7,12 +7,12 @@
 #include <math.h>
 #include <sys/stat.h>
 
-#include "command/command.h"
+#include "base/complain.h"
 #include "command_fixture.h"
-#include "scene/load.h"
 #include "lab/measure/measure.h"
 #include "options_fixture.h"
 #include "page_reader.h"
+#include "scene/load.h"
 #include "splitmix64.h"
 
 /* Plans the points of a command line whose -o is "m"; the caller frees them by discard_measure().

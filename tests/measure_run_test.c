@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Real renderings of `superframe measure`: what they are judged by, how many rows were announced,
  * and the pictures of the error. */
+#include "measure_fixture.h"
 #include "picture/ciede2000.h"
 #include "picture/error_map.h"
-#include "measure_fixture.h"
 #include "png_file.h"
 #include "scene_fixture.h"
 

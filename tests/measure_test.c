@@ -10,15 +10,15 @@
 
 #include <cmocka.h>
 
-#include "render/arithmetic.h"
-#include "stats/cost_model.h"
-#include "compiler/features.h"
-#include "scene/load.h"
-#include "lab/measure/measure.h"
 #include "base/parallel.h"
-#include "real/lab/wrap_kinds.h"
+#include "compiler/features.h"
 #include "compiler/requirements.h"
+#include "lab/measure/measure.h"
+#include "real/lab/wrap_kinds.h"
+#include "render/arithmetic.h"
 #include "render/signatures.h"
+#include "scene/load.h"
+#include "stats/cost_model.h"
 
 static struct measure_point make_point(const char *arithmetic, unsigned depth, double threshold) {
     struct measure_point point;

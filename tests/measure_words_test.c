@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* What the pages of `superframe measure` say outside of their tables of settings: what the paper's
  * setting loses, how it was measured, the machines, the pictures, and numbers as text. */
-#include "measure_fixture.h"
 #include "lab/measure/page.h"
+#include "measure_fixture.h"
 
 /* Finds the n-th paragraph of a section; NULL: there is none. */
 static const char *paragraph_of(const struct page *page, const char *heading, unsigned n) {

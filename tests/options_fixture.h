@@ -13,7 +13,7 @@
 
 #include <cmocka.h>
 
-#include "options/options.h"
+#include "command/command.h"
 
 enum { WORDS_MOST = 32, LINE_SIZE = 256 };
 
@@ -31,7 +31,7 @@ static inline bool parse(enum command_id command, const char *line, struct optio
     }
     words[count] = NULL;
     error->text[0] = '\0';
-    return options_parse(command, count, words, options, error);
+    return options_parse(&commands[command], count, words, options, error);
 }
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The command line: every option's values, good and wrong, and what excludes what. */
-#include "options_fixture.h"
 #include "base/numbers.h"
+#include "options_fixture.h"
 
 static void defaults(void **state) {
     (void)state;

@@ -4,8 +4,8 @@
 
 #include "board.h"
 #include "null_bus.h"
-#include "render/render.h"
 #include "render/engine.h"
+#include "render/render.h"
 
 enum { WIDTH = 24, HEIGHT = 9 };
 

@@ -10,8 +10,8 @@
 
 #include <cmocka.h>
 
-#include "scene/load.h"
 #include "render/progress.h"
+#include "scene/load.h"
 #include "stats/run.h"
 
 static void assert_line(unsigned rows, unsigned done, uint64_t rays, double seconds,

@@ -14,12 +14,12 @@
 
 #include <cmocka.h>
 
-#include "render/arithmetic.h"
-#include "bus.h"
 #include "board/camera.h"
-#include "scene/load.h"
 #include "board/port_chain.h"
+#include "bus.h"
+#include "render/arithmetic.h"
 #include "render/render.h"
+#include "scene/load.h"
 
 enum { LEVELS = 256, PIXELS = 320 * 200 };
 

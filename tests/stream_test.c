@@ -4,8 +4,8 @@
 
 #include <math.h>
 
-#include "scene/builtin.h"
 #include "render/engine.h"
+#include "scene/builtin.h"
 
 enum { WIDTH_MOST = 128 };
 

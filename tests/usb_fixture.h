@@ -3,8 +3,8 @@
 #ifndef SUPERFRAME_TESTS_USB_FIXTURE_H
 #define SUPERFRAME_TESTS_USB_FIXTURE_H
 
-#include "board_fixture.h"
 #include "adapter/bus.h"
+#include "board_fixture.h"
 #include "usb_device.h"
 
 /* One in so many packets, on average; 0: never. */

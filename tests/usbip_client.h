@@ -13,8 +13,8 @@
 
 #include <cmocka.h>
 
-#include "usb_device.h"
 #include "adapter/link.h"
+#include "usb_device.h"
 
 enum { CLIENT_IN_BYTES = 4096, CLIENT_HEADER = 48 };
 

@@ -2,7 +2,7 @@
 /* What the CRT shows: the controller's timing, the scroll and the mode's three pictures. */
 #include "picture.h"
 
-#include "board_internal.h"
+#include "board_controller.h"
 
 #include <libdeflate.h>
 #include <stdbool.h>

@@ -121,7 +121,7 @@ isapc() {
 }
 
 wasm() {
-    clang --target=wasm32 -Oz -Iemulator $flags -I$here/wasm/include -nostdlib -Wl,--no-entry \
+    clang --target=wasm32 -Oz -Iemulator/board $flags -I$here/wasm/include -nostdlib -Wl,--no-entry \
         -Wl,--gc-sections -Wl,--strip-all -Wl,-z,stack-size=65536 -fno-builtin -o "$folder/image.wasm" $firmware \
         $here/wasm/module.c $here/common/memory.c emulator/board/board.c emulator/board/board_pixel.c emulator/board/board_setup.c \
         emulator/board/board_report.c

@@ -7,10 +7,10 @@
 #include <signal.h>
 #include <time.h>
 
+#include "adapter/link.h"
 #include "board.h"
 #include "bus.h"
 #include "usb_encoder.h"
-#include "adapter/link.h"
 
 /* How patient the bus is. All are bounded: it ends with an error, never in an endless wait. */
 struct usb_limits {

@@ -7,8 +7,8 @@
 #include <string.h>
 #include <time.h>
 
-#include "base/stopwatch.h"
 #include "adapter/drivers.h"
+#include "base/stopwatch.h"
 #include "usb_device.h"
 
 enum { POLL_MS = 20 };

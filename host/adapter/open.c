@@ -8,9 +8,9 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "command/command.h"
-#include "base/interrupt.h"
 #include "adapter/drivers.h"
+#include "base/complain.h"
+#include "base/interrupt.h"
 
 enum {
     WAIT_POLL_MS = 100,
@@ -18,10 +18,6 @@ enum {
     WAIT_SETTLE_MS = 3000, /* with --wait: for udev to let us in to an adapter that has just come */
     RANGES_SIZE = 256
 };
-
-bool adapter_bus_is_asked(const struct options *options) {
-    return options->bus == BUS_CHOICE_USB || options->bus == BUS_CHOICE_HID;
-}
 
 static void pause_ms(long milliseconds) {
     const struct timespec pause = {milliseconds / 1000, milliseconds % 1000 * 1000000L};
@@ -62,23 +58,23 @@ static int open_backend(struct adapter_bus *adapter, const struct usb_backend *b
     return STATUS_DONE;
 }
 
-int adapter_bus_open(struct adapter_bus *adapter, const struct options *options) {
-    const struct usb_backend *backend =
-        options->bus == BUS_CHOICE_HID ? &usb_backend_hid : &usb_backend_bulk;
+int adapter_bus_open(struct adapter_bus *adapter, bool is_hid, uint16_t base,
+                     const struct adapter_options *options) {
+    const struct usb_backend *backend = is_hid ? &usb_backend_hid : &usb_backend_bulk;
     struct usb_limits limits = usb_default_limits();
     limits.seed = session_seed();
     limits.stop = interrupt_noted();
-    if (options->adapter.waits) {
+    if (options->waits) {
         limits.reopen_ms = WAIT_REOPEN_MS;
     }
     memset(adapter, 0, sizeof *adapter);
     adapter->name = backend->name;
     interrupt_catch();
-    int status = open_backend(adapter, backend, &options->adapter);
+    int status = open_backend(adapter, backend, options);
     if (status != STATUS_DONE) {
         return status;
     }
-    adapter->usb = usb_bus_new(adapter->link, options->base, &limits);
+    adapter->usb = usb_bus_new(adapter->link, base, &limits);
     if (adapter->usb == NULL) {
         complain("out of memory");
         return STATUS_FAILED;
@@ -90,10 +86,9 @@ int adapter_bus_open(struct adapter_bus *adapter, const struct options *options)
     return STATUS_DONE;
 }
 
-int adapter_bus_verify(struct adapter_bus *adapter, const struct options *options) {
+int adapter_bus_verify(struct adapter_bus *adapter, unsigned percent, uint64_t seed) {
     struct usb_verification *found = &adapter->verification;
-    if (!usb_bus_verify(adapter->usb, options->adapter.verify_percent, options->overrides.seed,
-                        found)) {
+    if (!usb_bus_verify(adapter->usb, percent, seed, found)) {
         complain("--verify: given up after %" PRIu64 " pixels", found->pixels);
         return STATUS_FAILED;
     }

@@ -5,8 +5,8 @@
 
 #include <stdio.h>
 
-#include "options/options.h"
 #include "adapter/bus.h"
+#include "adapter/options.h"
 
 /* All zero: not open. */
 struct adapter_bus {
@@ -17,15 +17,15 @@ struct adapter_bus {
     struct usb_verification verification; /* what adapter_bus_verify() found */
 };
 
-/* True if the options ask for one. */
-bool adapter_bus_is_asked(const struct options *options);
+/* Opens an adapter, by HID or else by bulk transfers, after waiting for it if --wait says so. base:
+ * of the board behind it. STATUS_DONE; else the reason is printed. */
+int adapter_bus_open(struct adapter_bus *adapter, bool is_hid, uint16_t base,
+                     const struct adapter_options *options);
 
-/* Opens it, after waiting for it if --wait says so. STATUS_DONE; else the reason is printed. */
-int adapter_bus_open(struct adapter_bus *adapter, const struct options *options);
-
-/* Reads back what was drawn, repairs it, and prints what that came to. STATUS_DONE, or
- * STATUS_FAILED if the bus failed or something can't be repaired. */
-int adapter_bus_verify(struct adapter_bus *adapter, const struct options *options);
+/* Reads back so many per cent of the lines that were drawn, chosen by the seed, repairs them, and
+ * prints what that came to. STATUS_DONE, or STATUS_FAILED if the bus failed or something can't be
+ * repaired. */
+int adapter_bus_verify(struct adapter_bus *adapter, unsigned percent, uint64_t seed);
 
 /* Writes what the cable carried as the key adapter of the statistics, a line ended by a comma. The
  * counts of what was verified are null where nothing was. */

@@ -8,8 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "splitmix64.h"
 #include "base/stopwatch.h"
+#include "splitmix64.h"
 
 enum { REOPEN_SLICE_MS = 200, JOURNAL_MOST = 256 << 20 };
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Error messages, all in one form: "superframe: ..." on standard error. */
-#include "command/command.h"
+#include "base/complain.h"
 
 #include <stdarg.h>
 #include <stdio.h>

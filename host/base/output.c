@@ -9,9 +9,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "command/command.h"
-#include "base/path.h"
+#include "base/complain.h"
 #include "base/interrupt.h"
+#include "base/path.h"
 
 enum { NAMES_TRIED = 100, NEW_FILE_MODE = 0666 };
 

@@ -8,9 +8,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "command/command.h"
-#include "base/path.h"
+#include "base/complain.h"
 #include "base/interrupt.h"
+#include "base/path.h"
 #include "png_file.h"
 
 enum { FULL_EXPOSURE = 255, NEW_FOLDER_MODE = 0777 };

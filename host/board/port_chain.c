@@ -4,8 +4,8 @@
 
 #include <stdlib.h>
 
-#include "null_bus.h"
 #include "board/strict.h"
+#include "null_bus.h"
 
 struct port_chain *port_chain_new(const struct board_desc *desc, bool has_board) {
     struct port_chain *chain = calloc(1, sizeof *chain);

@@ -9,10 +9,10 @@
 #include <stdio.h>
 
 #include "board.h"
+#include "board/first_write.h"
 #include "bus.h"
 #include "cost_bus.h"
 #include "fault_bus.h"
-#include "board/first_write.h"
 #include "native_screen.h"
 #include "picture.h"
 #include "trace_hash.h"

@@ -7,10 +7,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "command/command.h"
+#include "base/complain.h"
+#include "base/png_output.h"
 #include "picture.h"
 #include "png_file.h"
-#include "base/png_output.h"
 
 static bool native_take(struct native_screen *native, const char *path,
                         const struct png_image *image) {

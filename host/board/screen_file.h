@@ -5,10 +5,10 @@
 
 #include <stdbool.h>
 
+#include "base/output.h"
 #include "board.h"
 #include "board/options.h"
 #include "native_screen.h"
-#include "base/output.h"
 
 /* Reads the PC-9801's own screen from a PNG of 640 x 400 pixels. False, with the reason and what is
  * allowed printed, if the file can't be read or can't be such a screen. */

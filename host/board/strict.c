@@ -4,7 +4,7 @@
 
 #include <inttypes.h>
 
-#include "command/command.h"
+#include "base/complain.h"
 
 bool strict_minds(const struct board *board, enum board_behaviour behaviour, bool has_grade,
                   enum board_grade grade) {

@@ -4,8 +4,8 @@
 #ifndef SUPERFRAME_PROCESSOR_H
 #define SUPERFRAME_PROCESSOR_H
 
-#include "bus.h"
 #include "boot/pc98_machine.h"
+#include "bus.h"
 
 #include <signal.h>
 #include <stdbool.h>

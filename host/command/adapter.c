@@ -12,13 +12,13 @@
 #include <sys/time.h>
 #include <unistd.h>
 
-#include "command/command.h"
-#include "base/interrupt.h"
-#include "base/output.h"
-#include "picture.h"
-#include "base/png_output.h"
 #include "adapter/usbip.h"
+#include "base/interrupt.h"
 #include "base/numbers.h"
+#include "base/output.h"
+#include "base/png_output.h"
+#include "command/command.h"
+#include "picture.h"
 
 enum { GUESTS_MOST = 4, SEND_SECONDS = 10, NAME_SIZE = 256, POLL_MS = 200, PORT_MOST = 65535 };
 

@@ -6,16 +6,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "board/screen_file.h"
-#include "command/command.h"
-#include "cost_bus.h"
-#include "board/equip_chain.h"
 #include "base/interrupt.h"
 #include "base/output.h"
-#include "board/port_chain.h"
-#include "boot/cpu.h"
-#include "stats/run.h"
 #include "base/stopwatch.h"
+#include "board/equip_chain.h"
+#include "board/port_chain.h"
+#include "board/screen_file.h"
+#include "boot/cpu.h"
+#include "command/command.h"
+#include "cost_bus.h"
+#include "stats/run.h"
 #include "trace/file.h"
 
 /* One run of the command. */
@@ -69,7 +69,7 @@ static int prepare(struct boot_run *run) {
         complain("out of memory");
         return STATUS_FAILED;
     }
-    status = equip_chain(run->chain, options);
+    status = equip_chain(run->chain, &options->board, options->stats != NULL);
     if (status != STATUS_DONE) {
         return status;
     }

@@ -5,11 +5,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "render/arithmetic.h"
 #include "command/command.h"
-#include "scene/load.h"
-#include "render/remarks.h"
 #include "compiler/requirements.h"
+#include "render/arithmetic.h"
+#include "render/remarks.h"
+#include "scene/load.h"
 #include "validate/validate.h"
 
 static void print_description(const struct scene_description *scene) {

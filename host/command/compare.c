@@ -7,16 +7,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "picture/ciede2000.h"
+#include "base/output.h"
+#include "base/png_output.h"
 #include "command/command.h"
+#include "picture/ciede2000.h"
 #include "picture/compare.h"
 #include "picture/error_map.h"
-#include "base/output.h"
+#include "picture/ssim.h"
 #include "png_file.h"
-#include "base/png_output.h"
 #include "render/render.h"
 #include "render/signatures.h"
-#include "picture/ssim.h"
 
 enum { OPERANDS_MOST = 3 };
 

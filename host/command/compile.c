@@ -4,11 +4,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/output.h"
 #include "command/command.h"
 #include "compiler/emit.h"
 #include "compiler/features.h"
 #include "scene/load.h"
-#include "base/output.h"
 
 enum { NAME_SIZE = 128 };
 

@@ -2,8 +2,8 @@
 /* superframe devices: the adapters that are plugged in. */
 #include <stdio.h>
 
-#include "command/command.h"
 #include "adapter/drivers.h"
+#include "command/command.h"
 
 /* One line each: the way, the serial number, where it is; tabs between them. */
 static bool list_backend(const struct usb_backend *backend) {

@@ -4,10 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/output.h"
 #include "command/command.h"
 #include "export/pov.h"
 #include "scene/load.h"
-#include "base/output.h"
 
 static int write_source(const char *path, const struct scene_description *description,
                         const struct compiled_scene *scene) {

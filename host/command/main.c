@@ -12,30 +12,23 @@ static void print_help(void) {
     (void)printf("superframe renders ray-traced scenes for the SuperFrame board.\n\n"
                  "usage: superframe COMMAND ...\n\n");
     for (const struct command *command = commands; command->name != NULL; command++) {
-        if (command->run != NULL) {
-            (void)printf("  %-9s %-12s %s\n", command->name, command->operands, command->summary);
-        }
+        (void)printf("  %-9s %-12s %s\n", command->name, command->operands, command->summary);
     }
     (void)printf("\nsuperframe COMMAND --help says more. superframe --version is the version.\n"
                  "Exit status: 0 done, 1 failed while working, 2 bad usage or input,\n"
                  "3 a strict check or a comparison did not hold, 130 interrupted.\n");
 }
 
-static int run_command(enum command_id id, int argc, char **argv) {
-    const struct command *command = &commands[id];
+static int run_command(const struct command *command, int argc, char **argv) {
     struct options options;
     struct options_error error = {""};
-    if (command->run == NULL) {
-        return bad_input("%s: not built into this version; superframe --help lists what is",
-                         command->name);
-    }
-    if (!options_parse(id, argc, argv, &options, &error)) {
+    if (!options_parse(command, argc, argv, &options, &error)) {
         return bad_input("%s", error.text);
     }
     if (options.help) {
         (void)printf("%s\n\nusage: superframe %s %s [options]\n\n", command->summary, command->name,
                      command->operands);
-        options_print(stdout, id);
+        options_print(stdout, command->id);
         return STATUS_DONE;
     }
     return command->run(&options);
@@ -53,9 +46,9 @@ static int dispatch(int argc, char **argv) {
         (void)printf("superframe %s\n", SUPERFRAME_VERSION);
         return STATUS_DONE;
     }
-    for (int i = 0; i < COMMAND_COUNT; i++) {
-        if (strcmp(argv[1], commands[i].name) == 0) {
-            return run_command((enum command_id)i, argc - 1, argv + 1);
+    for (const struct command *command = commands; command->name != NULL; command++) {
+        if (strcmp(argv[1], command->name) == 0) {
+            return run_command(command, argc - 1, argv + 1);
         }
     }
     return bad_input("no command \"%.100s\"; superframe --help lists them", argv[1]);

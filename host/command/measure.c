@@ -5,10 +5,10 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#include "command/command.h"
 #include "base/path.h"
-#include "scene/load.h"
+#include "command/command.h"
 #include "lab/measure/measure.h"
+#include "scene/load.h"
 
 enum { FOLDER_MODE = 0777 };
 

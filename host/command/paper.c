@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* superframe paper: every figure of the paper, and its claims measured. */
-#include "command/command.h"
 #include "lab/paper/paper.h"
+#include "command/command.h"
 
 int run_paper(const struct options *options) {
     const struct scene_overrides *overrides = &options->overrides;

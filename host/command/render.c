@@ -5,22 +5,22 @@
 #include <string.h>
 
 #include "adapter/open.h"
-#include "render/arithmetic.h"
-#include "board/screen_file.h"
-#include "command/command.h"
-#include "board/equip_chain.h"
-#include "board/camera.h"
 #include "base/interrupt.h"
-#include "scene/load.h"
 #include "base/output.h"
 #include "base/png_output.h"
+#include "base/stopwatch.h"
+#include "board/camera.h"
+#include "board/equip_chain.h"
 #include "board/port_chain.h"
+#include "board/screen_file.h"
+#include "command/command.h"
+#include "render/arithmetic.h"
 #include "render/progress.h"
 #include "render/remarks.h"
 #include "render/render.h"
 #include "render/signatures.h"
+#include "scene/load.h"
 #include "stats/run.h"
-#include "base/stopwatch.h"
 #include "trace/file.h"
 
 enum { NAME_SIZE = 256 };
@@ -85,7 +85,8 @@ static int open_exposures(struct render_run *run) {
 static int prepare(struct render_run *run) {
     const struct options *options = run->options;
     struct scene_error error;
-    int status = open_own_ports(&run->ports, options);
+    int status =
+        options->bus == BUS_CHOICE_PORTS ? open_own_ports(&run->ports, options->base) : STATUS_DONE;
     if (status != STATUS_DONE) {
         return status;
     }
@@ -108,14 +109,15 @@ static int prepare(struct render_run *run) {
     if (options->bus == BUS_CHOICE_PORTS) {
         port_chain_end_at(run->chain, &run->ports.bus);
     }
-    if (adapter_bus_is_asked(options)) {
-        status = adapter_bus_open(&run->adapter, options);
+    if (options->bus == BUS_CHOICE_USB || options->bus == BUS_CHOICE_HID) {
+        status = adapter_bus_open(&run->adapter, options->bus == BUS_CHOICE_HID, options->base,
+                                  &options->adapter);
         if (status != STATUS_DONE) {
             return status;
         }
         port_chain_end_at(run->chain, &run->adapter.usb->bus);
     }
-    status = equip_chain(run->chain, options);
+    status = equip_chain(run->chain, &options->board, options->stats != NULL);
     if (status == STATUS_DONE) {
         status = open_exposures(run);
     }
@@ -186,7 +188,8 @@ static int write_results(struct render_run *run) {
         return STATUS_FAILED;
     }
     if (run->options->adapter.verify_percent > 0 &&
-        adapter_bus_verify(&run->adapter, run->options) != STATUS_DONE) {
+        adapter_bus_verify(&run->adapter, run->options->adapter.verify_percent,
+                           run->options->overrides.seed) != STATUS_DONE) {
         if (run->adapter.usb->bus.status != BUS_OK) {
             explain_adapter(run);
         }

@@ -4,13 +4,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/output.h"
+#include "base/stopwatch.h"
+#include "board/equip_chain.h"
+#include "board/port_chain.h"
 #include "board/screen_file.h"
 #include "command/command.h"
-#include "board/equip_chain.h"
-#include "base/output.h"
-#include "board/port_chain.h"
 #include "stats/run.h"
-#include "base/stopwatch.h"
 #include "trace/file.h"
 #include "trace_replay.h"
 
@@ -77,7 +77,7 @@ static int prepare(struct replay_run *run) {
         complain("out of memory");
         return STATUS_FAILED;
     }
-    int status = equip_chain(run->chain, options);
+    int status = equip_chain(run->chain, &options->board, options->stats != NULL);
     if (status != STATUS_DONE) {
         return status;
     }

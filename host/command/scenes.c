@@ -2,8 +2,8 @@
 /* superframe scenes: the built-in scenes, one a line. */
 #include <stdio.h>
 
-#include "scene/builtin.h"
 #include "command/command.h"
+#include "scene/builtin.h"
 #include "scene/load.h"
 
 int run_scenes(const struct options *options) {

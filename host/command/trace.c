@@ -4,17 +4,17 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/output.h"
 #include "board/screen_file.h"
+#include "board/strict.h"
 #include "command/command.h"
 #include "cost_bus.h"
-#include "base/output.h"
-#include "board/strict.h"
-#include "trace_compare.h"
 #include "trace/convert.h"
 #include "trace/file.h"
 #include "trace/print.h"
-#include "trace_statistics.h"
 #include "trace/words.h"
+#include "trace_compare.h"
+#include "trace_statistics.h"
 
 /* One run of the command: 1.4 MB. */
 struct trace_run {
@@ -150,12 +150,20 @@ static int conclude(struct trace_run *run) {
     return STATUS_DONE;
 }
 
+/* What the command line says of the board, for traces that say less. */
+static struct trace_board asked_board(const struct options *options) {
+    const struct trace_board board = {options->has_profile, options->has_base, options->profile,
+                                      options->base};
+    return board;
+}
+
 static int prepare(struct trace_run *run) {
     const struct options *options = run->options;
+    const struct trace_board board = asked_board(options);
     struct board_desc desc;
     int status = trace_file_open(run->path, &run->file, &run->reader);
     if (status == STATUS_DONE) {
-        status = trace_file_fit(run->path, &run->reader, options, &desc);
+        status = trace_file_fit(run->path, &run->reader, &board, &desc);
     }
     if (status != STATUS_DONE) {
         return status;
@@ -199,10 +207,11 @@ static int watch(const struct options *options) {
 
 static int compare_opened(const struct options *options, struct trace_reader *const readers[2],
                           const char *const paths[2]) {
+    const struct trace_board board = asked_board(options);
     struct trace_difference difference;
     struct board_desc desc[2];
     for (int i = 0; i < 2; i++) {
-        int status = trace_file_fit(paths[i], readers[i], options, &desc[i]);
+        int status = trace_file_fit(paths[i], readers[i], &board, &desc[i]);
         if (status != STATUS_DONE) {
             return status;
         }
@@ -247,5 +256,14 @@ int run_trace(const struct options *options) {
     if (options->tracing.against != NULL) {
         return compare(options);
     }
-    return options->tracing.converts ? trace_convert(options) : watch(options);
+    if (!options->tracing.converts) {
+        return watch(options);
+    }
+    const struct trace_conversion conversion = {.path = options->operands[0],
+                                                .output =
+                                                    options->output != NULL ? options->output : "-",
+                                                .to = options->tracing.to,
+                                                .stop = options->board.stop,
+                                                .board = asked_board(options)};
+    return trace_convert(&conversion);
 }

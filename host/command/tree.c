@@ -3,12 +3,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "render/arithmetic.h"
-#include "command/command.h"
-#include "scene/load.h"
-#include "base/output.h"
-#include "render/ray_tree.h"
 #include "base/numbers.h"
+#include "base/output.h"
+#include "command/command.h"
+#include "render/arithmetic.h"
+#include "render/ray_tree.h"
+#include "scene/load.h"
 
 static int print_tree(const struct options *options, const struct compiled_scene *compiled,
                       const struct ray_tree *tree) {

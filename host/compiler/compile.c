@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The scene compiler: from a description to the firmware's tables, centred and scaled. */
 #include "compiler/dead.h"
+#include "scene/load.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -227,4 +228,17 @@ struct compiled_scene *scene_compile_observed(const struct scene_description *de
 struct compiled_scene *scene_compile(const struct scene_description *description,
                                      struct scene_error *error) {
     return scene_compile_observed(description, NULL, error);
+}
+
+struct compiled_scene *load_compiled_scene(const char *name_or_path,
+                                           const struct scene_overrides *overrides,
+                                           struct scene_error *error) {
+    struct scene_description *description = load_scene(name_or_path, error);
+    if (description == NULL) {
+        return NULL;
+    }
+    scene_override(description, overrides);
+    struct compiled_scene *compiled = scene_compile(description, error);
+    scene_description_free(description);
+    return compiled;
 }

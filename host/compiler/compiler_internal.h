@@ -5,8 +5,9 @@
 
 #include "compiler/affine.h"
 #include "compiler/bounds.h"
-#include "compiler/tables.h"
+#include "compiler/extents.h"
 #include "compiler/quadric_form.h"
+#include "compiler/tables.h"
 
 /* Bounded content lies within this, what is unbounded ends at twice that (firmware/scene.h). */
 #define COMPILE_EXTENT 512.0
@@ -205,22 +206,5 @@ void compile_enclosures(struct compiler *compiler);
  * point in common, by more than COMPILE_GAP. */
 bool primitive_is_within(const struct compiled_scene *scene, int inner, int outer);
 bool primitives_are_apart(const struct compiled_scene *scene, int one, int other);
-
-/* How far a primitive reaches along a direction of length 1; infinite where it has no end, or where
- * that is not known. */
-double primitive_reach(const struct compiled_scene *scene, int primitive,
-                       const double direction[3]);
-
-/* The same along the world's axes. */
-struct bounds primitive_bounds(const struct compiled_scene *scene, int primitive);
-
-/* What a quadric that a box cuts lies within, along its frame's axes and from its centre; infinite
- * where it has no end. */
-void quadric_extent(const struct compiled_scene *scene, const struct compiled_quadric *quadric,
-                    const struct compiled_box *box, uint8_t frame, double low[3], double high[3]);
-
-/* How far from its centre a quadric with that extent reaches; perhaps infinite. */
-double quadric_ball(const struct compiled_quadric *quadric, const double low[3],
-                    const double high[3]);
 
 #endif

@@ -8,9 +8,11 @@
 #include <stdint.h>
 
 #include "scene/description.h"
+#include "scene/overrides.h"
 
 /* Member by member what firmware/scene.h holds; read its comments there. Lengths are scaled
- * already. host/render/per_arithmetic/load.c turns this into tables in memory, host/compiler/emit.c into C source. */
+ * already. host/render/per_arithmetic/load.c turns this into tables in memory, host/compiler/emit.c
+ * into C source. */
 
 enum {
     COMPILED_PRIMITIVES_MOST = 64,
@@ -252,6 +254,12 @@ struct compile_observer {
  * rendered (the line is that of the culprit). The caller frees the result with free(). */
 struct compiled_scene *scene_compile(const struct scene_description *description,
                                      struct scene_error *error);
+
+/* As load_scene(), with overrides put in and compiled. The caller frees the result with
+ * free(). */
+struct compiled_scene *load_compiled_scene(const char *name_or_path,
+                                           const struct scene_overrides *overrides,
+                                           struct scene_error *error);
 
 /* Compiles as scene_compile() does and shows the tables to an observer, which may be NULL. */
 struct compiled_scene *scene_compile_observed(const struct scene_description *description,

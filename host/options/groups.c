@@ -4,10 +4,10 @@
 
 #include <string.h>
 
-#include "render/arithmetic.h"
-#include "options/board_setters.h"
-#include "usb_device.h"
 #include "base/numbers.h"
+#include "options/board_setters.h"
+#include "render/arithmetic.h"
+#include "usb_device.h"
 
 #define BIT(command) (1u << COMMAND_##command)
 

@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "command/command.h"
-#include "command/results.h"
+#include "base/complain.h"
+#include "options/places.h"
 
 enum { ENTRIES_MOST = 48, LETTERS_MOST = 64, LONG_ONLY = 256 };
 
@@ -264,25 +264,25 @@ static bool refuse_unknown(const char *command, const struct getopt_tables *tabl
                   command);
 }
 
-bool options_parse(enum command_id command, int argc, char **argv, struct options *options,
+bool options_parse(const struct command *command, int argc, char **argv, struct options *options,
                    struct options_error *error) {
     struct getopt_tables tables;
-    const char *name = commands[command].name;
+    const enum command_id id = command->id;
     int found;
-    make_tables(command, &tables);
+    make_tables(id, &tables);
     set_defaults(options);
     opterr = 0; /* the messages are this program's own */
     optind = 0; /* starts afresh: a test parses many command lines */
     while ((found = getopt_long(argc, argv, tables.letters, tables.longs, NULL)) != -1) {
         const char *culprit = optind > 0 && optind <= argc ? argv[optind - 1] : "";
         if (found == ':') {
-            return refuse(error, "%s: %.100s lacks its value; try superframe %s --help", name,
-                          culprit, name);
+            return refuse(error, "%s: %.100s lacks its value; try superframe %s --help",
+                          command->name, culprit, command->name);
         }
         if (found == '?') {
-            return refuse_unknown(name, &tables, culprit, error);
+            return refuse_unknown(command->name, &tables, culprit, error);
         }
-        const struct option_entry *entry = find_entry(command, found);
+        const struct option_entry *entry = find_entry(id, found);
         if (entry == NULL || !take(entry, optarg, options, error)) {
             return false;
         }
@@ -292,9 +292,8 @@ bool options_parse(enum command_id command, int argc, char **argv, struct option
     }
     options->operands = argv + optind;
     options->operand_count = argc - optind;
-    return check_operands(&commands[command], options, error) &&
-           check_together(command, options, error) && check_needs(command, options, error) &&
-           places_are_apart(command, options, error);
+    return check_operands(command, options, error) && check_together(id, options, error) &&
+           check_needs(id, options, error) && places_are_apart(id, options, error);
 }
 
 void options_print(FILE *out, enum command_id command) {

@@ -47,6 +47,18 @@ struct trace_options {
     enum trace_format to;
 };
 
+struct options;
+
+/* A sub-command. */
+struct command {
+    enum command_id id;
+    const char *name;
+    const char *operands;                      /* for the usage line */
+    const char *summary;                       /* one sentence */
+    int least, most;                           /* how many operands it takes */
+    int (*run)(const struct options *options); /* returns an exit status */
+};
+
 /* Strings point into argv. */
 struct options {
     bool help;
@@ -117,7 +129,7 @@ extern const struct option_entry option_table[];
 
 /* Reads what stands after the sub-command's name; argv[0] is that name. argv is permuted: options
  * may stand anywhere. False with *error filled where it is refused. */
-bool options_parse(enum command_id command, int argc, char **argv, struct options *options,
+bool options_parse(const struct command *command, int argc, char **argv, struct options *options,
                    struct options_error *error);
 
 /* Prints the options of a sub-command. */

@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#include "command/command.h"
+#include "base/complain.h"
 
 /* Faces that are so many times the noise apart are told apart at any place and angle. */
 enum { NOISES_APART = 16 };

@@ -7,10 +7,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "render/rows.h"
+#include "base/stopwatch.h"
 #include "board.h"
 #include "bus.h"
-#include "base/stopwatch.h"
+#include "render/rows.h"
 
 enum { BANDS_AHEAD = 3 }; /* of the drawing, for each worker: so that none waits for a slow one */
 

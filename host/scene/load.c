@@ -102,19 +102,6 @@ struct scene_description *load_scene(const char *name_or_path, struct scene_erro
                          : load_file(name_or_path, error);
 }
 
-struct compiled_scene *load_compiled_scene(const char *name_or_path,
-                                           const struct scene_overrides *overrides,
-                                           struct scene_error *error) {
-    struct scene_description *description = load_scene(name_or_path, error);
-    if (description == NULL) {
-        return NULL;
-    }
-    scene_override(description, overrides);
-    struct compiled_scene *compiled = scene_compile(description, error);
-    scene_description_free(description);
-    return compiled;
-}
-
 void scene_short_name(const char *name_or_path, char *name, size_t size) {
     const char *slash = strrchr(name_or_path, '/');
     const char *start = slash == NULL ? name_or_path : slash + 1;

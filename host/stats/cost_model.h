@@ -7,8 +7,8 @@
 
 #include "compiler/tables.h"
 
-/* Kinds of operations: as many as enum wrap_kind of firmware/real/lab/wrap_kinds.h has, in its order;
- * tests/cost/operations.c holds the two numbers against each other. */
+/* Kinds of operations: as many as enum wrap_kind of firmware/real/lab/wrap_kinds.h has, in its
+ * order; tests/cost/operations.c holds the two numbers against each other. */
 enum { COST_KINDS = 13 };
 
 /* What a rendering did. */

@@ -5,8 +5,8 @@
 #include <inttypes.h>
 #include <stdbool.h>
 
-#include "stats/port_cost.h"
 #include "base/stopwatch.h"
+#include "stats/port_cost.h"
 
 /* The bytes of the UTF-8 character that the text begins with; 0: it begins with none. */
 static size_t utf8_length(const char *text) {

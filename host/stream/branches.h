@@ -3,8 +3,8 @@
 #ifndef SUPERFRAME_CHILDREN_H
 #define SUPERFRAME_CHILDREN_H
 
-#include "stream/borders.h"
 #include "image.h"
+#include "stream/borders.h"
 #include "stream/queue.h"
 
 /* What is not followed, by lane: its weight, 0 where it is, and an enum estimate_way. */

@@ -2,8 +2,8 @@
 /* Place, normal and mirror direction of each lane's boundary. */
 #include "stream/hits.h"
 
-#include "stream/normals.h"
 #include "optics.h"
+#include "stream/normals.h"
 
 static void set_places(const struct search_lanes *restrict search, struct hit_lanes *restrict hit) {
     for (int i = 0; i < LANES; i++) {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The next crossing of each lane's ray, primitive by primitive. */
-#include "stream/search_solids.h"
 #include "solids.h"
+#include "stream/search_solids.h"
 
 static const struct sloping sloping_unknown = {0, 0};
 

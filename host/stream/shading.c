@@ -2,9 +2,9 @@
 /* Ambient light, the lights one by one, their fading. */
 #include "stream/shading.h"
 
-#include "stream/objects.h"
 #include "optics.h"
 #include "stream/interval.h"
+#include "stream/objects.h"
 
 /* Way, cosine and distance from each lane's place to a light. */
 struct way_lanes {

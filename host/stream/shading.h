@@ -3,8 +3,8 @@
 #ifndef SUPERFRAME_SHADING_H
 #define SUPERFRAME_SHADING_H
 
-#include "stream/borders.h"
 #include "image.h"
+#include "stream/borders.h"
 
 /* The intensity that each boundary sends along its ray. scratch is a search to use for shadows,
  * whose content is lost: it may be the one that found the boundaries. touches is the scene's table.

@@ -4,11 +4,11 @@
 
 #include <string.h>
 
-#include "stream/branches.h"
 #include "instruction_set.h"
+#include "stream/branches.h"
+#include "stream/interval.h"
 #include "stream/objects.h"
 #include "stream/shading.h"
-#include "stream/interval.h"
 
 #define STREAM_TEXT(name)         STREAM_TEXT_(name)
 #define STREAM_TEXT_(name)        #name

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "command/command.h"
+#include "base/complain.h"
 #include "base/output.h"
 #include "trace/file.h"
 #include "trace_recorder.h"
@@ -32,8 +32,7 @@ static uint16_t give_answer(struct bus *bus, uint16_t port, unsigned width) {
 static const struct bus_operations answering_operations = {ignore_write, give_answer, NULL};
 
 struct conversion {
-    const struct options *options;
-    const char *path;
+    const struct trace_conversion *asked;
     FILE *file;
     struct trace_reader reader;
     struct answering_bus answering;
@@ -43,7 +42,7 @@ struct conversion {
 
 static int convert_accesses(struct conversion *conversion) {
     struct bus *recorder = &conversion->recorder.bus;
-    uint64_t stop = conversion->options->board.stop;
+    uint64_t stop = conversion->asked->stop;
     struct trace_access access;
     while (recorder->status == BUS_OK && (stop == 0 || conversion->reader.accesses < stop)) {
         enum trace_status status = trace_reader_next(&conversion->reader, &access);
@@ -51,7 +50,7 @@ static int convert_accesses(struct conversion *conversion) {
             break;
         }
         if (status != TRACE_OK) {
-            return trace_file_complain(conversion->path, &conversion->reader.error);
+            return trace_file_complain(conversion->asked->path, &conversion->reader.error);
         }
         if (access.is_read) {
             conversion->answering.answer = access.value;
@@ -68,34 +67,32 @@ static int convert_accesses(struct conversion *conversion) {
 }
 
 static int convert(struct conversion *conversion) {
-    const struct options *options = conversion->options;
-    const char *to = options->output != NULL ? options->output : "-";
+    const struct trace_conversion *asked = conversion->asked;
     struct board_desc desc;
-    int status = trace_file_open(conversion->path, &conversion->file, &conversion->reader);
+    int status = trace_file_open(conversion->asked->path, &conversion->file, &conversion->reader);
     if (status == STATUS_DONE) {
-        status = trace_file_fit(conversion->path, &conversion->reader, options, &desc);
+        status = trace_file_fit(conversion->asked->path, &conversion->reader, &asked->board, &desc);
     }
     if (status != STATUS_DONE) {
         return status;
     }
-    if (!output_open(&conversion->output, to)) {
+    if (!output_open(&conversion->output, asked->output)) {
         return STATUS_FAILED;
     }
     const struct trace_header header = {desc.profile, desc.base};
     conversion->answering.bus.operations = &answering_operations;
     trace_recorder_init(&conversion->recorder, &conversion->answering.bus, conversion->output.file,
-                        options->tracing.to, &header);
+                        asked->to, &header);
     return convert_accesses(conversion);
 }
 
-int trace_convert(const struct options *options) {
+int trace_convert(const struct trace_conversion *asked) {
     struct conversion *conversion = calloc(1, sizeof *conversion); /* 130 KB */
     if (conversion == NULL) {
         complain("out of memory");
         return STATUS_FAILED;
     }
-    conversion->options = options;
-    conversion->path = options->operands[0];
+    conversion->asked = asked;
     int status = convert(conversion);
     output_discard(&conversion->output);
     trace_file_close(conversion->file);

@@ -3,10 +3,18 @@
 #ifndef SUPERFRAME_TRACE_CONVERT_H
 #define SUPERFRAME_TRACE_CONVERT_H
 
-#include "options/options.h"
+#include "trace/file.h"
 
-/* superframe trace TRACE --to FORM: writes the trace to -o FILE, or to standard output. Returns an
- * exit status; whatever is wrong is printed. */
-int trace_convert(const struct options *options);
+/* Which trace becomes what. */
+struct trace_conversion {
+    const char *path;   /* "-": standard input */
+    const char *output; /* "-": standard output */
+    enum trace_format to;
+    uint64_t stop; /* the last access that is written; 0: all are */
+    struct trace_board board;
+};
+
+/* Writes a trace in a form. Returns an exit status; whatever is wrong is printed. */
+int trace_convert(const struct trace_conversion *conversion);
 
 #endif

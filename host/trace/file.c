@@ -5,7 +5,7 @@
 #include <errno.h>
 #include <string.h>
 
-#include "command/command.h"
+#include "base/complain.h"
 
 int trace_file_complain(const char *path, const struct trace_error *error) {
     char text[512];
@@ -34,13 +34,13 @@ void trace_file_close(FILE *file) {
     }
 }
 
-int trace_file_fit(const char *path, struct trace_reader *reader, const struct options *options,
+int trace_file_fit(const char *path, struct trace_reader *reader, const struct trace_board *board,
                    struct board_desc *desc) {
-    struct trace_header header = {options->profile, options->base};
-    if (reader->has_header && !options->has_profile) {
+    struct trace_header header = {board->profile, board->base};
+    if (reader->has_header && !board->has_profile) {
         header.profile = reader->header.profile;
     }
-    if (reader->has_header && !options->has_base) {
+    if (reader->has_header && !board->has_base) {
         header.base = reader->header.base;
     }
     if (trace_reader_require(reader, &header) != TRACE_OK) {

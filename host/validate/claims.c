@@ -3,7 +3,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "compiler/compiler_internal.h"
+#include "compiler/affine.h"
+#include "compiler/extents.h"
 #include "validate/validate_internal.h"
 
 /* Faces of one surface may differ by this: COMPILE_SAME in each number, at the world's end. */

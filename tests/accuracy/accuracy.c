@@ -13,8 +13,8 @@
 
 #include <xxhash.h>
 
-#include "render/arithmetic.h"
 #include "picture/compare.h"
+#include "render/arithmetic.h"
 #include "scene/load.h"
 #include "transformed_scene.h"
 

@@ -5,10 +5,10 @@
 #include <string.h>
 #include <time.h>
 
-#include "render/arithmetic.h"
-#include "board/screen_file.h"
-#include "scene/load.h"
 #include "board/port_chain.h"
+#include "board/screen_file.h"
+#include "render/arithmetic.h"
+#include "scene/load.h"
 
 /* usage: frame SCENE FOLDER
  * Standard output gets a line: writes of a frame, then CPU milliseconds of ports and board, of the

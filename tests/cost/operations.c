@@ -5,14 +5,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "render/arithmetic.h"
-#include "stats/cost_model.h"
 #include "real/lab/wrap_kinds.h"
+#include "render/arithmetic.h"
 #include "scene/description.h"
+#include "stats/cost_model.h"
 
 /* Renders rows of one to six solids of a kind, some opaque, with the arithmetic that counts, and
  * solves by least squares for what each event takes, of all renderings together: their events are
- * known, and differ in their proportions. Prints the rows of cost_operations, host/stats/cost_tables.c.
+ * known, and differ in their proportions. Prints the rows of cost_operations,
+ * host/stats/cost_tables.c.
  */
 
 extern const struct arithmetic arithmetic_count;

@@ -9,8 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "stats/cost_model.h"
 #include "scene/load.h"
+#include "stats/cost_model.h"
 
 int main(int argc, char **argv) {
     struct scene_overrides overrides;

@@ -5,8 +5,8 @@
 #include <string.h>
 
 #include "board.h"
-#include "fuzz.h"
 #include "boot/cpu.h"
+#include "fuzz.h"
 
 enum {
     INSTRUCTIONS_MOST = 2000,

@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "render/arithmetic.h"
 #include "fuzz.h"
+#include "render/arithmetic.h"
 
 enum {
     WIDTH_MOST = 16,

@@ -4,9 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "fuzz.h"
 #include "adapter/bus.h"
 #include "adapter/usbip.h"
+#include "fuzz.h"
 
 static void hold_to_board(uint16_t port, unsigned width) {
     if (port < 0x00D0 || port + width > 0x00E0) {

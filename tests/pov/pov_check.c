@@ -6,10 +6,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/numbers.h"
+#include "png_file.h"
 #include "render/arithmetic.h"
 #include "scene/load.h"
-#include "png_file.h"
-#include "base/numbers.h"
 
 /* usage: pov_check SCENE WxH N THRESHOLD MODEL HIGHLIGHT THEIRS.png THEIR-LOG
  * (MODEL: simple or fresnel; HIGHLIGHT: phong or blinn)

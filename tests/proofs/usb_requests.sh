@@ -11,7 +11,7 @@ mkdir -p "$report"
 report=$report/usb_requests
 
 timeout -k 5 120 frama-c -eva -eva-precision 5 -eva-auto-loop-unroll 256 -main ask_all \
-    -machdep x86_16 -cpp-extra-args="-Ihal -Ihal/usb" "$here/usb_requests.c" firmware/adapter/usb_device.c \
+    -machdep x86_16 -cpp-extra-args="-Ihal -Ihal/cable -Ifirmware/adapter" "$here/usb_requests.c" firmware/adapter/usb_device.c \
     firmware/adapter/usb_descriptors.c firmware/adapter/usb_adapter.c hal/cable/usb_ops.c hal/cable/usb_wire.c hal/bus.c \
     -then -report-csv "$report.csv" > "$report.txt" 2>&1 || {
     tail -n 20 "$report.txt" >&2

@@ -6,8 +6,8 @@
 #include <string.h>
 
 #include "relation.h"
-#include "render/render.h"
 #include "render/engine.h"
+#include "render/render.h"
 #include "trace_hash.h"
 
 enum { BAND_BYTES = 3 * 48 * STREAM_ROWS_MOST };

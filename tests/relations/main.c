@@ -15,9 +15,9 @@
 #include <sys/stat.h>
 #include <time.h>
 
+#include "base/parallel.h"
 #include "coverage.h"
 #include "generate.h"
-#include "base/parallel.h"
 #include "reduce.h"
 #include "trial.h"
 #include "write.h"

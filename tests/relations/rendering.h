@@ -3,8 +3,8 @@
 #ifndef SUPERFRAME_RELATIONS_RENDERING_H
 #define SUPERFRAME_RELATIONS_RENDERING_H
 
-#include "render/arithmetic.h"
 #include "oracle.h"
+#include "render/arithmetic.h"
 #include "syntax.h"
 
 enum { RENDERING_PIXELS_MOST = 48 * 30, RENDERING_TEXT_MOST = 128 * 1024 };

@@ -30,14 +30,14 @@ for real in fx fx_32 fx_16; do
     done
 done
 # The encoder for USB has a table of 43 KB, larger than an AVR's objects: an MSP430's may be.
-for source in hal/*.c hal/usb/*.c; do
+for source in hal/*.c hal/cable/*.c firmware/adapter/*.c; do
     if [ "$source" = hal/cable/usb_encoder.c ]; then
         clang --target=msp430 -std=c99 -pedantic -Wall -Wextra -Wconversion -Wshadow -Werror \
-            -ffreestanding -Ihal -Ihal/usb -fsyntax-only "$source" || failures=$((failures + 1))
+            -ffreestanding -Ihal -Ihal/cable -fsyntax-only "$source" || failures=$((failures + 1))
         continue
     fi
     avr-gcc -mmcu=atmega2560 -std=c99 -pedantic -Wall -Wextra -Werror \
-        -Os -Ihal -Ihal/usb -c -o "$work/hal.o" "$source" || failures=$((failures + 1))
+        -Os -Ihal -Ihal/cable -Ifirmware/adapter -c -o "$work/hal.o" "$source" || failures=$((failures + 1))
 done
 echo "int of 16 bits: $failures wrong"
 [ $failures -eq 0 ]

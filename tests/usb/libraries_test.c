@@ -12,10 +12,10 @@
 
 #include <cmocka.h>
 
+#include "adapter/bus.h"
+#include "adapter/drivers.h"
 #include "mock_adapter.h"
 #include "picture.h"
-#include "adapter/drivers.h"
-#include "adapter/bus.h"
 
 enum { LINES = 8 };
 

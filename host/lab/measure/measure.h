@@ -8,12 +8,12 @@
 #include <stdint.h>
 #include <stdio.h>
 
-#include "stats/cost_model.h"
-#include "options/options.h"
 #include "base/output.h"
+#include "compiler/digest.h"
+#include "options/options.h"
 #include "picture.h"
 #include "render/progress.h"
-#include "compiler/digest.h"
+#include "stats/cost_model.h"
 
 /* ---- Points --------------------------------------------------------------------------------- */
 

@@ -4,17 +4,17 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/complain.h"
+#include "base/interrupt.h"
+#include "base/output.h"
+#include "base/stopwatch.h"
+#include "board/port_chain.h"
+#include "lab/measure/measure.h"
 #include "picture/ciede2000.h"
-#include "command/command.h"
 #include "picture/compare.h"
 #include "picture/error_map.h"
-#include "base/interrupt.h"
-#include "scene/load.h"
-#include "lab/measure/measure.h"
-#include "base/output.h"
 #include "png_file.h"
-#include "board/port_chain.h"
-#include "base/stopwatch.h"
+#include "scene/load.h"
 
 unsigned measure_dots(const struct measure_point *point) {
     return render_dots(point->width, point->height);

@@ -3,9 +3,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "command/command.h"
-#include "scene/load.h"
+#include "base/complain.h"
 #include "lab/measure/measure.h"
+#include "scene/load.h"
 
 enum { BASE_WIDTH = 160, BASE_HEIGHT = 100, BASE_DEPTH = 10, TAIL_DEPTH = 64 };
 

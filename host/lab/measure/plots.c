@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "command/command.h"
+#include "base/complain.h"
 #include "base/gnuplot.h"
 #include "base/interrupt.h"
 #include "lab/measure/measure.h"

@@ -6,9 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "command/command.h"
-#include "scene/load.h"
+#include "base/complain.h"
 #include "lab/measure/measure.h"
+#include "scene/load.h"
 
 enum { LINE_SIZE = 1024 };
 

@@ -5,9 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "render/arithmetic.h"
-#include "command/command.h"
+#include "base/complain.h"
 #include "lab/measure/page.h"
+#include "render/arithmetic.h"
 
 /* ---- Chapters ------------------------------------------------------------------------------- */
 

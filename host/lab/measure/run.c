@@ -6,13 +6,13 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "render/arithmetic.h"
-#include "picture/ciede2000.h"
-#include "command/command.h"
-#include "picture/compare.h"
+#include "base/complain.h"
 #include "base/interrupt.h"
-#include "lab/measure/measure.h"
 #include "base/stopwatch.h"
+#include "lab/measure/measure.h"
+#include "picture/ciede2000.h"
+#include "picture/compare.h"
+#include "render/arithmetic.h"
 
 enum { ORACLE_WIDTH = 48, ORACLE_HEIGHT = 30, ORACLE_DEPTH = 10, TWINS_MOST = 64 };
 

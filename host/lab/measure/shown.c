@@ -3,10 +3,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "command/command.h"
-#include "picture/error_map.h"
-#include "lab/measure/measure.h"
+#include "base/complain.h"
 #include "base/png_output.h"
+#include "lab/measure/measure.h"
+#include "picture/error_map.h"
 
 enum { HALF_WIDTH = 320, GAP = 8, GREY = 128 };
 

@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-#include "command/command.h"
+#include "base/complain.h"
 #include "scene/load.h"
 
 struct claim_entry {

@@ -2,7 +2,7 @@
 /* The paper's claims about what its pictures cost. */
 #include <string.h>
 
-#include "command/command.h"
+#include "base/complain.h"
 #include "lab/paper/claims.h"
 #include "lab/paper/curves.h"
 #include "lab/paper/measure.h"

@@ -2,7 +2,7 @@
 /* The paper's claims about what is to be seen in Fig. 3, in Fig. A and by multiple exposure. */
 #include <string.h>
 
-#include "command/command.h"
+#include "base/complain.h"
 #include "lab/paper/claims.h"
 #include "lab/paper/measure.h"
 

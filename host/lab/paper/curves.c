@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#include "command/command.h"
+#include "base/complain.h"
 #include "scene/load.h"
 
 /* From the lowest curve of the paper's figure to the highest two. */

@@ -3,8 +3,8 @@
 #ifndef SUPERFRAME_PAPER_CURVES_H
 #define SUPERFRAME_PAPER_CURVES_H
 
-#include "lab/paper/paper.h"
 #include "lab/paper/fit.h"
+#include "lab/paper/paper.h"
 
 /* What a cost is counted in. */
 enum paper_cost { PAPER_RAYS, PAPER_TESTS, PAPER_COSTS };

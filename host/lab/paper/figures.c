@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "command/command.h"
+#include "base/complain.h"
 #include "scene/load.h"
 
 /* In the paper's order. A scene that is not built in is left out of all results. */

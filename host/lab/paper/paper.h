@@ -7,14 +7,14 @@
 #include <stdint.h>
 #include <stdio.h>
 
-#include "render/arithmetic.h"
 #include "board/camera.h"
-#include "options/options.h"
-#include "scene/overrides.h"
 #include "lab/paper/claim.h"
+#include "options/options.h"
 #include "picture.h"
+#include "render/arithmetic.h"
 #include "render/progress.h"
 #include "render/render.h"
+#include "scene/overrides.h"
 
 /* ---- Renders -------------------------------------------------------------------------------- */
 

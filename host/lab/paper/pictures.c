@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "command/command.h"
+#include "base/complain.h"
 #include "lab/paper/paper.h"
 #include "png_file.h"
 

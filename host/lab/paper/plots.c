@@ -2,7 +2,7 @@
 /* Fig. 7 as a table, as a script for gnuplot, and by gnuplot as plots. */
 #include <unistd.h>
 
-#include "command/command.h"
+#include "base/complain.h"
 #include "base/gnuplot.h"
 #include "base/interrupt.h"
 #include "lab/paper/curves.h"

@@ -2,7 +2,7 @@
 /* The paper's claims beside what was measured: claims.md, and index.html with the figures. */
 #include <string.h>
 
-#include "command/command.h"
+#include "base/complain.h"
 #include "lab/paper/paper.h"
 
 /* How a text is written in a format: what stands for a letter that means something else there;

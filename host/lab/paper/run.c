@@ -3,11 +3,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "command/command.h"
+#include "base/complain.h"
 #include "base/interrupt.h"
-#include "lab/paper/paper.h"
 #include "base/output_folder.h"
 #include "base/stopwatch.h"
+#include "lab/paper/paper.h"
 
 static int render_all(struct paper *paper) {
     int status = paper_make_figures(paper);

@@ -7,10 +7,10 @@
 #include <string.h>
 #include <time.h>
 
-#include "command/command.h"
+#include "base/complain.h"
 #include "base/interrupt.h"
-#include "scene/load.h"
 #include "base/stopwatch.h"
+#include "scene/load.h"
 
 const uint8_t *paper_pixel(const struct paper_photo *photo, unsigned x, unsigned y) {
     return &photo->rgb[((size_t)y * photo->dots * PICTURE_WIDTH + x * photo->dots) * 3];

@@ -3,10 +3,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "render/arithmetic.h"
 #include "compiler/tables.h"
-#include "render/per_arithmetic/holds.h"
 #include "learn.h"
+#include "render/arithmetic.h"
+#include "render/per_arithmetic/holds.h"
 #include "render/per_arithmetic/observe.h"
 #include "scene.h"
 

@@ -5,12 +5,12 @@
 
 #define REAL_NAME checked
 
-#include "../estimate_division.h"
-#include "../fixed_operations.h"
-#include "../leading_zeros_counted.h"
-#include "../product_whole.h"
-#include "../registers_64.h"
-#include "../root_table.h"
+#include "../../estimate_division.h"
+#include "../../fixed_operations.h"
+#include "../../leading_zeros_counted.h"
+#include "../../product_whole.h"
+#include "../../registers_64.h"
+#include "../../root_table.h"
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -40,8 +40,8 @@ static inline void fixed_watch(enum fixed_operation operation, int64_t exact, bo
     }
 }
 
-#include "../room_unasked.h"
+#include "../../room_unasked.h"
 
-#include "../fixed.h"
+#include "../../fixed.h"
 
 #endif

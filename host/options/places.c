@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 /* The places that a command reads and writes: no two results go to one, and none over an input. */
-#include "command/results.h"
+#include "options/places.h"
 
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "board/camera.h"
 #include "base/path.h"
+#include "board/camera.h"
 #include "scene/load.h"
 
 enum { RESULTS_MOST = 7 + RENDER_EXPOSURES, NAME_SIZE = 256 };

@@ -1,0 +1,26 @@
+/* SPDX-License-Identifier: MIT */
+/* How far primitives reach, in scaled units. */
+#ifndef SUPERFRAME_EXTENTS_H
+#define SUPERFRAME_EXTENTS_H
+
+#include "compiler/bounds.h"
+#include "compiler/tables.h"
+
+/* Returns how far a primitive reaches along a direction of length 1; infinite where it has no end,
+ * or where that is not known. */
+double primitive_reach(const struct compiled_scene *scene, int primitive,
+                       const double direction[3]);
+
+/* Returns what a primitive lies within along the world's axes. */
+struct bounds primitive_bounds(const struct compiled_scene *scene, int primitive);
+
+/* Finds what a quadric that a box cuts lies within, along its frame's axes and from its centre;
+ * infinite where it has no end. */
+void quadric_extent(const struct compiled_scene *scene, const struct compiled_quadric *quadric,
+                    const struct compiled_box *box, uint8_t frame, double low[3], double high[3]);
+
+/* Returns how far from its centre a quadric with that extent reaches; perhaps infinite. */
+double quadric_ball(const struct compiled_quadric *quadric, const double low[3],
+                    const double high[3]);
+
+#endif
