@@ -133,15 +133,12 @@ static void what_goes_wrong_shows_in_the_counts(void **state) {
 
 static void verified_and_repaired_pixels_are_counted(void **state) {
     const struct cable_faults none = {0};
-    static struct options options;
     (void)state;
     plug_in(&none);
     draw();
     board.memory[3 * 17] ^= 0x40;
     board.memory[3 * (BOARD_WIDTH + 5) + 2] ^= 0x01;
-    options.adapter.verify_percent = 100;
-    assert_int_equal(
-        adapter_bus_verify(&adapter, options.adapter.verify_percent, options.overrides.seed), 0);
+    assert_int_equal(adapter_bus_verify(&adapter, 100, 0), 0);
     assert_int_equal(count_of("verified_pixels"), 40 * BOARD_WIDTH);
     assert_int_equal(count_of("repaired_pixels"), 2);
     adapter_bus_close(&adapter);

@@ -4,6 +4,7 @@
  * SUPERFRAME names the program (build/sanitized/superframe). The pictures are a hundredth of the
  * paper's, so that all of it takes seconds. */
 #include "lab/paper/paper.h"
+#include "png_file.h"
 #include "shell_fixture.h"
 
 #define PAPER_RUN "$SUPERFRAME paper --size 32x20 --jobs 2 "
@@ -81,6 +82,42 @@ static void figures_are_renders(void **state) {
                        lines[i][1], lines[i][0]);
         assert_status(line, 0);
     }
+}
+
+static struct png_image read_made(const char *name) {
+    struct png_image image = {0, 0, NULL};
+    struct png_error error;
+    char path[128];
+    (void)snprintf(path, sizeof path, "made/%s.png", name);
+    FILE *file = fopen(path, "rb");
+    assert_non_null(file);
+    assert_int_equal(read_png(file, &image, &error), PNG_OK);
+    (void)fclose(file);
+    return image;
+}
+
+/* Three in a row, each dot the mean of four, 12 dots apart and from the edge. */
+static void the_contact_sheet_has_every_figure_at_half_its_size(void **state) {
+    (void)state;
+    struct png_image sheet = read_made("contact-sheet");
+    assert_int_equal(sheet.width, 3 * (320 + 12) + 12);
+    assert_int_equal(sheet.height, 4 * (200 + 12) + 12);
+    for (unsigned i = 0; paper_figures[i].file != NULL; i++) {
+        struct png_image figure = read_made(paper_figures[i].file);
+        const size_t left = 12 + i % 3 * (320 + 12), top = 12 + i / 3 * (200 + 12);
+        for (size_t y = 0; y < 200; y++) {
+            for (size_t x = 0; x < 320; x++) {
+                for (size_t j = 0; j < 3; j++) {
+                    const uint8_t *dots = &figure.rgb[(2 * y * 640 + 2 * x) * 3 + j];
+                    int sum = dots[0] + dots[3] + dots[640 * 3] + dots[641 * 3];
+                    assert_int_equal(sheet.rgb[((top + y) * sheet.width + left + x) * 3 + j],
+                                     (sum + 2) / 4);
+                }
+            }
+        }
+        free_png(&figure);
+    }
+    free_png(&sheet);
 }
 
 /* The cells of a row of the Markdown table; returns how many. The row is cut up. */
@@ -218,6 +255,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_figure_is_there),
         cmocka_unit_test(figures_are_renders),
+        cmocka_unit_test(the_contact_sheet_has_every_figure_at_half_its_size),
         cmocka_unit_test(nine_claims_each_with_a_verdict),
         cmocka_unit_test(the_page_shows_all_of_it),
         cmocka_unit_test(curves_are_counts),

@@ -114,6 +114,25 @@ static void a_frame_is_found_behind_anything(void **state) {
     }
 }
 
+/* The first byte of a frame may wait for more; two bytes that begin none may not. */
+static void two_bytes_tell_whether_a_frame_begins(void **state) {
+    (void)state;
+    for (unsigned first = 0; first < 256; first++) {
+        for (unsigned second = 0; second < 256; second++) {
+            const uint8_t bytes[2] = {(uint8_t)first, (uint8_t)second};
+            struct usb_header found;
+            size_t length = 0;
+            enum usb_scan scan = usb_frame_scan(bytes, 2, &found, &length);
+            if (first == 'S' && second == 'F') {
+                assert_int_equal(scan, USB_SCAN_MORE);
+            } else {
+                assert_int_equal(scan, USB_SCAN_NOISE);
+                assert_int_equal(length, second == 'S' ? 1 : 2);
+            }
+        }
+    }
+}
+
 static void reports_carry_the_stream_whole(void **state) {
     uint64_t random = 5;
     (void)state;
@@ -172,6 +191,7 @@ int main(void) {
         cmocka_unit_test(what_is_packed_comes_out_again),
         cmocka_unit_test(no_frame_with_a_flipped_bit_passes),
         cmocka_unit_test(a_frame_is_found_behind_anything),
+        cmocka_unit_test(two_bytes_tell_whether_a_frame_begins),
         cmocka_unit_test(reports_carry_the_stream_whole),
         cmocka_unit_test(a_report_never_claims_more_than_it_has),
         cmocka_unit_test(a_hello_reply_out_of_range_is_refused),

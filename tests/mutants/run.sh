@@ -112,7 +112,7 @@ find_sight() {
         cd "$tree/build" || exit 2
         find release sanitized -name '*.d' -exec cat {} + |
             awk -f "$source/$here/dependencies.awk" > "$work/files_of"
-        find release sanitized -name '*.o' ! -path '*/stream/*' ! -path '*/firmware/*' \
+        find release sanitized -name '*.o' ! -path '*/stream/*' ! -path '*/*/firmware/*' \
             ! -path '*/*/host/*' -exec nm -A -g -P {} + > "$work/symbols"
         find sanitized/tests -name '*.o' -exec grep -lF SUPERFRAME {} + |
             sed 's/\.o$//' > "$work/runners"
