@@ -202,7 +202,6 @@ $$(BUILD)/$(1): $$(patsubst %.c,$$(BUILD)/release/%.o,$(2)) $$(release_LIBRARY) 
 	$$(call link,,$$(LIBS))
 endef
 
-.PHONY: all
 all: $(BUILD)/superframe ## Build the program (the default)
 
 $(BUILD)/superframe: $(BUILD)/release/superframe
@@ -236,7 +235,6 @@ $(BUILD)/arithmetics.c: host/render/list_arithmetics.sh FORCE
 	@sh $< $(ARITHMETICS) -- $(MISSING) > $@.new
 	@cmp -s $@.new $@ && rm $@.new || mv $@.new $@
 
-.PHONY: FORCE
 FORCE:
 
 # ---- The library --------------------------------------------------------------------------------
@@ -265,7 +263,6 @@ $(BUILD)/library/$(SONAME): $(LIBRARY_OBJECTS) $(BUILD)/sources
 	$(call link,-shared -Wl$(comma)-soname$(comma)$(SONAME) -Wl$(comma)-z$(comma)defs,-lpng -lxxhash -ldeflate)
 comma := ,
 
-.PHONY: library install uninstall
 library: $(LIBRARIES) ## Build libsuperframe, static and shared, and its test kit
 
 # What is installed, as FILE:FOLDER:MODE.
@@ -296,7 +293,6 @@ uninstall: ## Remove what `make install` put there
 
 # ---- Running ------------------------------------------------------------------------------------
 
-.PHONY: run paper
 run: $(BUILD)/superframe ## Render fig3 (or SCENE=...) to build/out/fig3.png
 	@mkdir -p $(BUILD)/out
 	$(BUILD)/superframe render $(SCENE) -o $(BUILD)/out/$(notdir $(basename $(SCENE))).png
@@ -312,16 +308,27 @@ include tests/measures.mk
 
 # ---- The machine --------------------------------------------------------------------------------
 
+# The groups of setup.sh that a goal needs besides `build`, as goal=group,group.
+SETUP_GROUPS := test=test,quick,usb quick=test test-kernel=test,usb,kernel fuzz=test mutants=test,usb \
+    lint=lint lint-style=lint lint-cppcheck=lint lint-tidy=lint prove=prove coverage=test,coverage \
+    paper=paper measure=paper bench-check=count bench-instructions-keep=count cost-check=quick \
+    pc98=pc98 pc98-probe=pc98 wasm=quick targets=quick,targets size=quick,targets \
+    size-keep=quick,targets minimal-table=quick
+groups_of = $(subst $(comma), ,$(patsubst $(1)=%,%,$(filter $(1)=%,$(SETUP_GROUPS))))
+
 # Whatever is compiled waits for it by an order-only prerequisite: it is looked at each time, which
-# takes milliseconds, and nothing is rebuilt for it. SETUP_FOR_goal has the groups of setup.sh that a
-# goal needs besides `build`; all are installed in one go, before anything is compiled.
-.PHONY: setup clean help
+# takes milliseconds, and nothing is rebuilt for it. All is installed in one go, before anything is
+# compiled.
 setup: ## Install what the build lacks (SETUP=no only lists it)
-	@CC='$(CC)' SETUP='$(SETUP)' sh setup.sh build $(sort $(foreach goal,$(MAKECMDGOALS),$(SETUP_FOR_$(goal))) \
-	    $(if $(findstring /tests/,$(MAKECMDGOALS)),test))
+	@CC='$(CC)' SETUP='$(SETUP)' sh setup.sh build \
+	    $(sort $(foreach goal,$(MAKECMDGOALS),$(call groups_of,$(goal))) $(if $(findstring /tests/,$(MAKECMDGOALS)),test))
 
 clean: ## Remove everything that was built
 	rm -rf $(BUILD)
+
+# Whatever `make help` lists is no file.
+.PHONY: $(shell sed -n 's/^\([a-z0-9-]*\):.*## .*/\1/p' $(MAKEFILE_LIST)) FORCE run-tests fresh-prefix \
+        lint-style lint-cppcheck lint-tidy
 
 help: ## List the targets
 	@sed -n 's/^\([a-zA-Z0-9_-]*\):.*## \(.*\)/  \1\t\2/p' $(MAKEFILE_LIST) | expand -t 22

@@ -22,7 +22,6 @@ $(BUILD)/coverage/superframe: $(BUILD)/release/host/command/main.o $(COVERED_OBJ
 $(COVERED_PROGRAMS): $(BUILD)/coverage/%: tests/%.c $(COVERED_OBJECTS) $(TESTKIT_SOURCES) $(COVERED_BESIDES)
 	$(call link,$(WARNINGS) $(POSIX) -O0 -g $(INCLUDE_tests),--coverage -lcmocka $(LIBS))
 
-.PHONY: mutants coverage
 mutants: | setup ## Break the source in small ways and see whether the tests notice (SEED= COUNT= SECONDS= FILES=)
 	@SEED='$(SEED)' FIRST='$(FIRST)' COUNT='$(COUNT)' LIMIT='$(SECONDS)' FILES='$(FILES)' SANITIZED='$(SANITIZED)' CC='$(CC)' \
 	    sh tests/mutants/run.sh $(BUILD) $(MUTANT_PROGRAMS) \
@@ -55,7 +54,6 @@ $(BUILD)/usb_bytes: $(BUILD)/release/tests/bench/usb_bytes.o $(release_EMULATOR)
 	$(call link,,$(LIBS))
 
 # Where povray can't be installed, what it is needed for is left out.
-.PHONY: bench bench-keep bench-check bench-instructions-keep bench-ports usb-table
 bench: $(BUILD)/superframe $(BENCH_TOOLS) ## Measure what renders cost, alone and against POV-Ray (BENCH=all, STAGES=...)
 	@CC='$(CC)' SETUP='$(SETUP)' sh setup.sh pov paper || true
 	@sh tests/bench/bench.sh $(BUILD) $(STAGES)
@@ -92,7 +90,6 @@ $(BUILD)/converged/made_by: $(BUILD)/release/image_f64.o $(BUILD)/release/tests/
 $(BUILD)/accuracy/made_by $(BUILD)/converged/made_by:
 	@rm -rf $(@D) && mkdir -p $(@D) && touch $@
 
-.PHONY: accuracy accuracy-tails accuracy-asked
 accuracy: $(BUILD)/release/accuracy $(BUILD)/accuracy/made_by ## Whole frames of every built-in scene against f128 (SCENES=... for some)
 	$< $(BUILD)/accuracy $(SCENES)
 
@@ -111,7 +108,6 @@ $(eval $(call tool,release/predict,tests/cost/predict.c))
 $(BUILD)/release/count_operations: $(BUILD)/release/image_count.o
 COST_TARGETS ?= m0 m3 m4f i386 i387 x86_64
 
-.PHONY: measure cost-operations cost-check cost-instructions
 measure: $(BUILD)/superframe ## Measure speed against accuracy: report and plots in build/measure
 	$(BUILD)/superframe measure --size 80x50 --jobs 2 -o $(BUILD)/measure
 
@@ -123,11 +119,3 @@ cost-check: $(BUILD)/superframe $(BUILD)/targets/count.so $(BUILD)/release/predi
 
 cost-instructions: $(BUILD)/targets/count.so | setup ## Count the instructions of operations (COST_TARGETS="m3 ..."; needs qemu-user, gcc-arm-none-eabi)
 	sh tests/cost/instructions.sh $(COST_TARGETS)
-
-SETUP_FOR_paper        := paper
-SETUP_FOR_measure      := paper
-SETUP_FOR_mutants      := test usb
-SETUP_FOR_coverage     := test coverage
-SETUP_FOR_bench-check  := count
-SETUP_FOR_cost-check   := quick
-SETUP_FOR_bench-instructions-keep := count

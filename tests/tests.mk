@@ -89,7 +89,6 @@ $(eval $(call tool,release/tests/pov/pov_check,tests/pov/pov_check.c))
 # Generated scenes that are held against POV-Ray, beside those of the table in check.sh.
 GENERATED ?= 100
 
-.PHONY: fuzz relations pov
 fuzz: $(FUZZERS) ## Fuzz each reader of foreign bytes for SECONDS=600, or FUZZER=scene alone
 	@BUILD=$(BUILD) sh tests/check_fuzz.sh $(or $(SECONDS),600) $(FUZZER)
 
@@ -115,7 +114,6 @@ SLOW_SUITES := accuracy asked_error command compiled_points coincident_surfaces 
                extremes_% fused_solids leak measure% paper% patterns ray_tree stream tail trace_command \
                usb_% validate render_counts
 
-.PHONY: test run-tests quick fresh-prefix strict
 # The packages first: which of them are there decides what is built.
 test: setup ## Run every test (under the address and undefined-behaviour sanitizers)
 	@$(MAKE) --no-print-directory run-tests
@@ -147,7 +145,6 @@ strict: | setup ## Compile the firmware with one opaque type for each role: no r
 # of divisors are proved in comments, which the analyser can't read.
 TIDY := clang-tidy --quiet
 TIDY_FULL := -Ifirmware/features/full $(INCLUDE_host)
-.PHONY: lint lint-style lint-cppcheck lint-tidy
 lint: lint-style lint-cppcheck lint-tidy ## Read the source with clang-tidy and cppcheck, and check its style
 
 lint-style: | setup
@@ -179,7 +176,6 @@ $(BUILD)/proofs/root_exhaustive: tests/real/root_exhaustive.c $(wildcard firmwar
 $(BUILD)/proofs/exponential_exhaustive: tests/proofs/exponential_exhaustive.c $(wildcard firmware/real/fixed*.h) | setup
 	$(call link,$(WARNINGS) $(PROOF_FLAGS) -idirafter $(COMPILER_HEADERS),-lquadmath -lpthread)
 
-.PHONY: prove
 prove: $(BUILD)/proofs/root_exhaustive $(BUILD)/proofs/exponential_exhaustive ## Prove ranges and errors of fixed point (Frama-C, Gappa, exhaustive trial), and the adapter's answers
 	sh tests/proofs/ranges.sh $(BUILD)/proofs/ranges
 	sh tests/proofs/bounds.sh
@@ -200,7 +196,6 @@ $(BUILD)/adapter/%.o: %.c $(BUILD)/flags
 
 KERNEL_TEST := $(BUILD)/kernel
 
-.PHONY: adapter test-kernel
 adapter: $(ADAPTER_OBJECTS) ## Compile the adapter's device logic for a Cortex-M0+, with its size
 	sh tests/check_adapter.sh $^
 
@@ -210,13 +205,3 @@ test-kernel: setup ## Draw over USB and HID through the real Linux USB stack, as
 	@$(MAKE) --no-print-directory -s install PREFIX=/usr/local DESTDIR='$(abspath $(KERNEL_TEST))/installed'
 	@sh tests/kernel/initramfs.sh $(KERNEL_TEST)/debian/system $(KERNEL_TEST)/installed $(KERNEL_TEST)/guest
 	@sh tests/kernel/run.sh $(KERNEL_TEST)/guest $(BUILD)/sanitized/superframe $(BUILD)/superframe
-
-SETUP_FOR_test         := test quick usb
-SETUP_FOR_quick        := test
-SETUP_FOR_test-kernel  := test usb kernel
-SETUP_FOR_lint         := lint
-SETUP_FOR_lint-style   := lint
-SETUP_FOR_lint-cppcheck := lint
-SETUP_FOR_lint-tidy    := lint
-SETUP_FOR_fuzz         := test
-SETUP_FOR_prove        := prove

@@ -1,21 +1,18 @@
 # SPDX-License-Identifier: MIT
 # Images of the firmware for other CPUs: built, run, measured; read by Makefile.
 
-.PHONY: pc98
 pc98: $(BUILD)/superframe ## Make a PC-98 floppy of fig3 (or SCENE=...): build/out/fig3.hdm
 	@mkdir -p $(BUILD)/out
 	SUPERFRAME=$(BUILD)/superframe CC='$(CC)' sh firmware/targets/build.sh 386-flat fx $(SCENE) - - minimal $(BUILD)/targets/pc98
 	cp $(BUILD)/targets/pc98/disk.hdm $(BUILD)/out/$(notdir $(basename $(SCENE))).hdm
 	@echo "The floppy is $(BUILD)/out/$(notdir $(basename $(SCENE))).hdm"
 
-.PHONY: pc98-probe
 pc98-probe: | setup ## Make a PC-98 floppy that asks a real board what is not known: build/out/probe.hdm
 	@mkdir -p $(BUILD)/out
 	CC='$(CC)' sh firmware/targets/build_probe.sh $(BUILD)/targets/probe
 	cp $(BUILD)/targets/probe/disk.hdm $(BUILD)/out/probe.hdm
 	@echo "The floppy is $(BUILD)/out/probe.hdm"
 
-.PHONY: wasm
 wasm: $(BUILD)/superframe ## Make a WebAssembly module of fig3 (or SCENE=...): build/out/fig3.wasm
 	@mkdir -p $(BUILD)/out
 	SUPERFRAME=$(BUILD)/superframe sh firmware/targets/build.sh wasm fx $(SCENE) - - minimal $(BUILD)/targets/module
@@ -25,27 +22,15 @@ $(BUILD)/targets/count.so: tests/targets/count_plugin.c | setup
 	@mkdir -p $(@D)
 	$(CC) -std=c99 -pedantic -Wall -Wextra -Wconversion -O2 -shared -fPIC -o $@ $<
 
-.PHONY: targets
 targets: $(BUILD)/superframe $(BUILD)/targets/count.so ## Run fig3 and fig4b on every target; write the table in docs/targets.md
 	BUILD=$(BUILD) sh tests/targets/check_portability.sh
 	BUILD=$(BUILD) sh tests/targets/table.sh docs/targets.md
 
-.PHONY: size
 size: $(BUILD)/superframe $(BUILD)/targets/count.so ## Measure code, memory, stack and instructions against docs/size.txt
 	BUILD=$(BUILD) sh tests/targets/size.sh docs/size.txt
 
-.PHONY: size-keep
 size-keep: $(BUILD)/superframe $(BUILD)/targets/count.so ## Keep the figures of `make size` in docs/size.txt
 	BUILD=$(BUILD) sh tests/targets/size.sh --keep docs/size.txt
 
-.PHONY: minimal-table
 minimal-table: $(BUILD)/superframe $(BUILD)/targets/count.so ## Full against minimal images of every scene; write the table in docs/minimal.md
 	BUILD=$(BUILD) sh tests/targets/minimal.sh docs/minimal.md
-
-SETUP_FOR_pc98      := pc98
-SETUP_FOR_pc98-probe := pc98
-SETUP_FOR_wasm      := quick
-SETUP_FOR_targets   := quick targets
-SETUP_FOR_minimal-table := quick
-SETUP_FOR_size      := quick targets
-SETUP_FOR_size-keep := quick targets

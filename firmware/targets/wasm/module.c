@@ -2,7 +2,7 @@
 /* The firmware, one scene and the emulated board as a WebAssembly module. */
 #include "superframe.h"
 
-#include "board_driver.h"
+#include "board.h"
 #include "image.h"
 #include "outp.h"
 #include "scene.h"
