@@ -299,7 +299,7 @@ static enum belongs union_holds(const struct oracle *oracle, const int *solids, 
         }
         if (belongs == NEAR) {
             if (is_near && near_material != own) {
-                *material = own;
+                *material = ORACLE_UNKNOWN; /* it is none that a solid below could have too */
                 return NEAR;
             }
             is_near = true;
