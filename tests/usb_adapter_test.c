@@ -239,6 +239,34 @@ static int get(unsigned type, unsigned index, unsigned length, uint8_t *in) {
     return usb_device_control(&device, setup, NULL, in);
 }
 
+/* Whatever is asked for in full length, the bytes behind the answer are the caller's own. */
+static void nothing_is_written_behind_an_answer(void **state) {
+    (void)state;
+    for (unsigned type = 0x80; type < 256; type++) {
+        for (unsigned request = 0; request < 256; request += request < 16 ? 1 : 9) {
+            for (unsigned value = 0; value < 0x2400; value += value % 0x100 < 6 ? 1 : 0xFA) {
+                uint8_t in[USB_CONTROL_MOST];
+                const uint8_t setup[8] = {(uint8_t)type,
+                                          (uint8_t)request,
+                                          (uint8_t)value,
+                                          (uint8_t)(value >> 8),
+                                          0,
+                                          0,
+                                          0xFF,
+                                          0xFF};
+                memset(in, 0xA5, sizeof in);
+                int length = usb_device_control(&device, setup, NULL, in);
+                for (int i = length > 0 ? length : 0; i < USB_CONTROL_MOST; i++) {
+                    if (in[i] != 0xA5) {
+                        fail_msg("request %02X %02X %04X: %d bytes, and byte %d", type, request,
+                                 value, length, i);
+                    }
+                }
+            }
+        }
+    }
+}
+
 static void the_descriptors_are_whole(void **state) {
     uint8_t in[USB_CONTROL_MOST];
     unsigned interfaces = 0, endpoints = 0;
@@ -305,6 +333,7 @@ int main(void) {
                                plug_in),
         cmocka_unit_test_setup(a_report_without_bytes_changes_nothing, plug_in),
         cmocka_unit_test_setup(an_answer_is_no_longer_than_asked_for, plug_in),
+        cmocka_unit_test_setup(nothing_is_written_behind_an_answer, plug_in),
         cmocka_unit_test_setup(the_descriptors_are_whole, plug_in),
         cmocka_unit_test_setup(windows_finds_its_driver, plug_in),
     };
