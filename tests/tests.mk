@@ -149,6 +149,7 @@ lint: lint-style lint-cppcheck lint-tidy ## Read the source with clang-tidy and 
 
 lint-style: | setup
 	@sh tests/check_style.sh
+	@sh tests/check_english.sh
 
 lint-cppcheck: | setup
 	cppcheck --quiet --std=c99 --enable=warning,performance,portability --error-exitcode=1 \
