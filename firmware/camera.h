@@ -5,7 +5,7 @@
 
 #include "ray.h"
 
-/* The ray through the centre of pixel (x, y); x counts to the right, y down. */
+/* Returns the ray through the centre of pixel (x, y); x counts to the right, y down. */
 struct ray camera_ray(const struct scene *scene, uint16_t x, uint16_t y);
 
 #endif

@@ -30,8 +30,8 @@ static void report_branch_end(const struct tree *tree, const struct branch *bran
                branch->weight, why);
 }
 
-/* Parts are rounded to steps of 2^-16 level before they are added: their order does not matter
- * then, and whoever follows the branches in another one gets the same picture, bit for bit. */
+/* Adds a part to the sum, rounded to steps of 2^-16 level: then the order of parts does not matter.
+ * Whoever follows the branches in another order gets the same picture, bit for bit. */
 static void add_part(struct tree *tree, struct colours part) {
     tree->sum = colours_add(tree->sum, colours_in_steps(part));
 }
@@ -40,7 +40,7 @@ static enum estimate_way way_of(const struct scene *scene, const struct directio
     return unit_is_negative(direction_dot(*direction, scene->camera.up)) ? WAY_DOWN : WAY_UP;
 }
 
-/* A branch that is cut adds what the scene's estimate says, or nothing. */
+/* Adds what the scene's estimate says of a branch that is cut; nothing without an estimate. */
 static void cut_worth(struct tree *tree, struct energies weight, enum estimate_way way) {
     const struct estimate *estimate = tree->scene->estimate;
     if (FEATURE_ESTIMATE && estimate) {
@@ -75,9 +75,9 @@ void growth_lose(struct tree *tree, const struct branch *branch, enum branch_end
     losses->squares += growth_square(branch->weight);
 }
 
-/* What a threshold or the depth level cut is kept for a lower threshold. When half of the places
- * are taken, the others are for what weighs most: of the squares of the weights, on which accuracy
- * depends, branches below a quarter of the threshold have some twentieth. */
+/* Keeps for a lower threshold what a threshold cut; what the depth level cut is lost. When half of
+ * the places are taken, the others are for what weighs most. Accuracy depends on the squares of the
+ * weights. Of these squares, branches below a quarter of the threshold have some twentieth. */
 static void keep(struct tree *tree, const struct branch *branch, enum branch_end why) {
     struct kept_branches *kept = tree->kept;
     bool has_place = kept->count < KEPT_MOST / 2;
@@ -92,7 +92,7 @@ static void keep(struct tree *tree, const struct branch *branch, enum branch_end
     }
 }
 
-/* The number of levels whose threshold is above that weight. */
+/* Returns the number of levels whose threshold is above a weight. */
 static uint8_t levels_above(const struct lesson *lesson, int32_t weight) {
     uint8_t count = 0;
     while (count < lesson->levels && lesson->first >> count > weight) {
@@ -101,19 +101,20 @@ static uint8_t levels_above(const struct lesson *lesson, int32_t weight) {
     return count;
 }
 
-/* The way which the branch, or the one it grew from, was going when that level cut it. */
+/* Returns the way that a branch, or the one it grew from, was going when a level cut it. */
 static enum estimate_way way_at(const struct branch *branch, uint8_t level) {
     return branch->noted.ups >> level & 1 ? WAY_UP : WAY_DOWN;
 }
 
-/* What ends beyond the cut without having been seen: all the levels that cut it miss it. */
+/* Adds a branch that ends beyond the cut, unseen, to the rest of all the levels that cut the
+ * branch. These levels miss what the branch is worth. */
 static void learn_rest(struct lesson *lesson, const struct branch *branch) {
     for (uint8_t i = 0; i < branch->beyond; i++) {
         add_weight(lesson->level[i].rest[way_at(branch, i)], branch->weight);
     }
 }
 
-/* What is seen beyond the cut is worth something to all the levels that cut it. */
+/* Adds a part that is seen beyond the cut to the worth of all the levels that cut the branch. */
 static void learn_worth(struct lesson *lesson, const struct branch *branch, struct colours part) {
     const int32_t steps[3] = {colour_steps(part.red), colour_steps(part.green),
                               colour_steps(part.blue)};
@@ -125,8 +126,9 @@ static void learn_worth(struct lesson *lesson, const struct branch *branch, stru
     }
 }
 
-/* Enters a new branch into the lesson: whether it is followed, beyond the cut if need be. `events`
- * are those of the branch that it grows from: its own are one more, which may be too many. */
+/* Enters a new branch into the lesson. Returns whether the branch is followed, beyond the cut if
+ * need be. `events` are those of the branch that it grows from. The new branch has one more, which
+ * may be too many. */
 static bool learn_of(struct tree *tree, struct branch *branch, uint8_t events) {
     struct lesson *lesson = tree->lesson;
     bool is_deep = events >= tree->scene->depth;
@@ -149,7 +151,7 @@ static bool learn_of(struct tree *tree, struct branch *branch, uint8_t events) {
     return true;
 }
 
-/* What becomes of a branch that threshold or depth level cut. */
+/* Keeps a branch that threshold or depth level cut, or adds its estimate where none are kept. */
 static void cut(struct tree *tree, const struct branch *branch, enum branch_end why) {
     if (FEATURE_KEPT > 0 && tree->kept) {
         keep(tree, branch, why);
@@ -160,14 +162,14 @@ static void cut(struct tree *tree, const struct branch *branch, enum branch_end 
     }
 }
 
-/* Whether somebody wants more of a branch that is cut than its weight. */
+/* Tells whether somebody wants more of a branch that is cut than its weight and way. */
 static bool cut_is_noticed(const struct tree *tree) {
     return (FEATURE_OBSERVER && tree->observer) || (FEATURE_KEPT > 0 && tree->kept) ||
            (FEATURE_ESTIMATE && tree->lesson);
 }
 
-/* Makes the branch that grows from a node by one of its ways. What only lessons or an observer look
- * at is left out of an image that has none. */
+/* Makes the branch of one kind that grows from a node, without its direction and weight. What only
+ * lessons or an observer look at is left out of an image that has none. */
 static void make_branch(const struct tree *tree, const struct node *node, enum branch_kind kind,
                         uint8_t channel, struct branch *branch) {
     const struct hit *hit = node->hit;
@@ -190,7 +192,7 @@ static void make_branch(const struct tree *tree, const struct node *node, enum b
     }
 }
 
-/* Puts a branch aside, if it is to be followed at all. */
+/* Puts a branch among the waiting ones, if it is to be followed at all. */
 static void grow(struct tree *tree, const struct node *node, enum branch_kind kind, uint8_t channel,
                  const struct direction *direction, const struct energies *coefficient) {
     struct energies weight = energies_product(node->branch->weight, *coefficient);
@@ -220,7 +222,7 @@ static void grow(struct tree *tree, const struct node *node, enum branch_kind ki
     tree->waiting++;
 }
 
-/* Lambert-Bouguer: what is left of each primary after the way through the medium. */
+/* Returns what is left of each primary after the path through the medium (Lambert-Bouguer). */
 static struct energies attenuated(const struct material *medium, struct energies weight,
                                   real_length way) {
     struct energies rest = {energy_transmitted(medium->absorption[0], way),
@@ -233,8 +235,8 @@ static const struct material *material_of(const struct scene *scene, uint8_t obj
     return &scene->materials[scene->objects[object].material];
 }
 
-/* The materials of a boundary. Its surface is that of the opaque one, else of the object which
- * fills the place where both are. */
+/* Sets the materials of a boundary. The surface is that of the opaque material where just one is
+ * opaque. Otherwise the surface is that of the object which fills the place of both. */
 static void set_materials(const struct scene *scene, const struct hit *hit, struct node *node) {
     const struct material *before = material_of(scene, hit->before);
     const struct material *after = material_of(scene, hit->after);
@@ -250,7 +252,7 @@ static struct energies energies_equal(real_energy share) {
     return all;
 }
 
-/* One primary of three shares, the others 0. */
+/* Returns a share for one primary, and 0 for the others. */
 static struct energies energies_only(real_energy share, uint8_t channel) {
     struct energies one = no_energy;
     if (channel == 0) {
@@ -263,7 +265,7 @@ static struct energies energies_only(real_energy share, uint8_t channel) {
     return one;
 }
 
-/* What a coefficient of transmission becomes by the medium's own factors, and by the filter that
+/* Returns a coefficient of transmission times the medium's own factors, and times the filter that
  * the ray goes into. */
 static struct energies transmitted(const struct scene *scene, const struct node *node,
                                    struct energies coefficient) {
@@ -283,7 +285,7 @@ static struct energies reflected(const struct node *node, struct energies coeffi
     return coefficient;
 }
 
-/* Table 1 (c): one mirror direction, three refracted ones. */
+/* Grows one branch in the mirror direction and three refracted ones (Table 1 (c)). */
 static void grow_dispersed(struct tree *tree, const struct node *node) {
     struct passage passage[3];
     for (uint8_t i = 0; i < 3; i++) {
@@ -326,7 +328,7 @@ static void grow_transparent(struct tree *tree, const struct node *node) {
     grow(tree, node, BRANCH_REFRACTED, branch->channel, &passage.refracted, &coefficient);
 }
 
-/* What arrives from the end of a branch. */
+/* Adds what arrives from the end of a branch, to the picture or to the lesson. */
 static void add_intensity(struct tree *tree, const struct branch *branch,
                           struct colours intensity) {
     struct colours part = colours_weighed(intensity, branch->weight);
@@ -413,7 +415,7 @@ bool growth_is_exhausted(const struct tree *tree) {
     return tree->counts->rays - tree->rays_before >= tree->ray_budget;
 }
 
-/* What waits when the budget is used up ends unseen. */
+/* Cuts, unseen, all branches that wait when the budget is used up. */
 static void cut_waiting(struct tree *tree) {
     while (tree->waiting > 0) {
         const struct branch *branch = &tree->branches[--tree->waiting];
@@ -436,7 +438,7 @@ void growth_finish(struct tree *tree) {
             return;
         }
         const struct branch *last = &tree->branches[--tree->waiting];
-        /* By its members: a whole one is more than gcc copies without memcpy on a Cortex-M0. */
+        /* Copied by members: on a Cortex-M0 gcc copies a whole branch by memcpy. */
         struct branch branch = {last->ray,
                                 last->weight,
                                 last->events,

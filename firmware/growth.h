@@ -6,8 +6,8 @@
 #include "image.h"
 #include "tree.h"
 
-/* Each event leaves at most one branch waiting, the other is followed at once; dispersion, which
- * happens once on a way, leaves three. */
+/* Each event leaves at most one branch waiting, the other is followed at once. Dispersion, which
+ * happens once on a path, leaves three. */
 enum { BRANCHES_MOST = FEATURE_DEPTH + 2 + (FEATURE_DISPERSION ? 3 : 0) };
 
 enum { KEPT_MOST = FEATURE_KEPT > 0 ? FEATURE_KEPT : 2 };
@@ -17,10 +17,13 @@ struct losses {
     int64_t weight[WAYS][3]; /* that the threshold or the budget cut, in steps of 2^-30 */
     int64_t squares;         /* of the largest of those, in steps of 2^-52 */
     int64_t ended[3];        /* that the depth level cut, in steps of 2^-30 */
-    int64_t depth; /* of all: the largest, times the events that it could still have met */
+
+    /* Of the branches in `weight`: the largest weight, in steps of 2^-30, times the events that the
+     * branch could still have met. */
+    int64_t depth;
 };
 
-/* Branches that the threshold cut, kept because a lower one may follow them. */
+/* Branches that the threshold cut, kept because a lower threshold may let them through. */
 struct kept_branches {
     struct losses losses; /* what could not be kept, or is not to be */
     uint16_t count;
@@ -54,28 +57,28 @@ struct tree {
     struct lesson *lesson;      /* NULL: nothing is learned */
     struct colours sum;
     real_energy threshold;
-    uint64_t rays_before; /* counts->rays when it began */
-    uint32_t ray_budget;  /* it ends so many rays later */
-    bool exhausted;       /* it has */
+    uint64_t rays_before; /* counts->rays when the pixel began */
+    uint32_t ray_budget;  /* the pixel ends so many rays later */
+    bool exhausted;       /* the pixel ended by the budget, or short of the accuracy */
     uint32_t node;        /* the number of the node at work */
     uint16_t waiting;
     struct branch branches[BRANCHES_MOST];
 };
 
-/* Makes it a tree of one branch, the eye's ray, with the scene's own threshold. */
+/* Makes a tree of one branch, the eye's ray, with the scene's own threshold. */
 void growth_start(struct tree *tree, const struct scene *scene, const struct ray *eye_ray,
                   struct render_counts *counts);
 
-/* Whether the pixel's budget of rays is used up. */
+/* Tells whether the pixel's budget of rays is used up. */
 bool growth_is_exhausted(const struct tree *tree);
 
-/* Follows what is waiting until nothing is; cuts it where the budget ends. */
+/* Follows the waiting branches until none is left; cuts them where the budget ends. */
 void growth_finish(struct tree *tree);
 
-/* The square of the largest of the weights, in steps of 2^-52. */
+/* Returns the square of the largest of the weights, in steps of 2^-52. */
 int64_t growth_square(struct energies weight);
 
-/* Counts a branch among the losses: it is not followed any farther. */
+/* Counts a branch among the losses: the branch is not followed any farther. */
 void growth_lose(struct tree *tree, const struct branch *branch, enum branch_end why);
 
 #endif

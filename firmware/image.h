@@ -20,7 +20,8 @@ struct render_counts {
     uint64_t solid_tests; /* a ray against a primitive */
     uint64_t leaked_rays; /* rays that left the scene inside a medium: 0 is the only right value */
 
-    uint32_t exhausted_pixels; /* that their budget of rays ended */
+    /* Pixels that ended by their budget of rays, or at the last level short of the accuracy. */
+    uint32_t exhausted_pixels;
 
     /* Of scenes with an accuracy asked for: the worst pixel's, not sums. */
     uint32_t estimated_error;  /* in steps of 2^-16 level: what was cut, times its spread */
@@ -28,8 +29,8 @@ struct render_counts {
     uint32_t proved_error;     /* in levels: what was cut, at its brightest, to the depth level */
 };
 
-/* Where a branch was going when it was cut. What is above and what is below the objects differs
- * more than anything else that is known of it by then. */
+/* Which way a branch was going when it was cut. What is above and what is below the objects differs
+ * more than anything else that is known of the branch by then. */
 enum estimate_way { WAY_DOWN, WAY_UP, WAYS, WAY_ANY = WAYS };
 
 /* What branches are worth that one threshold cuts; intensities in steps of 2^-16 level. */
@@ -40,18 +41,19 @@ struct estimate_level {
      * the weights that are cut. */
     int32_t spread;
 
-    /* That sum, in steps of 2^-52, at which a pixel is as accurate as was asked for. */
+    /* The sum of those squares, in steps of 2^-52, at which a pixel is as accurate as was asked
+     * for. */
     int64_t squares_most;
 };
 
 enum { ESTIMATE_LEVELS = 20 };
 
 /* Without an accuracy asked for, learning follows a cut branch so many events beyond the scene's
- * depth level, up to level 255: an image needs room for them. */
+ * depth level, up to level 255. An image needs room for these events. */
 enum { ESTIMATE_EVENTS = 16 };
 
-/* What is learned of a scene. Level 0 is of its own threshold, each next one of half of that; all
- * but level 0 are for an accuracy that is asked for. */
+/* What is learned of a scene. Level 0 is of the scene's own threshold, each next level of half the
+ * threshold before. All levels but level 0 are for an accuracy that is asked for. */
 struct estimate {
     struct estimate_level level[ESTIMATE_LEVELS];
     uint8_t first;   /* the level where pixels begin */
@@ -82,8 +84,8 @@ struct image {
      */
     void (*row)(const struct scene *scene, uint16_t y, uint8_t *rgb, struct render_counts *counts);
 
-    /* Initialises the board and draws rows, as the scene says that colours are shown, through
-     * outp() and outpw(): the only caller of ports. A multiple exposure takes eight drawings. */
+    /* Initialises the board and draws rows, with colours shown as the scene says. Only this member
+     * uses ports, through outp() and outpw(). A multiple exposure takes eight drawings. */
     void (*draw)(const struct scene *scene, const struct drawing *drawing);
 };
 

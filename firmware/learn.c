@@ -11,20 +11,22 @@ enum { COLUMNS = 32, ROWS = 20 };
 /* Without an accuracy asked for, what is cut is followed down to this part of the threshold. */
 enum { LESS_WEIGHT_BITS = 5 };
 
-/* With one: the levels of the first look and of each next one, and those below a level which must
- * be seen for it to be known. */
+/* With an accuracy asked for: the levels of the first look, and those that each next look adds. A
+ * level is known when LEVELS_BELOW levels below it have been seen. */
 enum { FIRST_LEVELS = 7, MORE_LEVELS = 3, LEVELS_BELOW = 4 };
 
-/* A spread is so many standard deviations. One of a branch is taken to be at least what it is if
- * all levels from black to white are as likely, 255 / 12^(1/2): few pixels tell little. */
+/* A spread is so many standard deviations. The deviation of a branch is taken to be at least 255 /
+ * 12^(1/2), because few pixels tell little. The deviation is that large if all levels from black to
+ * white are equally likely. */
 enum { SPREAD_DEVIATIONS = 3, DEVIATION_LEAST = 74 };
 
-/* A pixel that is looked at has this part of the budget of rays. Where this part of those in which
- * something is cut use it up, light is trapped, and more levels would teach nothing. */
+/* A pixel that is looked at has 1 / BUDGET_PART of the budget of rays. Light is trapped where more
+ * than 1 / EXHAUSTED_PART of the pixels in which something is cut use that budget up. Then more
+ * levels would teach nothing. */
 enum { BUDGET_PART = 8, EXHAUSTED_PART = 8 };
 
-/* A way's mean is learned as if this part of all that was cut had gone that way, too: a way that
- * few branches went is worth what any is. */
+/* A way's mean is learned as if this part of all that was cut had gone that way, too. So a way that
+ * few branches went is worth what any way is. */
 enum { SHARED_PART = 64 };
 
 /* Pixels begin so many levels above the typical one: few branches are cut there, and kept. */
@@ -54,7 +56,8 @@ struct sums {
     struct level_sums level[LESSON_LEVELS];
 };
 
-/* a / b for a, b >= 0, bit by bit: no library's 64-bit division is called. b = 0 gives 0. */
+/* Returns a / b for a, b >= 0, bit by bit, so that no library's 64-bit division is called. b = 0
+ * gives 0. */
 static int64_t quotient(int64_t a, int64_t b) {
     int64_t result = 0, rest = 0;
     if (b <= 0) {
@@ -70,7 +73,7 @@ static int64_t quotient(int64_t a, int64_t b) {
     return result;
 }
 
-/* a 2^bits / b: what a has no room for is taken from b. */
+/* Returns a 2^bits / b. Doublings that a has no room for become halvings of b. */
 static int64_t scaled_quotient(int64_t a, int64_t b, uint8_t bits) {
     for (; bits > 0; bits--) {
         if (a < (int64_t)1 << 61) {
@@ -82,7 +85,8 @@ static int64_t scaled_quotient(int64_t a, int64_t b, uint8_t bits) {
     return quotient(a, b);
 }
 
-/* worth (steps of 2^-16 level) over weight (steps of 2^-30) as steps of 2^-16 level. */
+/* Returns worth (steps of 2^-16 level) over weight (steps of 2^-30) in steps of 2^-16 level, up to
+ * INT32_MAX. */
 static int32_t per_weight(int64_t worth, int64_t weight) {
     int64_t mean = scaled_quotient(worth, weight, 30);
     return mean > INT32_MAX ? INT32_MAX : (int32_t)mean;
@@ -99,7 +103,7 @@ uint32_t learn_root(int64_t square) {
     return root;
 }
 
-/* False where the budget ended it. */
+/* Looks at the middle pixel of a cell of the grid; false where the budget ended the pixel. */
 static bool look_at(const struct scene *scene, struct lesson *lesson, uint16_t cell,
                     struct render_counts *counts) {
     /* The middle of the cell; a 16-bit int holds 2 * 31 + 1 times 640. */
@@ -137,7 +141,8 @@ static void clear_sums(struct sums *sums) {
     }
 }
 
-/* One primary of a pixel. What is above white is no error: the screen does not show it. */
+/* Adds one primary of a pixel. In the products a worth above white counts as white: the screen does
+ * not show more, so more is no error. */
 static void add_primary(struct level_sum *to, const int64_t worth[WAYS],
                         const int64_t weight[WAYS]) {
     const int64_t white = (int64_t)255 << 8;
@@ -202,15 +207,16 @@ static void conclude_mean(const struct level_sums *sums, struct estimate_level *
     }
 }
 
-/* A sum that holds one weight, in steps of 2^-18, times a mean, 0..2^23: without that weight's
- * steps. In two parts, for bright scenes have sums times means beyond 64 bits. */
+/* Multiplies a sum that holds one weight, in steps of 2^-18, by a mean, 0..2^23. The result is
+ * without that weight's steps. The sum is taken in two parts, for bright scenes have sums times
+ * means beyond 64 bits. */
 static int64_t times_mean(int64_t sum, int64_t mean) {
     const int64_t below = ((int64_t)1 << 18) - 1;
     return (sum >> 18) * mean + (((sum & below) * mean) >> 18);
 }
 
-/* The sum of the squares of how far pixels stray from the means, of the primary where that is most:
- * of (a - down b - up c)^2, in steps of 2^-16 level^2. */
+/* Returns the sum of the squares of how far pixels stray from the means, (a - down b - up c)^2. The
+ * sum is that of the primary where it is largest, in steps of 2^-16 level^2. */
 static int64_t squared_strays(const struct level_sums *sums, const struct estimate_level *level) {
     int64_t most = 0;
     for (uint8_t i = 0; i < 3; i++) {
@@ -224,7 +230,8 @@ static int64_t squared_strays(const struct level_sums *sums, const struct estima
     return most;
 }
 
-/* The spread, times the root of the squares, is to be no more than the error that is asked for. */
+/* Sets a level's spread and squares_most. The spread, times the root of the squares, is to be no
+ * more than the error that is asked for. */
 static void conclude_spread(int64_t deviation, uint32_t error, struct estimate_level *level) {
     const int64_t all = (int64_t)1 << 26;
     int64_t spread = deviation * SPREAD_DEVIATIONS << 8;
@@ -234,12 +241,12 @@ static void conclude_spread(int64_t deviation, uint32_t error, struct estimate_l
     level->squares_most = most * most;
 }
 
-/* Whether the pixels' mean square is below what is asked for. */
+/* Tells whether the pixels' mean sum of squares is no more than what is asked for. */
 static bool is_enough(const struct level_sums *sums, const struct estimate_level *level) {
     return quotient(sums->squares, sums->pixels) <= level->squares_most;
 }
 
-/* One standard deviation, in steps of 2^-8 level. */
+/* Returns one standard deviation, in steps of 2^-8 level, at least DEVIATION_LEAST levels. */
 static int64_t deviation_of(const struct level_sums *sums, const struct estimate_level *level) {
     const int64_t least = (int64_t)DEVIATION_LEAST << 8;
     int64_t deviation = learn_root(scaled_quotient(squared_strays(sums, level), sums->squares, 52));
@@ -250,9 +257,10 @@ static bool is_trapped(const struct sums *sums) {
     return sums->exhausted > sums->level[0].pixels / EXHAUSTED_PART;
 }
 
-/* The levels that were seen, and those below. There the mean is taken to be the same; the deviation
- * grows by an eighth from each to the next one, for what is cut is more and more alike. Where light
- * is trapped, the deviation of the last levels is that of the easier pixels. */
+/* Concludes all levels from the sums of those that are known. For a level below these, the mean is
+ * taken to be the same. The deviation grows by an eighth from each such level to the next, for what
+ * is cut is more and more alike. Where light is trapped, the last MORE_LEVELS known levels count as
+ * unknown. Their deviation would be that of the easier pixels. */
 static void conclude(const struct sums *sums, uint32_t error, struct estimate *estimate) {
     uint8_t known = (uint8_t)(sums->levels - LEVELS_BELOW);
     if (is_trapped(sums) && known > MORE_LEVELS) {
@@ -279,7 +287,7 @@ static void conclude(const struct sums *sums, uint32_t error, struct estimate *e
         (uint8_t)(estimate->typical > LEVELS_ABOVE ? estimate->typical - LEVELS_ABOVE : 0);
 }
 
-/* Looks deeper until the harder pixels' level is known, with enough below it. */
+/* Looks deeper until the harder pixels' level is known, with enough levels below it. */
 static void learn_levels(const struct scene *scene, struct lesson *lesson,
                          struct estimate *estimate, struct render_counts *counts) {
     struct sums sums;

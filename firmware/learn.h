@@ -5,11 +5,11 @@
 
 #include "image.h"
 
-/* What image.h's learn() says. */
+/* Learns what cut branches are worth, as image.h says of learn(). */
 void learn_estimate(const struct scene *scene, struct estimate *estimate,
                     struct render_counts *counts);
 
-/* The root of a number that is not negative, rounded down. */
+/* Returns the root of a number that is not negative, rounded down. */
 uint32_t learn_root(int64_t square);
 
 #endif

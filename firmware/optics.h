@@ -12,7 +12,7 @@ struct passage {
     real_energy transmittance;  /* Kt = 1 - Ks */
 };
 
-/* d + 2 c n, c being the cosine of the angle of incidence. */
+/* Returns d + 2 c n, where c is the cosine of the angle of incidence. */
 static inline struct direction mirror_direction(struct direction d, real_unit cosine,
                                                 struct direction normal) {
     struct direction mirrored = {unit_mirrored(d.x, cosine, normal.x),
@@ -21,7 +21,7 @@ static inline struct direction mirror_direction(struct direction d, real_unit co
     return mirrored;
 }
 
-/* Fresnel's reflectance for unpolarised light, in the cosines of incidence and refraction;
+/* Returns Fresnel's reflectance for unpolarised light from the cosines of incidence and refraction;
  * n = sin p / sin q. Eq. (1), Ks. */
 static inline real_energy fresnel_reflectance(real_unit incident, real_unit refracted,
                                               real_index n) {
@@ -34,18 +34,19 @@ static inline real_energy fresnel_reflectance(real_unit incident, real_unit refr
     return energy_mean_square(s, p);
 }
 
-/* A ray at a boundary between two transparent materials, for the index of one channel (0, 1, 2:
- * red, green, blue). The normal is turned towards the ray; cosine is that of the angle of
- * incidence. */
+/* Finds what a boundary between two transparent materials does to a ray. The index is that of one
+ * channel (0, 1, 2: red, green, blue). The normal is turned towards the ray; cosine is that of the
+ * angle of incidence. */
 void optics_passage(const struct material *before, const struct material *after, uint8_t channel,
                     const struct direction *d, real_unit cosine, const struct direction *normal,
                     struct passage *passage);
 
-/* w at an angle given by its cosine: the constant, or from the material's table. */
+/* Returns w at an angle given by its cosine: the constant, or a value from the material's table. */
 real_energy specular_at(const struct scene *scene, const struct material *material,
                         real_unit cosine);
 
-/* The cosine of the angle of incidence, 0 where rounding has made it negative. */
+/* Returns the cosine of the angle of incidence, kept within 0..1 where rounding has left that
+ * range. */
 static inline real_unit incidence_cosine(struct direction d, struct direction normal) {
     real_unit cosine = unit_negate(direction_dot(d, normal));
     real_unit upward = unit_is_negative(cosine) ? REAL_UNIT(0.0) : cosine;

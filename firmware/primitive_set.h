@@ -14,7 +14,8 @@ struct primitive_set {
     uint32_t word[FEATURE_PRIMITIVE_WORDS];
 };
 
-/* The word that holds a primitive's bit: where there is but one, nothing is worked out. */
+/* Returns the index of the word that holds a primitive's bit. Where there is but one word, nothing
+ * is worked out. */
 static inline uint8_t set_word_of(uint8_t primitive) {
     return FEATURE_PRIMITIVE_WORDS > 1 ? primitive >> 5 : 0;
 }
@@ -41,14 +42,14 @@ static inline void set_clear(struct primitive_set *set) {
     }
 }
 
-/* Takes out what is not in the other one. */
+/* Takes out what is not in the set `to`. */
 static inline void set_restrict(struct primitive_set *set, const struct primitive_set *to) {
     for (uint8_t i = 0; i < FEATURE_PRIMITIVE_WORDS; i++) {
         set->word[i] &= to->word[i];
     }
 }
 
-/* Enters what the set is outside of and leaves what it is inside of. */
+/* Enters the primitives of `which` that the set is outside of, and leaves the others of `which`. */
 static inline void set_toggle(struct primitive_set *set, const struct primitive_set *which) {
     for (uint8_t i = 0; i < FEATURE_PRIMITIVE_WORDS; i++) {
         set->word[i] ^= which->word[i];

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The walk of a ray from crossing to crossing, and CSG as a Boolean function of what it is inside.
- */
+/* The walk of a ray from crossing to crossing. CSG is a Boolean function of the primitives that the
+ * ray is inside of. */
 #include "ray.h"
 
 #include "solids.h"
@@ -39,8 +39,8 @@ static void set_crossing(struct crossing *crossing, real_length t, uint8_t face)
     crossing->face = face;
 }
 
-/* Where a ray that is inside leaves: at the end of the stretch that it is in, or at `from` where
- * rounding has put that end before it. */
+/* Finds where a ray that is inside leaves: at the end of the interval that it is in. Where rounding
+ * has put that end before `from`, the ray leaves at `from`. */
 static void leaving_crossing(const struct segment segments[2], uint8_t count, real_length from,
                              struct crossing *crossing) {
     const struct segment *segment = &segments[0];
@@ -53,8 +53,9 @@ static void leaving_crossing(const struct segment segments[2], uint8_t count, re
                  segment->out_face);
 }
 
-/* Where a ray that is outside enters a stretch that ends ahead: where it begins, or at `from` where
- * more than noise is left of what has begun, unless it starts on that surface. */
+/* Finds where a ray that is outside enters an interval that ends ahead: where the interval begins.
+ * An interval that has begun is entered at `from`. Then the result is false if only noise is left,
+ * or if the ray starts on a surface of the primitive. */
 static bool enter_ahead(real_length in, uint8_t face, real_length out, real_length from,
                         bool starts_there, struct crossing *crossing) {
     if (length_less(from, in)) {
@@ -78,20 +79,20 @@ static bool entering_crossing(const struct segment segments[2], uint8_t count, r
     return false;
 }
 
-/* Whether `found` comes before `best`. At one distance exits come first, then entries in the order
- * of the table, exits in the reverse one: the order in which nested walls are crossed. */
+/* Tells whether `found` comes before `best`. At one distance exits come before entries. Entries are
+ * in the order of the table, exits in the reverse order, as nested walls are crossed. */
 static bool crossing_precedes(const struct crossing *found, const struct crossing *best) {
     return length_less(found->t, best->t) || (found->leaving && !length_less(best->t, found->t));
 }
 
-/* Two crossings of one surface are one event, whatever rounding says of their distances. */
+/* Tells whether two crossings are one event: on one surface, no farther apart than by rounding. */
 static bool crossings_coincide(const struct crossing *a, const struct crossing *b) {
     return a->surface == b->surface && length_less(a->t, length_add(b->t, LENGTH_NOISE)) &&
            length_less(b->t, length_add(a->t, LENGTH_NOISE));
 }
 
-/* The next crossing of a box: where it is left is asked first, for most that are outside of one
- * have it behind. */
+/* Finds the next crossing of a box. The exit is looked for first, for most rays outside of a box
+ * have that box behind them. */
 static bool box_crossing(struct search *search, const struct primitive *primitive,
                          struct start start, real_length from, struct crossing *crossing) {
     const struct box *box = &search->scene->boxes[primitive->index];
@@ -113,7 +114,7 @@ static bool box_crossing(struct search *search, const struct primitive *primitiv
     return true;
 }
 
-/* The same of any other solid. */
+/* Finds the next crossing of a solid that is no box. */
 static bool solid_crossing(struct search *search, const struct primitive *primitive,
                            struct start start, real_length from, struct crossing *crossing) {
     struct segment segments[2];
@@ -127,7 +128,7 @@ static bool solid_crossing(struct search *search, const struct primitive *primit
     return true;
 }
 
-/* The next crossing of one primitive at or after `from`. */
+/* Finds the next crossing of one primitive at or after `from`; false if there is none. */
 static bool primitive_crossing(struct search *search, uint8_t index, bool inside, real_length from,
                                struct crossing *crossing, struct render_counts *counts) {
     const struct primitive *primitive = &search->scene->primitives[index];
@@ -144,9 +145,10 @@ static bool primitive_crossing(struct search *search, uint8_t index, bool inside
     return found && length_less(crossing->t, LENGTH_FAR);
 }
 
-/* Whether the next crossing can be one of this primitive. What lies strictly within another can
- * only be entered from inside of that; and a ray leaves what it is in before it crosses what lies
- * around that or elsewhere. The search for shadows keeps account of its own primitives only. */
+/* Tells whether the next crossing can be one of a primitive. A primitive strictly within another
+ * can only be entered from inside of the other. A ray leaves a primitive before it crosses one that
+ * lies around that primitive or elsewhere. The search for shadows keeps account of its own
+ * primitives only. */
 static bool may_be_next(const struct scene *scene, const struct primitive_set *only, uint8_t index,
                         const struct primitive_set *inside) {
     if ((only && !set_has(only, index)) || sets_overlap(&scene->hidden_by[index], inside)) {
@@ -157,7 +159,7 @@ static bool may_be_next(const struct scene *scene, const struct primitive_set *o
            (only && !set_has(only, enclosure));
 }
 
-/* The nearest crossing at or after `from`, and all the primitives that are crossed there. */
+/* Finds the nearest crossing at or after `from`, and all the primitives that are crossed there. */
 static bool next_crossing(struct search *search, const struct primitive_set *inside,
                           real_length from, struct crossing *best, struct primitive_set *toggled,
                           struct render_counts *counts) {
@@ -209,7 +211,8 @@ static bool program_holds(const uint8_t *program, uint8_t length,
     return (stack & 1) != 0;
 }
 
-/* Whether a place is in an object: what is outside of all of its primitives is outside of it. */
+/* Tells whether a place is in an object. What is outside of all of an object's primitives is
+ * outside of the object. */
 static bool object_holds(const struct scene *scene, const struct object *object,
                          const struct primitive_set *inside) {
     bool overlaps = sets_overlap(&object->uses, inside);
@@ -219,7 +222,8 @@ static bool object_holds(const struct scene *scene, const struct object *object,
     return program_holds(&scene->programs[object->program], object->length, inside);
 }
 
-/* The object that fills a place: the last one that holds the primitives that overlap there. */
+/* Returns the object that fills a place: the last one that the place is in. With shadow_only, only
+ * objects in the shadow test count. */
 static uint8_t object_at(const struct scene *scene, const struct primitive_set *inside,
                          bool shadow_only) {
     uint8_t i = (uint8_t)(scene->object_count - 1);
@@ -232,7 +236,8 @@ static uint8_t object_at(const struct scene *scene, const struct primitive_set *
     return i;
 }
 
-/* The same, after a crossing: objects that have no part in it are what they were. */
+/* Returns the object that fills a place behind a crossing. Objects that have no part in the
+ * crossing are what they were before. */
 static uint8_t object_behind(const struct scene *scene, uint8_t before,
                              const struct primitive_set *toggled,
                              const struct primitive_set *inside) {

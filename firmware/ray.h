@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* A ray that knows where it is, and the next boundary of a medium on its way. */
+/* A ray that knows where it is, and the next boundary of a medium on its path. */
 #ifndef SUPERFRAME_RAY_H
 #define SUPERFRAME_RAY_H
 
 #include "image.h"
 #include "scene.h"
 
-/* What a ray carries from one boundary to the next. The set of primitives it is inside of is what
- * decides where it may enter and leave, not the sign of a distance that rounding has touched. */
+/* What a ray carries from one boundary to the next. The set of primitives that the ray is inside of
+ * decides where it may enter and leave. The sign of a distance does not decide, for rounding has
+ * touched distances. */
 struct ray {
     struct point origin;
     struct direction direction;
@@ -28,13 +29,12 @@ struct hit {
     struct primitive_set inside_before, inside_after;
 };
 
-/* The nearest boundary between different materials; false if the ray leaves the scene: then
- * hit->before is the object that it ends in, OBJECT_AIR unless something is wrong. */
+/* Finds the nearest boundary between different materials; false if the ray leaves the scene. Then
+ * hit->before is the object that the ray ends in, OBJECT_AIR unless something is wrong. */
 bool ray_hit(const struct scene *scene, const struct ray *ray, struct hit *hit,
              struct render_counts *counts);
 
-/* Whether something stands within `distance` of a ray's origin that keeps light off (Eq. (1), A).
- */
+/* Tells whether something within `distance` of a ray's origin keeps light off (Eq. (1), A). */
 bool ray_is_shadowed(const struct scene *scene, const struct ray *ray, real_length distance,
                      struct render_counts *counts);
 

@@ -10,7 +10,7 @@
 #include "vector.h"
 
 /* Written by the scene compiler, for one arithmetic. Lengths are in scaled units: the file's, less
- * a centre, times a power of two, so that whatever is bounded lies within +-512. */
+ * a centre, times a power of two. Whatever is bounded lies within +-512. */
 
 #define SURFACE_NONE UINT16_C(0xFFFF) /* more than an int of 16 bits holds: no enumerator */
 
@@ -66,8 +66,8 @@ struct polyhedron {
     uint8_t count;
 };
 
-/* square . (x^2, y^2, z^2) + 2 linear z + constant < 0, x y z being counted from the centre along
- * the frame's axes; the largest of |square| is 1. A box in the same frame may cut it: one
+/* square . (x^2, y^2, z^2) + 2 linear z + constant < 0. The centre is the origin of x y z, which
+ * run along the frame's axes. The largest of |square| is 1. A box in the same frame may cut it: one
  * primitive. Its faces are the box's and then QUADRIC_FACE, the curved one. */
 struct quadric {
     struct point centre;
@@ -107,8 +107,8 @@ struct pattern {
     struct colours colour; /* of the odd cells */
 };
 
-/* A plane face across an axis of a pattern, in which cells end, or nearly: the side of the face
- * says which cell it has, for a point of it is rounded to either. */
+/* A plane face across an axis of a pattern, in which cells end, or nearly. A point of such a face
+ * is rounded to either cell. So the side of the face says which cell the face has. */
 struct pattern_face {
     uint16_t surface;
     uint8_t axis;
@@ -159,7 +159,7 @@ struct light {
     struct colours colour;    /* Ip */
 };
 
-/* The ray of dot (x, y) of a w x h picture: forward + (2x+1-w) column + (2y+1-h) row, normalised;
+/* The ray of dot (x, y) of a w x h picture: forward + (2x+1-w) column + (2y+1-h) row, normalised.
  * column and row are scaled up by 2^shift. */
 struct camera {
     struct point eye;

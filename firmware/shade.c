@@ -29,7 +29,7 @@ static bool face_is_odd(const struct scene *scene, const struct pattern_face *fa
     return comes_from_below == is_behind ? face->odd_above : face->odd_below;
 }
 
-/* Ic there: the material's own, or that of the pattern's odd cells. */
+/* Returns Ic at a boundary: the material's own colour, or that of the pattern's odd cells. */
 static struct colours colour_at(const struct scene *scene, const struct material *material,
                                 const struct hit *hit) {
     if (!FEATURE_PATTERN || material->pattern == PATTERN_NONE) {
@@ -52,7 +52,7 @@ static struct colours colour_at(const struct scene *scene, const struct material
     return odd ? pattern->colour : material->colour;
 }
 
-/* The unit vector halfway between the light and the viewer (Blinn). */
+/* Returns the unit vector halfway between the light and the viewer (Blinn). */
 static struct direction halfway(struct direction light, struct direction view) {
     struct direction half;
     unit_normalise_wide(wide_sum(light.x, view.x), wide_sum(light.y, view.y),
@@ -77,7 +77,7 @@ static real_energy highlight(const struct scene *scene, const struct material *m
                           specular_at(scene, material, incidence));
 }
 
-/* The second term of Eq. (1) for one light, before C + D. */
+/* Returns the second term of Eq. (1) for one light, before the division by C + D. */
 static struct colours lit_by(const struct scene *scene, const struct material *material,
                              struct colours colour, const struct light *light,
                              const struct ray *ray, const struct hit *hit,

@@ -5,8 +5,8 @@
 
 #include "ray.h"
 
-/* a Ia + A { rho_d cos(theta) Ic + w cos^g(alpha) Ip } / (C + D), over all lights. ray is the one
- * that arrived, mirrored its direction after reflection. */
+/* Returns a Ia + A { rho_d cos(theta) Ic + w cos^g(alpha) Ip } / (C + D), over all lights. ray is
+ * the one that arrived, mirrored the ray's direction after reflection. */
 struct colours shade(const struct scene *scene, const struct material *material,
                      const struct ray *ray, const struct hit *hit, const struct direction *mirrored,
                      struct render_counts *counts);

@@ -6,8 +6,8 @@
 
 enum { PRIMARIES = 3, LEVEL_MOST = 255 };
 
-/* The finaliser of MurmurHash3 (Austin Appleby, public domain): one-to-one, and each bit of its
- * argument changes about half of the bits of the result. */
+/* Scrambles a number by the finaliser of MurmurHash3 (Austin Appleby, public domain). The finaliser
+ * is one-to-one, and each bit of its argument changes about half of the bits of the result. */
 static uint32_t scramble(uint32_t value) {
     value ^= value >> 16;
     value *= UINT32_C(0x85EBCA6B);
@@ -16,8 +16,8 @@ static uint32_t scramble(uint32_t value) {
     return value ^ value >> 16;
 }
 
-/* The number 0..254 that a dot of the screen draws for one primary. The place is scrambled before
- * the seed is added: neighbouring seeds would otherwise give the same dots, moved by one. */
+/* Returns the number 0..254 that a dot of the screen draws for one primary. The place is scrambled
+ * before the seed is added: neighbouring seeds would otherwise give the same dots, moved by one. */
 static uint8_t draw_number(uint32_t seed, uint16_t x, uint16_t y, uint8_t primary) {
     uint32_t place = ((uint32_t)y * BOARD_WIDTH + x) * PRIMARIES + primary;
     uint32_t upper = scramble(scramble(place) + seed) >> 16;

@@ -7,7 +7,7 @@
 
 #include "scene.h"
 
-/* Turns row y (scene->width pixels, R G B each) in place into what is drawn of it:
+/* Turns row y (scene->width pixels, R G B each) in place into what is drawn of it.
  *
  * SHOW_FULL       the row as it is.
  * SHOW_BITS       the upper scene->show_bits bits of each level, the others 0.
@@ -15,11 +15,11 @@
  * SHOW_DITHER     each level becomes the set of its pixel's 2 x 2 dots that are lit: bit
  *                 2 * line + column. board_dots() draws such a row.
  *
- * In a dither each dot of each primary draws a number 0..254 of its own and is lit where that is
- * less than the level: the number of lit dots is binomial, 4 times level/255 on the average, and
- * level 0 and 255 light none and all. Each of the 255 numbers has a probability of 1/255 to within
- * 2^-16. The draw is a function of the seed and of the dot's place, not of what was drawn before,
- * so rows may be made in any order. */
+ * In a dither each dot of each primary draws a number 0..254 of its own. The dot is lit where that
+ * number is less than the level. So the number of lit dots is binomial, 4 times level/255 on the
+ * average. Level 0 lights no dot, level 255 all. Each of the 255 numbers has a probability of 1/255
+ * to within 2^-16. The draw depends on the seed and on the dot's place, not on what was drawn
+ * before. So rows may be made in any order. */
 void show_row(const struct scene *scene, uint16_t y, uint8_t exposure, uint8_t *rgb);
 
 #endif

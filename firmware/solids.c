@@ -2,7 +2,7 @@
 /* Primitives: a ray in their coordinates, their surfaces, their normals. */
 #include "solids.h"
 
-/* Bit 0, 1, 2 for x, y, z. */
+/* Returns three flags as bits 0, 1, 2 for x, y, z. */
 static uint8_t bits_of(bool x, bool y, bool z) {
     return (uint8_t)(x | y << 1 | z << 2);
 }
@@ -58,7 +58,8 @@ static inline bool is_falling(const struct local_ray *ray, uint8_t axis) {
     return (ray->falling >> axis & 1) != 0;
 }
 
-/* The farther one of the two faces across an axis: origin of the ray, low and high face. */
+/* Moves `end` back to the farther one of the two faces across an axis, if that face is before
+ * `end`. origin, low and high: where the ray's origin and the low and high face lie on the axis. */
 static inline void leave_axis(const struct local_ray *ray, uint8_t axis, real_length origin,
                               real_length low, real_length high, const uint16_t *surface,
                               struct start start, struct box_end *end) {
@@ -88,8 +89,8 @@ struct box_end box_exit(const struct box *box, const struct local_ray *ray, stru
     return end;
 }
 
-/* The nearer one of the two faces across an axis; false if the ray runs along them and not between
- * them. */
+/* Moves `entry` on to the nearer one of the two faces across an axis, if that face is after
+ * `entry`. Returns false if the ray runs along the faces and not between them. */
 static inline bool enter_axis(const struct local_ray *ray, uint8_t axis, real_length origin,
                               real_length low, real_length high, const uint16_t *surface,
                               uint16_t start_surface, struct box_end *entry) {
@@ -119,8 +120,8 @@ bool box_entry(const struct box *box, const struct local_ray *ray, uint16_t surf
            enter_axis(ray, 2, ray->origin.z, low->z, high->z, box->surface, surface, entry);
 }
 
-/* Whether a ray that runs along a plane is on the inner side of it: as with boxes, no ray slips
- * between two solids that share one. */
+/* Tells whether a ray that runs along a plane is on the inner side of the plane. As with boxes, no
+ * ray slips between two solids that share a plane. */
 static bool plane_is_ahead(const struct plane *plane, real_length ahead) {
     return length_is_zero(ahead) ? plane_is_upper(plane) : length_less(REAL_LENGTH(0.0), ahead);
 }
@@ -149,7 +150,7 @@ static struct segment polyhedron_segment(const struct scene *scene,
     return segment;
 }
 
-/* Everything, or nothing. */
+/* Returns the whole ray if `hit` is set, else a miss with both ends at `start`. */
 static struct segment whole_segment(real_length start, bool hit) {
     struct segment segment = {start, start, QUADRIC_FACE, QUADRIC_FACE, hit};
     if (hit) {
@@ -159,7 +160,7 @@ static struct segment whole_segment(real_length start, bool hit) {
     return segment;
 }
 
-/* The stretches between or outside of two roots. */
+/* Finds the intervals between or outside of two roots; returns how many there are. */
 static uint8_t segments_of_roots(real_length low, real_length high, bool outside,
                                  struct segment segments[2]) {
     if (!outside) {
@@ -175,8 +176,9 @@ static uint8_t segments_of_roots(real_length low, real_length high, bool outside
     return 2;
 }
 
-/* The roots without cancellation: q / a and c / q, where q = -(b + sign(b) sqrt(b^2 - a c)). On a
- * surface that the ray starts on, the root nearest to the start is the start. */
+/* Finds the intervals by the form's roots; returns how many there are. The roots are worked out
+ * without cancellation: q / a and c / q, where q = -(b + sign(b) sqrt(b^2 - a c)). On a surface
+ * that the ray starts on, the root nearest to the start is the start. */
 static uint8_t form_segments(const struct form *form, bool starts_there,
                              struct segment segments[2]) {
     real_area square = area_subtract(area_product(form->b, form->b), area_scaled(form->c, form->a));
@@ -208,8 +210,8 @@ static uint8_t form_segments(const struct form *form, bool starts_there,
     return segments_of_roots(ordered ? near : far, ordered ? far : near, opens, segments);
 }
 
-/* What the faces across one axis leave of a stretch. A ray that is inside is asked only where it
- * leaves. */
+/* Cuts an interval by the faces across one axis; false if the ray runs past them. A ray that is
+ * inside is asked only where it leaves. */
 static bool cut_axis(const struct local_ray *ray, uint8_t axis, real_length origin, real_length low,
                      real_length high, const uint16_t *surface, struct start start,
                      struct box_end *in, struct box_end *out) {
@@ -217,7 +219,7 @@ static bool cut_axis(const struct local_ray *ray, uint8_t axis, real_length orig
     return start.inside || enter_axis(ray, axis, origin, low, high, surface, start.surface, in);
 }
 
-/* What the faces of a quadric's box leave of a stretch. */
+/* Cuts an interval by the faces of a quadric's box. */
 static void cut_segment(const struct box *box, uint8_t cuts, const struct local_ray *ray,
                         struct start start, struct segment *segment) {
     const real_length origin[3] = {ray->origin.x, ray->origin.y, ray->origin.z};
@@ -238,7 +240,8 @@ static void cut_segment(const struct box *box, uint8_t cuts, const struct local_
     segment->hit = hit && length_less(segment->in, segment->out);
 }
 
-/* The reach is looked at before the ray is turned: most rays pass by. */
+/* Finds the intervals inside a quadric; returns how many there are. The reach is looked at before
+ * the ray is turned, for most rays pass by. */
 static uint8_t quadric_segments(const struct scene *scene, const struct primitive *primitive,
                                 struct local_ray views[VIEWS], struct start start,
                                 struct segment segments[2]) {
@@ -287,7 +290,7 @@ uint8_t primitive_segments(const struct scene *scene, const struct primitive *pr
     return FEATURE_QUADRIC ? quadric_segments(scene, primitive, views, start, segments) : 0;
 }
 
-/* The box that a flat face belongs to: a primitive's own, or that which cuts a quadric. */
+/* Returns the box of a flat face: a primitive's own, or the one that cuts a quadric. */
 static const struct box *box_of(const struct scene *scene, const struct primitive *primitive) {
     bool cut = FEATURE_QUADRIC && primitive->kind == PRIMITIVE_QUADRIC;
     return &scene->boxes[cut ? scene->quadrics[primitive->index].box : primitive->index];

@@ -16,20 +16,20 @@ struct local_ray {
     uint8_t frame;       /* that of a ray that has been turned, or FRAME_WORLD: none is there yet */
 };
 
-/* The stretch in .. out of a ray that lies inside a primitive. Where the ray misses, `hit` is false
- * and the ends are those of the nearest approach: a ray that is known to be inside leaves there.
- * Ends at LENGTH_FAR are none. */
+/* The interval in .. out of a ray that lies inside a primitive. Where the ray misses, `hit` is
+ * false and the ends are those of the nearest approach. A ray that is known to be inside leaves
+ * at that approach. Ends at LENGTH_FAR are none. */
 struct segment {
     real_length in, out;
     uint8_t in_face, out_face;
     bool hit;
 };
 
-/* One ray as the world sees it, and as the frames do that were asked for last. Frames whose numbers
- * differ in their last bit are both kept. */
+/* One ray as the world sees it, and as the frames see it that were asked for last. Two frames whose
+ * numbers differ in their last bit are both kept. */
 enum { VIEW_WORLD, VIEWS = 1 + 2 * FEATURE_ROTATION };
 
-/* Sets up the world's view of a ray. Those of frames are made when view_in() asks for them. */
+/* Sets up the world's view of a ray. A frame's view is made when view_in() asks for it. */
 void views_start(struct local_ray views[VIEWS], const struct point *origin,
                  const struct direction *direction);
 
@@ -54,14 +54,14 @@ static inline void segment_leave(struct segment *segment, real_length t, uint8_t
     }
 }
 
-/* One end of a stretch in a box: where, and which face it is. */
+/* One end of an interval in a box: where the end is, and on which face. */
 struct box_end {
     real_length t;
     uint8_t face;
 };
 
-/* The discriminant as r^2 - |foot|^2, foot being the point of the ray nearest to the centre: no
- * cancellation for a small ball far away. */
+/* Returns the interval of a ray inside a ball. The discriminant is r^2 - |foot|^2, where foot is
+ * the point of the ray nearest to the centre. So nothing cancels for a small ball far away. */
 static inline struct segment ball_segment(const struct ball *ball, struct point origin,
                                           struct direction direction) {
     struct point p = point_subtract(origin, ball->centre);
@@ -74,8 +74,8 @@ static inline struct segment ball_segment(const struct ball *ball, struct point 
     return segment;
 }
 
-/* A quadric's form along a ray, a x^2 + 2 b x + c, x being counted from the foot, the point of the
- * ray that is nearest to the centre: there all three are of the solid's own size. */
+/* A quadric's form along a ray, a x^2 + 2 b x + c. x is counted from the foot, the point of the ray
+ * nearest to the centre. There a, b and c are of the solid's own size. */
 struct form {
     real_unit a;
     real_length b;
@@ -104,14 +104,15 @@ static inline real_length length_magnitude(real_length a) {
     return length_less(a, REAL_LENGTH(0.0)) ? length_negate(a) : a;
 }
 
-/* A point, or a difference of two, in a frame that has its origin where the scene has its own. */
+/* Turns a point, or a difference of two, into a frame that has the scene's own origin. */
 static inline struct point turn_point(const struct frame *frame, struct point p) {
     struct point turned = {point_dot(p, frame->axis[0]), point_dot(p, frame->axis[1]),
                            point_dot(p, frame->axis[2])};
     return turned;
 }
 
-/* Whether of two solids that share a plane this one, the upper one, has what lies exactly in it. */
+/* Tells whether the solid behind a plane is the upper one of two that share the plane. The upper
+ * solid has what lies exactly in the plane. */
 static inline bool plane_is_upper(const struct plane *plane) {
     const struct direction *normal = &plane->normal;
     return unit_is_negative(!unit_is_zero(normal->x)   ? normal->x
@@ -119,7 +120,8 @@ static inline bool plane_is_upper(const struct plane *plane) {
                                                        : normal->z);
 }
 
-/* Half of the form's gradient at a point of a quadric, counted from its centre in its frame. */
+/* Returns half of the form's gradient at a point of a quadric. The point is counted from the
+ * quadric's centre, in the quadric's frame. */
 static inline struct point quadric_steepness(const struct quadric *quadric, struct point q) {
     struct point steepness = {length_scaled(q.x, quadric->square.x),
                               length_scaled(q.y, quadric->square.y),
@@ -127,7 +129,7 @@ static inline struct point quadric_steepness(const struct quadric *quadric, stru
     return steepness;
 }
 
-/* Its direction; (0, 0, 0) at the tip of a cone. */
+/* Returns the direction of the form's gradient; (0, 0, 0) at the tip of a cone. */
 static inline struct direction quadric_gradient(const struct quadric *quadric, struct point q) {
     struct point steepness = quadric_steepness(quadric, q);
     struct direction u;
@@ -136,7 +138,7 @@ static inline struct direction quadric_gradient(const struct quadric *quadric, s
     return u;
 }
 
-/* A direction in a frame as the world sees it. */
+/* Returns a direction in a frame as the world sees it. */
 static inline struct direction turn_back(const struct frame *frame, struct direction u) {
     const struct direction *axis = frame->axis;
     struct direction turned = {unit_dot(u.x, u.y, u.z, axis[0].x, axis[1].x, axis[2].x),
@@ -145,30 +147,31 @@ static inline struct direction turn_back(const struct frame *frame, struct direc
     return turned;
 }
 
-/* A ray in a primitive's frame, turned once for all of its primitives. */
+/* Returns a ray in a primitive's frame, turned once for all primitives of that frame. */
 const struct local_ray *view_in(const struct scene *scene, uint8_t frame,
                                 struct local_ray views[VIEWS]);
 
-/* Where a ray, or what is before its start, leaves a box: at LENGTH_FAR where it has no end. A ray
- * that starts on the face by which it would leave does so there if it is outside, and elsewhere if
- * it is inside. */
+/* Finds where a ray, or what is before its start, leaves a box: at LENGTH_FAR where there is no
+ * end. A ray may start on the face by which it would leave. Such a ray leaves there if it is
+ * outside, and elsewhere if it is inside. */
 struct box_end box_exit(const struct box *box, const struct local_ray *ray, struct start start);
 
-/* Where it enters; false if it runs past, along two faces. A ray that leaves before it enters does
- * not meet the box. */
+/* Finds where a ray enters a box; false if the ray runs past, along two faces. A ray that leaves
+ * before it enters does not meet the box. */
 bool box_entry(const struct box *box, const struct local_ray *ray, uint16_t surface,
                struct box_end *entry);
 
-/* The stretches of a ray inside any other primitive, one or two, in order: their number. */
+/* Finds the intervals of a ray inside a primitive that is no box, in order. Returns how many there
+ * are: one or two. */
 uint8_t primitive_segments(const struct scene *scene, const struct primitive *primitive,
                            struct local_ray views[VIEWS], struct start start,
                            struct segment segments[2]);
 
-/* The number of the surface that a face lies on. */
+/* Returns the number of the surface that a face lies on. */
 uint16_t primitive_surface(const struct scene *scene, const struct primitive *primitive,
                            uint8_t face);
 
-/* The outward normal at a point of a face. */
+/* Returns the outward normal at a point of a face. */
 struct direction primitive_normal(const struct scene *scene, const struct primitive *primitive,
                                   uint8_t face, const struct point *where);
 

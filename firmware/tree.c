@@ -5,8 +5,8 @@
 #include "growth.h"
 #include "learn.h"
 
-/* What is kept is followed so many half octaves of the threshold farther at once, at most; and a
- * correction to that is so many at most. */
+/* What is kept is followed at most STEPS_MOST half octaves of the threshold farther at once. A
+ * correction to that number is at most CORRECTION_MOST half octaves. */
 enum { STEPS_MOST = 16, CORRECTION_MOST = 6, STEPS_ALL = 2 * ESTIMATE_LEVELS };
 
 /* Follows the kept branches that a lower threshold lets through. */
@@ -25,7 +25,7 @@ static void follow_kept(struct tree *tree) {
     }
 }
 
-/* The sum of the squares of the weights that are cut, in steps of 2^-52. */
+/* Returns the sum of the squares of the weights that are cut, in steps of 2^-52. */
 static int64_t squares_of(const struct kept_branches *kept) {
     int64_t sum = kept->losses.squares;
     for (uint16_t i = 0; i < kept->count; i++) {
@@ -34,7 +34,7 @@ static int64_t squares_of(const struct kept_branches *kept) {
     return sum;
 }
 
-/* Begins the pixel, or begins it again: nothing is kept of it but the rays that it took. */
+/* Begins a pixel, or begins it again: nothing is kept of the pixel but the count of its rays. */
 static void begin(struct tree *tree, const struct ray *eye_ray, real_energy threshold) {
     struct kept_branches *kept = tree->kept;
     const struct tree_observer *observer = tree->observer;
@@ -53,7 +53,7 @@ static void begin(struct tree *tree, const struct ray *eye_ray, real_energy thre
     growth_finish(tree);
 }
 
-/* The threshold so many half octaves below the scene's own. */
+/* Returns the threshold so many half octaves below the scene's own. */
 static real_energy threshold_at(const struct scene *scene, uint8_t steps) {
     real_energy threshold = scene->threshold;
     for (uint8_t i = 0; i < steps / 2; i++) {
@@ -62,12 +62,13 @@ static real_energy threshold_at(const struct scene *scene, uint8_t steps) {
     return steps % 2 == 0 ? threshold : energy_product(threshold, REAL_ENERGY(0.75));
 }
 
-/* The squares at which the pixel is as accurate as was asked for, with such a threshold. */
+/* Returns the most squares with which a pixel is as accurate as was asked for. The threshold lies
+ * `steps` half octaves below the scene's own. */
 static int64_t squares_most(const struct tree *tree, uint8_t steps) {
     return tree->scene->estimate->level[steps / 2].squares_most;
 }
 
-/* What is left of squares so many half octaves farther down: five eighths each time. */
+/* Returns what is left of squares so many half octaves farther down: five eighths each time. */
 static int64_t squares_below(int64_t squares, uint8_t steps) {
     for (uint8_t i = 0; i < steps; i++) {
         squares -= (squares >> 2) + (squares >> 3);
@@ -75,7 +76,8 @@ static int64_t squares_below(int64_t squares, uint8_t steps) {
     return squares;
 }
 
-/* How far down no more than `most` is left of squares that were cut at `from`. */
+/* Returns how far down no more than `most` is left of squares that were cut at `from`, but at most
+ * STEPS_MOST farther. */
 static uint8_t steps_to_leave(uint8_t from, int64_t squares, int64_t most) {
     uint8_t steps = from;
     while (squares > most && steps < from + STEPS_MOST && steps + 1 < STEPS_ALL) {
@@ -85,14 +87,16 @@ static uint8_t steps_to_leave(uint8_t from, int64_t squares, int64_t most) {
     return steps;
 }
 
-/* What is kept on its last way down: from where to where it was expected to be followed, and the
- * squares of what still waits, what is left as it is, and of what was followed: foreseen, found. */
+/* The last way down of what is kept: from where, and to where the way was expected to go. The rest
+ * are squares: of what still waits, and of what is left as it is. `foreseen` and `found` are the
+ * squares of all that waits no more. Both begin at an eighth of what is expected in all. */
 struct last_way {
     uint8_t from, to, attempt;
     int64_t waiting, left, foreseen, found;
 };
 
-/* By how many half octaves the last way has to be longer than was expected, or shorter. */
+/* Returns by how many half octaves the last way has to be longer than was expected. Below 0, it has
+ * to be shorter. */
 static int8_t correction(const struct last_way *way) {
     int64_t foreseen = way->foreseen;
     int8_t steps = 0;
@@ -112,18 +116,19 @@ static uint8_t limited(int16_t steps, int16_t least, int16_t most) {
     return (uint8_t)result;
 }
 
-/* Where the last way ends, as far as is known by now. */
+/* Returns where the last way ends, as far as is known by now. */
 static uint8_t end_of(const struct last_way *way) {
     return limited((int16_t)(way->to + correction(way)), way->from, STEPS_ALL - 1);
 }
 
-/* The squares that are to be left of the pixel, at that level: a little less than may be. */
+/* Returns the squares that are to be left of a pixel at a level: a little less than may be. Each
+ * further attempt halves the squares. */
 static int64_t squares_wanted(const struct tree *tree, uint8_t steps, uint8_t attempt) {
     int64_t most = squares_most(tree, steps);
     return (most - (most >> 3)) >> attempt;
 }
 
-/* Where the last way is expected to end: levels farther down allow for less. */
+/* Returns where the last way is expected to end. Levels farther down allow for fewer squares. */
 static uint8_t expected_end(const struct tree *tree, const struct last_way *way) {
     int64_t lost = tree->kept->losses.squares, squares = way->waiting;
     uint8_t steps = way->from;
@@ -135,8 +140,8 @@ static uint8_t expected_end(const struct tree *tree, const struct last_way *way)
     return steps;
 }
 
-/* How far the next branch is to be followed: what those before it have left, against what was to be
- * left of them, makes it a little more or less. */
+/* Returns how far the next branch is to be followed. What the branches before have left is held
+ * against what was to be left of them. The difference makes the way a little longer or shorter. */
 static uint8_t next_steps(const struct tree *tree, const struct last_way *way) {
     uint8_t end = end_of(way);
     int64_t most = squares_wanted(tree, end, way->attempt) - way->left - tree->kept->losses.squares;
@@ -145,7 +150,8 @@ static uint8_t next_steps(const struct tree *tree, const struct last_way *way) {
     return limited(steps, least, end + 2 < STEPS_ALL ? (int16_t)(end + 2) : STEPS_ALL - 1);
 }
 
-/* Follows kept branch number i; nothing of it is kept. Returns the squares of what is cut then. */
+/* Follows kept branch number i, and keeps nothing of that branch. Returns the squares of what is
+ * cut then. */
 static int64_t follow_to_the_end(struct tree *tree, uint16_t i) {
     struct kept_branches *kept = tree->kept;
     int64_t before = kept->losses.squares;
@@ -159,9 +165,9 @@ static int64_t follow_to_the_end(struct tree *tree, uint16_t i) {
     return kept->losses.squares - before;
 }
 
-/* Follows what is kept to where the pixel is as accurate as was asked for, nearly: the squares are
- * some seven eighths of the most, and at each further attempt half of that. Returns how far it is.
- */
+/* Follows what is kept to where the pixel is nearly as accurate as was asked for. The squares are
+ * some seven eighths of the most, and at each further attempt half of that. Returns how far down
+ * the last way has ended. */
 static uint8_t follow_all(struct tree *tree, uint8_t from, uint8_t attempt) {
     struct kept_branches *kept = tree->kept;
     struct last_way way = {from, from, attempt, squares_of(kept) - kept->losses.squares, 0, 0, 0};
@@ -186,7 +192,7 @@ static uint8_t follow_all(struct tree *tree, uint8_t from, uint8_t attempt) {
     return end > from ? end : (uint8_t)(from + 1);
 }
 
-/* Whether there will be more to keep than there is room for: a quarter more each half octave. */
+/* Tells whether there will be more to keep than room for it: a quarter more each half octave. */
 static bool is_too_much(const struct tree *tree, uint8_t steps) {
     const struct kept_branches *kept = tree->kept;
     uint8_t to = steps_to_leave(steps, squares_of(kept), squares_most(tree, steps));
@@ -197,22 +203,22 @@ static bool is_too_much(const struct tree *tree, uint8_t steps) {
     return kept->count > KEPT_MOST / 4 && count > KEPT_MOST;
 }
 
-/* Whether the losses alone are too much, and there are rays enough to begin again: that takes
- * about twice as many as what was done so far. */
+/* Tells whether the losses alone are too much, and there are rays enough to begin again. To begin
+ * again takes about twice as many rays as what was done so far. */
 static bool must_begin_again(const struct tree *tree, uint8_t steps) {
     uint64_t used = tree->counts->rays - tree->rays_before;
     return tree->kept->losses.squares > squares_most(tree, steps) && used < tree->ray_budget / 4;
 }
 
-/* Whether the pixel is as accurate as was asked for; after the last way half as many squares again
- * will do, for to begin again takes more than they are worth. */
+/* Tells whether the pixel is as accurate as was asked for. After the last way half as many squares
+ * again will do, for to begin again takes more than they are worth. */
 static bool is_accurate(const struct tree *tree, uint8_t steps, bool is_last) {
     int64_t most = squares_most(tree, steps);
     return squares_of(tree->kept) <= most + (is_last ? most >> 1 : 0);
 }
 
 /* Lowers the threshold until the pixel is as accurate as was asked for; returns the level. Branches
- * stray from the mean independently of each other, nearly: their squares add. */
+ * stray from the mean nearly independently of each other, so their squares add. */
 static uint8_t refine(struct tree *tree, const struct ray *eye_ray) {
     const struct scene *scene = tree->scene;
     const uint8_t first = (uint8_t)(2 * scene->estimate->first);
@@ -241,7 +247,7 @@ static uint8_t refine(struct tree *tree, const struct ray *eye_ray) {
     return steps / 2;
 }
 
-/* Everything that is still kept is cut now. */
+/* Cuts everything that is still kept. */
 static void lose_kept(struct tree *tree) {
     struct kept_branches *kept = tree->kept;
     while (kept->count > 0) {
@@ -249,13 +255,13 @@ static void lose_kept(struct tree *tree) {
     }
 }
 
-/* A weight in steps of 2^-30 times a mean in steps of 2^-16 level, in these. */
+/* Multiplies a weight in steps of 2^-30 by a mean; mean and product are in steps of 2^-16 level. */
 static int64_t weighed(int64_t weight, int32_t mean) {
     return (weight * mean) >> 30;
 }
 
-/* Half of what the ways that the depth level ended are worth if they go on, in the channel where
- * that is most. */
+/* Returns half of what the paths that the depth level ended are worth if they go on. The half is
+ * that of the channel where it is most. */
 static int64_t open_half(const struct losses *losses, const struct estimate_level *level) {
     int64_t most = 0;
     for (uint8_t i = 0; i < 3; i++) {
@@ -265,9 +271,9 @@ static int64_t open_half(const struct losses *losses, const struct estimate_leve
     return most;
 }
 
-/* What the losses are worth. Where the depth level ends a way, a picture of that level has nothing,
- * and one without an end the mean: half the mean is within the error asked for of both, or else the
- * picture of that level is meant. */
+/* Returns what the losses are worth. Where the depth level ends a path, a picture of that level has
+ * nothing. A picture without an end has the mean there. Half the mean is taken if that is within
+ * the error asked for of both pictures. Otherwise the picture of that level is meant. */
 static struct colours worth_of(const struct losses *losses, const struct estimate_level *level,
                                bool counts_open) {
     int32_t worth[3];
@@ -284,7 +290,7 @@ static struct colours worth_of(const struct losses *losses, const struct estimat
     return colours;
 }
 
-/* The worst pixel's, of all that are counted. */
+/* Notes a pixel's errors where they are the worst of all pixels that are counted. */
 static void note_error(const struct scene *scene, const struct losses *losses, int64_t doubt,
                        struct render_counts *counts) {
     uint32_t estimated = doubt < (int64_t)UINT32_MAX ? (uint32_t)doubt : UINT32_MAX;

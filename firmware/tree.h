@@ -23,13 +23,13 @@ enum branch_end {
 /* A branch as it is followed. Nodes are numbered from 1 in the order in which they are reached. */
 struct branch {
     struct ray ray;
-    struct energies weight; /* the product of the coefficients on its way */
-    uint8_t events;         /* boundary events on its way: their number is held against N */
+    struct energies weight; /* the product of the coefficients on its path */
+    uint8_t events;         /* boundary events on its path: their number is held against N */
     uint8_t channel;        /* 0, 1, 2 or CHANNEL_ALL */
     uint8_t kind;           /* enum branch_kind */
     uint8_t beyond;         /* the levels that cut it, of a lesson: 0 is what is seen anyway */
 
-    /* Nobody looks on at a lesson: both have one place. */
+    /* No observer looks on at a lesson: both members have one place. */
     union {
         uint32_t parent; /* for an observer: the node where it began; 0: the eye */
         uint32_t ups;    /* of a lesson, bit i: the way that level i cut was going up */
@@ -42,7 +42,7 @@ struct tree_observer {
     void *context;
 
     /* A branch has come to a boundary: node `number`. weight is the branch's, attenuated on its
-     * way. */
+     * path. */
     void (*node)(void *context, uint32_t number, const struct branch *branch, const struct hit *hit,
                  const struct colours *local);
 
@@ -51,7 +51,7 @@ struct tree_observer {
                 struct energies weight, enum branch_end why);
 };
 
-/* The intensity that arrives at the eye along a ray; observer may be NULL. */
+/* Returns the intensity that arrives at the eye along a ray; observer may be NULL. */
 struct colours tree_colour(const struct scene *scene, const struct ray *eye_ray,
                            struct render_counts *counts, const struct tree_observer *observer);
 

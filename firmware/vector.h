@@ -31,19 +31,19 @@ static inline struct point point_subtract(struct point a, struct point b) {
     return difference;
 }
 
-/* origin + t * direction. */
+/* Returns origin + t * direction. */
 static inline struct point point_along(struct point origin, real_length t, struct direction d) {
     struct point there = {length_along(origin.x, t, d.x), length_along(origin.y, t, d.y),
                           length_along(origin.z, t, d.z)};
     return there;
 }
 
-/* The position of p measured along d. */
+/* Returns the position of p measured along d. */
 static inline real_length point_dot(struct point p, struct direction d) {
     return length_dot(p.x, p.y, p.z, d.x, d.y, d.z);
 }
 
-/* The square of the distance from the origin. */
+/* Returns the square of the distance from the origin. */
 static inline real_area point_norm(struct point p) {
     return area_norm(p.x, p.y, p.z);
 }
@@ -63,14 +63,14 @@ static inline struct colours colours_add(struct colours a, struct colours b) {
     return sum;
 }
 
-/* Each primary by its own share. */
+/* Multiplies each primary by its own share. */
 static inline struct colours colours_weighed(struct colours a, struct energies share) {
     struct colours part = {colour_scaled(a.red, share.red), colour_scaled(a.green, share.green),
                            colour_scaled(a.blue, share.blue)};
     return part;
 }
 
-/* Rounded to steps of 2^-16 level: up to 256 levels, sums of such are exact. */
+/* Rounds a colour to steps of 2^-16 level. Sums of such colours are exact up to 256 levels. */
 static inline struct colours colours_in_steps(struct colours a) {
     struct colours rounded = {colour_of_steps(colour_steps(a.red)),
                               colour_of_steps(colour_steps(a.green)),
@@ -78,7 +78,7 @@ static inline struct colours colours_in_steps(struct colours a) {
     return rounded;
 }
 
-/* All primaries by one share. */
+/* Multiplies all primaries by one share. */
 static inline struct colours colours_scaled(struct colours a, real_energy share) {
     struct energies same = {share, share, share};
     return colours_weighed(a, same);
@@ -95,7 +95,7 @@ static inline struct energies energies_scaled(struct energies a, real_energy sha
     return energies_product(a, same);
 }
 
-/* The largest of the three: what the threshold looks at. */
+/* Returns the largest of the three shares, the one that is held against the threshold. */
 static inline real_energy energies_largest(struct energies a) {
     real_energy most = energy_less(a.red, a.green) ? a.green : a.red;
     return energy_less(most, a.blue) ? a.blue : most;

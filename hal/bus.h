@@ -36,11 +36,12 @@ struct bus {
     enum bus_status status; /* sticky: the first failure stays until the bus is set up again */
 };
 
-/* Writes through the bus: of a byte, bits 7-0 of value. Dropped once the bus has failed. */
+/* Writes through the bus: of a byte, bits 7-0 of value. The write is dropped once the bus has
+ * failed. */
 void bus_write(struct bus *bus, uint16_t port, uint16_t value, unsigned width);
 
-/* What a decorator that works does with a write: hands it to inner and takes over how inner fares.
- * Inline: a frame has a million writes, each through every bus of the chain. */
+/* Hands a write to inner and takes over inner's status, for a decorator that has not failed.
+ * Inline, because a frame has a million writes, each through every bus of the chain. */
 static inline void bus_pass_on(struct bus *bus, struct bus *inner, uint16_t port, uint16_t value,
                                unsigned width) {
     if (inner->status == BUS_OK) {
@@ -49,8 +50,8 @@ static inline void bus_pass_on(struct bus *bus, struct bus *inner, uint16_t port
     bus->status = inner->status;
 }
 
-/* Reads through the bus: 0..FFh (width 1) or 0..FFFFh (width 2); the upper end of these once the
- * bus has failed. */
+/* Reads through the bus: 0..FFh (width 1) or 0..FFFFh (width 2). Once the bus has failed, FFh or
+ * FFFFh. */
 uint16_t bus_read(struct bus *bus, uint16_t port, unsigned width);
 
 /* Hands on whatever the bus has buffered and returns its status. */
@@ -63,10 +64,10 @@ void bus_fail(struct bus *bus, enum bus_status status);
  * bound before, or NULL. Not to be called while another thread is accessing ports. */
 struct bus *bus_bind(struct bus *bus);
 
-/* The status of the bound bus; BUS_UNBOUND if none is bound. */
+/* Returns the status of the bound bus, BUS_UNBOUND if none is bound. */
 enum bus_status bus_bound_status(void);
 
-/* One English phrase for a status, for error messages. */
+/* Returns one English phrase for a status, for error messages. */
 const char *bus_status_text(enum bus_status status);
 
 #endif

@@ -4,8 +4,8 @@
 
 #include "splitmix64.h"
 
-/* True once in `one_in` times on average. Draws only for faults that are asked for, so that adding
- * one kind doesn't move the others of a plan that has one only. */
+/* Tells whether a fault strikes: once in `one_in` times on average. Draws only for faults that the
+ * plan asks for. So a kind of fault that a plan does not have doesn't move the plan's others. */
 static bool strikes(struct fault_bus *fault_bus, uint32_t one_in) {
     return one_in != 0 && splitmix64(&fault_bus->random) % one_in == 0;
 }
@@ -15,7 +15,7 @@ static uint16_t flip_one_bit(struct fault_bus *fault_bus, uint16_t value, unsign
     return (uint16_t)(value ^ 1U << bit);
 }
 
-/* Counts the access; false: no device answers it. */
+/* Counts the access. Returns false if no device answers the access. */
 static bool device_answers(struct fault_bus *fault_bus, uint16_t port) {
     const struct fault_plan *plan = &fault_bus->plan;
     fault_bus->accesses++;

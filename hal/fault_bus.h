@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A bus with faults, seeded and reproducible, before another bus. */
+/* A bus with faults, seeded and reproducible, in front of another bus. */
 #ifndef SUPERFRAME_HAL_FAULT_BUS_H
 #define SUPERFRAME_HAL_FAULT_BUS_H
 
@@ -35,7 +35,7 @@ struct fault_bus {
     uint64_t dead_reads; /* reads that got FFh instead of an answer */
 };
 
-/* Puts the plan's faults before inner, which must not be NULL. *plan is copied. */
+/* Puts the plan's faults in front of inner, which must not be NULL. *plan is copied. */
 void fault_bus_init(struct fault_bus *fault_bus, struct bus *inner, const struct fault_plan *plan);
 
 #endif

@@ -5,8 +5,8 @@
 
 #include "bus.h"
 
-/* Sets up *bus as an empty slot. It never fails. Stands behind a recorder when nothing but the
- * trace is wanted. What an undecoded read gives: FFh (DOSBox-X, NP2kai; grade A). */
+/* Sets up *bus as an empty slot. Cannot fail. Such a bus stands behind a recorder when nothing but
+ * the trace is wanted. An undecoded read gives FFh (DOSBox-X, NP2kai; grade A). */
 void null_bus_init(struct bus *bus);
 
 #endif

@@ -5,12 +5,12 @@
 
 #include <stdint.h>
 
-/* All four take the port first and the value second, as conio.h does; Linux's outb() has them the
- * other way round, and hal/ports_linux.c is the one file that swaps them.
+/* All four take the port first and the value second, as conio.h does. Linux's outb() takes the
+ * value first; hal/ports_linux.c is the one file that swaps the two.
  *
  * On a bare target each is one instruction (or a store to a memory-mapped bus). On the host each
- * goes to the bus that bus_bind() named (bus.h); with no bus bound, or after the bus has failed,
- * writes are dropped, reads give FFh or FFFFh, and bus_bound_status() says so. */
+ * goes to the bus that bus_bind() named (bus.h). With no bus bound, or after the bus has failed,
+ * writes are dropped and reads give FFh or FFFFh. bus_bound_status() then says why. */
 
 /* Writes one byte: an even port drives D7-0, an odd port D15-8. */
 void outp(uint16_t port, uint8_t value);

@@ -2,7 +2,7 @@
 /* The machine's own I/O ports on Linux: the one file that knows outb() and its order of arguments.
  */
 
-/* ioperm(), setgroups() and syscall() are not POSIX's. */
+/* ioperm(), setgroups() and syscall() are not in POSIX. */
 #undef _DEFAULT_SOURCE
 #define _DEFAULT_SOURCE 1 // NOLINT(bugprone-reserved-identifier): glibc's own switch
 
@@ -17,7 +17,8 @@ enum { OWNER_LINE = 256 };
 
 /* ---- The bus -------------------------------------------------------------------------------- */
 
-/* A port that was not opened would end the program with SIGSEGV. */
+/* Checks that the ports of an access are open, and fails the bus if not. A port that was not opened
+ * would end the program with SIGSEGV. */
 static bool is_open(struct ports_linux *ports, uint16_t port, unsigned width) {
     unsigned offset = (uint16_t)(port - ports->base);
     if (offset + width > PORTS_LINUX_COUNT) {
@@ -51,7 +52,8 @@ static const struct bus_operations ports_operations = {ports_write, ports_read, 
 
 /* ---- Who owns the ports --------------------------------------------------------------------- */
 
-/* A line is "  00c0-00df : dma2". A bridge's window holds the ports of whatever is behind it. */
+/* Tells whether a line, such as "  00c0-00df : dma2", names an owner of the ports. A bridge is
+ * none: its window holds the ports of whatever is behind the bridge. */
 static bool names_an_owner(const char *line, uint16_t base, bool *is_hidden, const char **owner) {
     unsigned long first, last;
     char *end;
@@ -65,7 +67,7 @@ static bool names_an_owner(const char *line, uint16_t base, bool *is_hidden, con
         return false;
     }
     *owner += sizeof " : " - 1;
-    /* To those who may not know them all addresses are shown as 0. */
+    /* To those who may not know the addresses, all are shown as 0. */
     *is_hidden = *is_hidden || (first == 0 && last == 0);
     return last >= base && first < (unsigned long)base + PORTS_LINUX_COUNT &&
            strncmp(*owner, "PCI Bus", sizeof "PCI Bus" - 1) != 0;
@@ -76,7 +78,7 @@ static void cant_find_out(const char *owners, int reason, char *message) {
                    "who owns the ports can't be found out: %s: %s", owners, strerror(reason));
 }
 
-/* True if the ports are known to be nobody's. */
+/* Tells whether the ports are known to be nobody's. If not, message says why. */
 static bool is_free(const char *owners, uint16_t base, char *message) {
     char line[OWNER_LINE];
     const char *owner = NULL;
@@ -171,16 +173,16 @@ static unsigned short real_read_word(unsigned short port) {
     return inw(port);
 }
 
-/* An identity that sudo left in the environment, else nobody's. */
+/* Returns an identity that sudo left in the environment, else nobody's. */
 static unsigned long who(const char *variable) {
     const char *text = getenv(variable);
     unsigned long number = text != NULL ? strtoul(text, NULL, 10) : 0;
     return number != 0 && number < 0xFFFFFFFFul ? number : NOBODY;
 }
 
-/* Root becomes whoever called sudo, or nobody; a program with set-user-ID becomes its caller. Then
- * the capabilities go that a file may have given. The ports stay open: they belong to the thread.
- */
+/* Drops the privileges. Root becomes whoever called sudo, or nobody; a program with set-user-ID
+ * becomes its caller. Then the capabilities go that a file may have given. The ports stay open:
+ * they belong to the thread. */
 static int real_drop(void) {
     struct __user_cap_header_struct header = {_LINUX_CAPABILITY_VERSION_3, 0};
     struct __user_cap_data_struct none[_LINUX_CAPABILITY_U32S_3];

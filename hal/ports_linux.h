@@ -10,8 +10,8 @@
 
 enum { PORTS_LINUX_COUNT = 16, PORTS_LINUX_MESSAGE_SIZE = 240 };
 
-/* How the kernel and the ports are reached. Value and port stand in Linux's order, the other way
- * round than in outp(). A test puts its own functions here. */
+/* How the kernel and the ports are reached. Value and port stand in Linux's order, which is the
+ * reverse of outp()'s. A test puts its own functions here. */
 struct ports_linux_system {
     /* As ioperm(): 0, or -1 with errno set. */
     int (*allow)(unsigned long first, unsigned long count, int is_allowed);
@@ -19,7 +19,7 @@ struct ports_linux_system {
     void (*write_word)(unsigned short value, unsigned short port);
     unsigned char (*read_byte)(unsigned short port);
     unsigned short (*read_word)(unsigned short port);
-    /* Gives up what the program may do more than its user; 0, or -1 with errno set. */
+    /* Gives up the privileges that the program has beyond its user's; 0, or -1 with errno set. */
     int (*drop)(void);
     const char *owners; /* the list of who owns which ports: /proc/ioports */
 };
@@ -41,10 +41,11 @@ enum ports_linux_result {
     PORTS_LINUX_REFUSED /* the kernel or the rights don't allow it */
 };
 
-/* Opens the sixteen ports from base on, for the calling thread and those that it starts later, and
- * then drops the program's privileges for good: call it before anything else is opened. Refuses
- * without touching a port where system->owners names an owner other than a bus bridge. On anything
- * but PORTS_LINUX_OPEN message (PORTS_LINUX_MESSAGE_SIZE bytes) says why and what helps.
+/* Opens the sixteen ports from base on, for the calling thread and the threads that it starts
+ * later. Then drops the program's privileges for good, so the call comes before anything else is
+ * opened. Refuses without touching a port where system->owners names an owner other than a bus
+ * bridge. On anything but PORTS_LINUX_OPEN, message (PORTS_LINUX_MESSAGE_SIZE bytes) says why and
+ * what helps.
  *
  * An access outside the sixteen ports fails the bus with BUS_REFUSED; it never reaches a port. */
 enum ports_linux_result ports_linux_open(struct ports_linux *ports, uint16_t base,

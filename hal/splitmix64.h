@@ -5,8 +5,8 @@
 
 #include <stdint.h>
 
-/* The next number, all 64 bits of it as good as any other. *state is the seed at first, and every
- * seed is as good as another. */
+/* Returns the next number, all of whose 64 bits are equally good. *state is the seed at first, and
+ * every seed is as good as another. */
 static inline uint64_t splitmix64(uint64_t *state) {
     uint64_t z = (*state += UINT64_C(0x9E3779B97F4A7C15));
     z = (z ^ z >> 30) * UINT64_C(0xBF58476D1CE4E5B9);

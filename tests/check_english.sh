@@ -16,7 +16,9 @@ awk '
 BEGIN {
     WORDS_MOST = 22
     # Words that end as a verb does, and are none.
-    split("This Its As Yes Less Always Perhaps Besides Thus Axes Bits Bytes Others Sometimes Colours", list, " ")
+    split("This Its As Yes Less Always Perhaps Besides Thus Axes Bits Bytes Others Sometimes Colours Words " \
+        "Pixels Indices Forms Primitives Faults Seconds Clocks Bus Accesses Requests Slopes Cells Lanes Harmless " \
+        "Rays Planes Objects Solids Materials Tables Vectors Options Results Files Columns", list, " ")
     for (i in list) {
         is_noun[list[i]] = 1
     }
@@ -28,11 +30,14 @@ function wrong(line, text) {
 }
 
 # Counts the words of the sentences of a comment that began in a line.
-function check_sentences(text, line, count, sentences, i, words) {
+function check_sentences(text, line, count, sentences, i, j, parts, words) {
     gsub(/-----*/, " ", text)
     count = split(text, sentences, /[.?!][")]?([ \t]+|$)/)
     for (i = 1; i <= count; i++) {
-        words = gsub(/[^ \t]*[A-Za-z0-9][^ \t]*/, "&", sentences[i])
+        words = 0
+        for (j = split(sentences[i], parts, /[ \t]+/); j > 0; j--) {
+            words += parts[j] ~ /[A-Za-z0-9]/
+        }
         if (words > WORDS_MOST) {
             sub(/^[ \t]+/, "", sentences[i])
             wrong(line, "a sentence of " words " words; at most " WORDS_MOST " are allowed: " substr(sentences[i], 1, 60))

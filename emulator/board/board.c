@@ -51,7 +51,8 @@ struct access {
     bool is_read;
 };
 
-/* For what may be a violation. */
+/* Counts a use of a behaviour that may be a violation. If the board's profile calls the behaviour
+ * one and the log has room, the access is logged. */
 static void report(struct board *board, enum board_behaviour behaviour, struct access access) {
     board_note_use(board, behaviour);
     if (board->log_count < BOARD_LOG_SIZE &&
@@ -68,8 +69,8 @@ static void report(struct board *board, enum board_behaviour behaviour, struct a
 
 /* ---- Pixels --------------------------------------------------------------------------------- */
 
-/* What a pixel access away from the shown 640 x 400 has to report. False: there is no pixel. A
- * board that was read back from a file may have any place. */
+/* Reports a pixel access away from the shown 640 x 400. Returns false if there is no pixel. Both
+ * ends of place are checked: a board that was read back from a file may have any place. */
 static bool pixel_is_there(struct board *board, struct access access) {
     if (board->place < 0 || board->is_wrapped) {
         report(board, access.is_read ? BOARD_OUTSIDE_READ : BOARD_OUTSIDE_WRITE, access);
@@ -93,7 +94,8 @@ static uint8_t read_primary(struct board *board, unsigned primary, struct access
     return 0xFF;
 }
 
-/* The 16-bit fill of the later boards: four pixels, all three primaries. */
+/* Writes a word to red. The later boards fill all three primaries of four pixels with the low byte.
+ * The board of 1987 takes the word as a byte. */
 static void fill(struct board *board, struct access access) {
     report(board, BOARD_RED_WORD_WRITE, access);
     if (board->desc.profile == BOARD_1987) {
@@ -154,7 +156,8 @@ static void write_mode(struct board *board, struct access access) {
     }
 }
 
-/* Which access steps X is not known; blue is the last of a pixel in every driver. */
+/* Steps X by one after a write of blue. Which access steps X is not known, but blue is the last
+ * primary of a pixel in every driver. */
 static void step_x(struct board *board, struct access access) {
     report(board, BOARD_AUTO_INCREMENT, access);
     set_x(board, board->x + 1U);
@@ -235,7 +238,7 @@ static void write_word(struct board *board, unsigned offset, struct access acces
     }
 }
 
-/* One half of a word at an odd port, where CPU and bus make two byte accesses of it. */
+/* Writes one half of a word at an odd port: CPU and bus make two byte accesses of such a word. */
 static void write_half(struct board *board, uint16_t port, unsigned value) {
     unsigned offset = (uint16_t)(port - board->desc.base);
     struct access access = {port, (uint16_t)(value & 0xFF), BUS_BYTE, false};
@@ -313,7 +316,7 @@ static uint8_t read_byte(struct board *board, unsigned offset, struct access acc
 static uint16_t read_word(struct board *board, unsigned offset, struct access access) {
     switch (offset) {
     case 0x0:
-        /* A board that reads back what was written would pass for the other family. */
+        /* A board that reads back what was written would be taken for the other family. */
         access.value = 0x0000;
         report(board, BOARD_CONTROL1_READ, access);
         return 0x0000;

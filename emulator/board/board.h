@@ -1,61 +1,64 @@
 /* SPDX-License-Identifier: MIT */
 /* The SuperFrame board as a plain, copyable struct: write a port, read a port, look inside.
  *
- * PORT MAP (offsets from the base, 00D0h from the factory; eight 16-bit registers; grade P)
+ * PORT MAP, by offset from the base (00D0h from the factory). Eight 16-bit registers; grade P.
  *
- *     +0  control 1  W     index of a register of the CRT controller        D
- *     +2  control 2  R/W   data of the indexed register                     D
- *     +4  X          W     0..639, bits 9-0                                 P
- *     +6  Y          W     0..399, bits 8-0                                 P
- *     +8  red        R/W   0..255 of the pixel at (X, Y), at once           P
- *     +A  green      R/W   the same                                         P
- *     +C  blue       R/W   the same                                         P
- *     +E  mode       W     which of the two pictures is shown               P, values D
+ *     +0  control 1  W     index of a register of the CRT controller.      D
+ *     +2  control 2  R/W   data of the indexed register.                   D
+ *     +4  X          W     0..639, bits 9-0.                               P
+ *     +6  Y          W     0..399, bits 8-0.                               P
+ *     +8  red        R/W   0..255 of the pixel at (X, Y), at once.         P
+ *     +A  green      R/W   as red.                                         P
+ *     +C  blue       R/W   as red.                                         P
+ *     +E  mode       W     which of the two pictures is shown.             P, values D.
  *
  * Grades, best first: P the paper's Table 2; D drivers of 1991-93; S a jumper sheet of a later
- * board; I inferred from P and D; A assumed, because something has to happen.
+ * board. I is inferred from P and D; A is assumed, because something has to happen. ! means:
+ * reported as a violation.
  *
- * TRUTH TABLE (docs/board.md has every cell; tests/board_table_test.c drives the emulator by it)
+ * TRUTH TABLE (docs/board.md has every cell; tests/board_table_test.c drives the emulator by it).
  *
  *     access                    effect                                       1987    later
- *     byte, even, write         the low byte of the register                 P D I   P D I
- *       X, Y                    bits 7-0 replaced, the upper bits kept       I       I
- *     word, even, write         the register; its don't-care bits ignored    P D     P D
- *       red                     1987: as a byte; later: the fill, below      A !     I
- *       green, blue             as a byte                                    A !     A !
- *     byte, odd, write          X, Y: the upper bits; the others: nothing    A !     A !
- *     word, odd                 two bytes, the lower port first              A !     A !
- *     byte, even, read          red, green, blue: of the pixel               P       P
- *       control 2               what was last written to that index          I       I
- *                               later, index 1Fh: status, bit 1 = blank      -       D
- *       control 1               0000h whatever was written                   A !     word D, byte I
- *       X, Y, mode              FFh                                          A !     A !
- *     word, even, read          X, Y, mode: FFFFh (control 1: above)         A !     A !
- *       control 2               as the byte, high byte FFh                   I       I
- *       red, green, blue        as the byte, high byte FFh                   A !     A !
- *     byte, odd, read           FFh (control 1: 00h)                         A !     A !
- *     outside the 16 ports      write: nothing (D); read: FFh (A !)
- *
- *     ! reported as a violation.
+ *     byte, even, write         the low byte of the register.                P D I   P D I
+ *       X, Y                    bits 7-0 replaced, the upper bits kept.      I       I
+ *     word, even, write         the register; its don't-care bits ignored.   P D     P D
+ *       red                     1987: as a byte; later: the fill, below.     A !     I
+ *       green, blue             as a byte.                                   A !     A !
+ *     byte, odd, write          X, Y: the upper bits; the others: nothing.   A !     A !
+ *     word, odd                 two bytes, the lower port first.             A !     A !
+ *     byte, even, read          red, green, blue: of the pixel.              P       P
+ *       control 2               what was last written to that index.         I       I
+ *                               later, index 1Fh: status, bit 1 = blank.     -       D
+ *       control 1               0000h whatever was written.                  A !     word D, byte I
+ *       X, Y, mode              FFh.                                         A !     A !
+ *     word, even, read          X, Y, mode: FFFFh (control 1: above).        A !     A !
+ *       control 2               as the byte, high byte FFh.                  I       I
+ *       red, green, blue        as the byte, high byte FFh.                  A !     A !
+ *     byte, odd, read           FFh (control 1: 00h).                        A !     A !
+ *     outside the 16 ports      write: nothing (D); read: FFh (A !).
  *
  * Other behaviours:
- *     X >= 640 or Y >= 400      a pixel write is ignored, a read gives FFh   A !     A !
- *                               (or X - 640 on the same line, by desc)
- *     Y 400..407, X 0..383      hidden blocks: pixels that are not shown     A !     D
- *     word write of red         fills 4 pixels in all 3 primaries            -       I
- *       X not 4n, value not 0   X rounded down, the low byte taken           -       A !
- *     mode 00, 01, 03           PC screen, both, SuperFrame                  D       D
- *     mode 08 (GRAYMODE), 80 (STEALWR), any other bit: stored, no effect     A !     A !
- *     mode 40                   X + 1 after a byte write of blue             A !     A !
- *     0Ch, 0Dh                  display start address, complemented          A !     D
- *     13h, 14h                  the second screen's: stored, no effect       A !     A !
- *     index not in the initialisation and not above: stored, no effect       A !     A !
- *     power-on                  registers 0, mode 00, memory as the desc says A      A
- *     status bit 1              set for the last 40/440 of every 44326 accesses      A
+ *
+ *     X >= 640 or Y >= 400      a pixel write is ignored, a read gives FFh.  A !     A !
+ *                               (Or X - 640 on the same line, by desc.)
+ *     Y 400..407, X 0..383      hidden blocks: pixels that are not shown.    A !     D
+ *     word write of red         fills 4 pixels in all 3 primaries.           -       I
+ *       X not 4n, value not 0   X rounded down, the low byte taken.          -       A !
+ *     mode 00, 01, 03           PC screen, both, SuperFrame.                 D       D
+ *     mode 40                   later: X + 1 after a byte write of blue.     A !     A !
+ *     mode, any other bit       stored, no effect.                           A !     A !
+ *                               (08 is GRAYMODE, 80 STEALWR.)
+ *     0Ch, 0Dh                  later: display start address, complemented.  A !     D
+ *     13h, 14h                  the second screen's: stored, no effect.      A !     A !
+ *     index that is neither     stored, no effect.                           A !     A !
+ *       initialised nor above
+ *     power-on                  registers 0, mode 00, memory as in the desc. A       A
+ *     status bit 1              set for the last 40/440 of every             -       A
+ *                               44326 accesses.
  *
  * NOT IMPLEMENTED: GRAYMODE, STEALWR, the second screen, the controller's cursor, light pen and
- * interrupts; time (an access takes no time; the blanking follows the number of accesses); wait
- * states; DMA. Nobody knows what a real board does there. */
+ * interrupts, wait states, DMA. Nor is time: an access takes no time, and the blanking follows the
+ * number of accesses. Nobody knows what a real board does there. */
 #ifndef SUPERFRAME_EMULATOR_BOARD_H
 #define SUPERFRAME_EMULATOR_BOARD_H
 
@@ -170,66 +173,72 @@ struct board {
     struct board_note notes[BOARD_BEHAVIOURS];
     unsigned log_count; /* entries of the log that are used; the first BOARD_LOG_SIZE are kept */
     struct board_violation log[BOARD_LOG_SIZE];
-    /* R, G, B; BOARD_WIDTH pixels a line, BOARD_MEMORY_HEIGHT lines: write_png() can dump the first
-     * 400, or all 416 with the hidden blocks (of which the board has the left 384 pixels). */
+    /* R, G, B; BOARD_WIDTH pixels a line, BOARD_MEMORY_HEIGHT lines. write_png() can dump the first
+     * 400 lines, or all 416 with the hidden blocks. Of the hidden blocks the board has the left 384
+     * pixels. */
     uint8_t memory[BOARD_MEMORY_BYTES];
 };
 
-/* The factory's board: base 00D0h, X outside ignored, memory black. */
+/* Returns the factory's board of a profile: base 00D0h, X outside ignored, memory black. */
 struct board_desc board_default_desc(enum board_profile profile);
 
-/* True for the seven addresses that the jumper offers: 00D0h, 02D0h, ... 0CD0h (grade S). */
+/* Tells whether base is one of the seven addresses that the jumper offers: 00D0h, 02D0h, ... 0CD0h
+ * (grade S). */
 bool board_base_is_offered(uint16_t base);
 
-/* Powers the board on. False, and the board untouched, if the desc has a base that the jumper
- * doesn't offer or no known profile. */
+/* Powers the board on. Returns false, and leaves the board untouched, if the desc has an unknown
+ * profile or a base that the jumper doesn't offer. */
 bool board_init(struct board *board, const struct board_desc *desc);
 
-/* The machine's reset: registers as at power-on; memory, counters and log stay (grade A). */
+/* Resets the board as the machine's reset does: registers as at power-on; memory, counters and log
+ * stay (grade A). */
 void board_reset(struct board *board);
 
-/* One OUT. width is 1 or 2 bytes; of the value its low `width` bytes count. Any port. Another width
- * is no access: a 32-bit OUT is two of 16 bits on the PC-98's bus. */
+/* Does one OUT to any port. width is 1 or 2 bytes; of the value the low `width` bytes count.
+ * Another width is no access: a 32-bit OUT is two of 16 bits on the PC-98's bus. */
 void board_write(struct board *board, uint16_t port, uint16_t value, unsigned width);
 
-/* One IN: 0..FFh for width 1, 0..FFFFh for width 2. Any port. Another width gives FFFFh. */
+/* Does one IN from any port. Returns 0..FFh for width 1, 0..FFFFh for width 2, and FFFFh for
+ * another width. */
 uint16_t board_read(struct board *board, uint16_t port, unsigned width);
 
-/* How many violations there were. One access can hold two (a word at an odd port). */
+/* Returns how many violations there were. One access can hold two (a word at an odd port). */
 uint64_t board_violations(const struct board *board);
 
-/* How many times the program relied on a behaviour that is no better known than `grade`, whether
- * it is a violation or not. GRADE_ASSUMED: the assumed ones; GRADE_PAPER: every access. */
+/* Returns how many times the program relied on a behaviour no better known than `grade`. A
+ * behaviour counts whether it is a violation or not. GRADE_ASSUMED counts the assumed behaviours
+ * only, GRADE_PAPER all. */
 uint64_t board_reliances(const struct board *board, enum board_grade grade);
 
-/* The grade of a behaviour in a profile. */
+/* Returns the grade of a behaviour in a profile. */
 enum board_grade board_behaviour_grade(enum board_behaviour behaviour, enum board_profile profile);
 
-/* Whether a profile counts a behaviour as a violation. */
+/* Tells whether a profile counts a behaviour as a violation. */
 bool board_behaviour_is_violation(enum board_behaviour behaviour, enum board_profile profile);
 
-/* One English phrase for a behaviour, for messages. */
+/* Returns one English phrase for a behaviour, for messages. */
 const char *board_behaviour_text(enum board_behaviour behaviour);
 
-/* "P", "D", "S", "I" or "A". */
+/* Returns the letter of a grade: "P", "D", "S", "I" or "A". */
 const char *board_grade_letter(enum board_grade grade);
 
-/* Reads a grade's letter or word ("A", "assumed", either case). False if it is none. */
+/* Reads a grade's letter or word ("A", "assumed", either case). Returns false if the text is
+ * neither. */
 bool board_grade_from_text(const char *text, enum board_grade *grade);
 
-/* "1987" or "later". */
+/* Returns the name of a profile: "1987" or "later". */
 const char *board_profile_text(enum board_profile profile);
 
-/* Reads a profile's name. False if it is none. */
+/* Reads a profile's name. Returns false if the text is none. */
 bool board_profile_from_text(const char *text, enum board_profile *profile);
 
-/* The board as a bus. The board must outlive it; several buses may share one board. */
+/* The board as a bus. The board must outlive the bus; several buses may share one board. */
 struct board_bus {
     struct bus bus; /* the first member: bus_bind(&board_bus.bus) */
     struct board *board;
 };
 
-/* Plugs the board into a bus. It never fails. */
+/* Plugs the board into a bus. Cannot fail. */
 void board_bus_init(struct board_bus *board_bus, struct board *board);
 
 #endif

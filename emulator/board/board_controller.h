@@ -19,14 +19,15 @@ enum {
     CONTROLLER_START_LOW = 0x0D
 };
 
-/* True for the fifteen indices that the drivers' initialisation writes (grade D). */
+/* Tells whether an index is one of the fifteen that the drivers' initialisation writes (grade
+ * D). */
 static inline bool board_index_is_initialised(unsigned index) {
     const uint32_t initialised =
         0x000003FFU | 1U << 0x0C | 1U << 0x0D | 1U << 0x1B | 1U << 0x1E | 1U << 0x1F;
     return index < 32 && (initialised >> index & 1U) != 0;
 }
 
-/* True for the two halves of the display start address. */
+/* Tells whether an index is one of the two halves of the display start address. */
 static inline bool board_index_is_start_address(unsigned index) {
     return index == CONTROLLER_START_HIGH || index == CONTROLLER_START_LOW;
 }

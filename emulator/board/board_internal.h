@@ -6,17 +6,18 @@
 #include "board.h"
 #include "board_controller.h"
 
-/* True if a port is one of the board's sixteen. */
+/* Tells whether a port is one of the board's sixteen. */
 static inline bool board_decodes(const struct board *board, uint16_t port) {
     return (uint16_t)(port - board->desc.base) < BOARD_PORTS;
 }
 
-/* True for the widths that a 16-bit bus has. */
+/* Tells whether a width is one that a 16-bit bus has. */
 static inline bool board_width_is_there(unsigned width) {
     return width == BUS_BYTE || width == BUS_WORD;
 }
 
-/* Counts a use of a behaviour; for those that are no violation in either profile. */
+/* Counts a use of a behaviour. Suffices by itself for behaviours that are no violation in either
+ * profile. */
 static inline void board_note_use(struct board *board, enum board_behaviour behaviour) {
     struct board_note *entry = &board->notes[behaviour];
     if (entry->count++ == 0) {
@@ -24,13 +25,14 @@ static inline void board_note_use(struct board *board, enum board_behaviour beha
     }
 }
 
-/* True where an access to the pixel has nothing to report: in one comparison. */
+/* Tells whether an access to the pixel has nothing to report. One comparison checks both ends of
+ * place. */
 static inline bool board_pixel_is_plain(const struct board *board) {
     return (uint32_t)board->place < (uint32_t)(BOARD_WIDTH * BOARD_HEIGHT * 3) &&
            !board->is_wrapped;
 }
 
-/* board_write() for every write, those included that it does itself. */
+/* Does any write, also those that board_write() does by itself. */
 void board_write_any(struct board *board, uint16_t port, uint16_t value, unsigned width);
 
 #endif

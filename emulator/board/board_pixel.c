@@ -4,8 +4,9 @@
 
 #include "board_internal.h"
 
-/* Both do what board_write_any() would do, and nothing where that has more to do. They have a file
- * of their own because a compiler that sees both makes room for the long way in the short one. */
+/* Both functions below do what board_write_any() would do. Where board_write_any() has more to do,
+ * they do nothing and return false. The short path has a file of its own. A compiler that sees both
+ * paths makes room for the long path in the short one. */
 
 static inline bool write_primary(struct board *board, unsigned offset, uint16_t value) {
     if (!board_pixel_is_plain(board) || board->is_stepping) {

@@ -130,7 +130,8 @@ const char *board_grade_letter(enum board_grade grade) {
     return grade_names[grade].letter;
 }
 
-/* strcasecmp() is POSIX, not C99, and follows the locale. */
+/* Tells whether two words are the same, whatever the case. strcasecmp() is POSIX, not C99, and
+ * follows the locale. */
 static bool is_same_word(const char *a, const char *b) {
     while (*a != '\0' && tolower((unsigned char)*a) == tolower((unsigned char)*b)) {
         a++;

@@ -5,7 +5,8 @@
 #include <stddef.h>
 #include <string.h>
 
-/* OUT DX,AL and IN AL,DX; a word costs the same at an even port. Real mode for the 80386. */
+/* Clocks of OUT DX,AL and IN AL,DX. A word at an even port costs the same. The 80386 is in real
+ * mode. */
 static const struct {
     const char *name;
     unsigned out, in, odd_word;

@@ -16,20 +16,21 @@ struct cost_machine {
     double megahertz;
 };
 
-/* The machines that are known; *count gets how many, and count must not be NULL. Source: MAME's
+/* Returns the machines that are known. *count gets how many; count must not be NULL. Source: MAME's
  * pc9801 header. */
 const struct cost_machine *cost_machines(unsigned *count);
 
-/* Finds a machine by its name ("VM2", "VX2", "RA2", ..., "8086-5"), case included; NULL: unknown.
- */
+/* Finds a machine by its name, case included: "VM2", "VX2", "RA2", ..., "8086-5". Returns NULL if
+ * no machine has the name. */
 const struct cost_machine *cost_machine_by_name(const char *name);
 
-/* Clocks of one OUT DX or IN DX of a width (bytes), without wait states; the 80386 in real mode.
- * Source: the CPU manuals' tables (OUT 8, 8, 3, 11; IN 8, 8, 5, 13). A word at an odd port takes a
- * second bus cycle: 4 clocks more on 8086 and V30 by the manuals, 2 on the others (assumed). */
+/* Returns the clocks of one OUT DX or IN DX of a width (bytes), without wait states. The 80386 is
+ * in real mode. Source: the CPU manuals' tables (OUT 8, 8, 3, 11; IN 8, 8, 5, 13). A word at an odd
+ * port takes a second bus cycle. The cycle costs 4 clocks more on 8086 and V30 by the manuals, 2 on
+ * the others (assumed). */
 unsigned cost_clocks(enum cost_cpu cpu, uint16_t port, unsigned width, bool is_read);
 
-/* "8086", "V30", "80286" or "80386". */
+/* Returns the name of a CPU: "8086", "V30", "80286" or "80386". */
 const char *cost_cpu_text(enum cost_cpu cpu);
 
 /* Counts the accesses on their way to inner. */
@@ -41,18 +42,18 @@ struct cost_bus {
     uint64_t odd_words; /* words at odd ports, of all reads and writes */
 };
 
-/* Sets up *cost_bus before inner, which may be NULL: the accesses are counted only. */
+/* Sets up *cost_bus in front of inner. If inner is NULL, the accesses are only counted. */
 void cost_bus_init(struct cost_bus *cost_bus, struct bus *inner);
 
-/* Bus accesses so far: a word at an odd port is two. */
+/* Returns the number of bus accesses so far. A word at an odd port is two. */
 uint64_t cost_bus_cycles(const struct cost_bus *cost_bus);
 
-/* The clocks of all accesses so far, as cost_clocks() has them. */
+/* Returns the clocks of all accesses so far, each as cost_clocks() counts them. */
 uint64_t cost_bus_clocks(const struct cost_bus *cost_bus, enum cost_cpu cpu);
 
-/* Seconds that a machine spends in the IN and OUT instructions alone. bus_wait_ns, 0 or more, is
- * added for each bus access: 0 for the bare CPU; about 400 is what an emulator's model adds up to
- * on a 9.83 MHz machine (NP2kai; no measured figure is known). */
+/* Returns the seconds that a machine spends in the IN and OUT instructions alone. bus_wait_ns, 0 or
+ * more, is added for each bus access; 0 is the bare CPU. About 400 is what an emulator's model adds
+ * up to on a 9.83 MHz machine (NP2kai). No measured figure is known. */
 double cost_bus_seconds(const struct cost_bus *cost_bus, const struct cost_machine *machine,
                         double bus_wait_ns);
 

@@ -28,7 +28,8 @@ void native_screen_from_planes(struct native_screen *screen, const uint8_t blue[
     }
 }
 
-/* The palette's number for a colour, entered if it is new; NATIVE_COLOURS if there is no room. */
+/* Returns the palette's number for a colour, which is entered if new. Returns NATIVE_COLOURS if
+ * there is no room. */
 static unsigned find_colour(struct native_screen *screen, unsigned *used, uint16_t colour) {
     unsigned i = 0;
     while (i < *used && screen->palette[i] != colour) {

@@ -42,7 +42,7 @@ const char *picture_state_text(enum picture_state state) {
     return "unknown state";
 }
 
-/* The block at the top left, 0..2047. */
+/* Returns the number of the block at the top left, 0..2047. */
 static unsigned start_block(const struct board *board) {
     if (board->desc.profile == BOARD_1987) {
         return 0;
@@ -52,7 +52,8 @@ static unsigned start_block(const struct board *board) {
     return ~(high << 8 | low) & (BOARD_BLOCKS - 1U);
 }
 
-/* One line of the frame memory as the controller walks it: 80 blocks from the start address on. */
+/* Draws one line of the frame memory as the controller walks the memory: 80 blocks from the start
+ * address on. */
 static void draw_board_line(const struct board *board, unsigned start, unsigned y, uint8_t *line) {
     const size_t block_bytes = BOARD_BLOCK_WIDTH * 3;
     unsigned first = start + y / BOARD_BLOCK_HEIGHT * BOARD_BLOCKS_ON_A_ROW;
@@ -77,7 +78,7 @@ static void draw_board(const struct board *board, uint8_t *rgb) {
     }
 }
 
-/* Lays the PC's screen over rgb; where it is black, what is there stays. */
+/* Lays the PC's screen over rgb. Where that screen is black, what is there stays. */
 static void draw_native(const struct native_screen *native, uint8_t *rgb) {
     uint8_t levels[NATIVE_COLOURS][3];
     for (unsigned colour = 0; colour < NATIVE_COLOURS; colour++) {

@@ -31,24 +31,24 @@ struct picture_timing {
 /* Reads the timing out of the controller's registers (meanings: grade I, strong). */
 struct picture_timing picture_timing(const struct board *board);
 
-/* One English phrase for a state, for messages. */
+/* Returns one English phrase for a state, for messages. */
 const char *picture_state_text(enum picture_state state);
 
 /* Draws what the CRT shows into rgb. The board's picture is black unless the returned state is
  * PICTURE_OK. native is the PC-9801's own screen; NULL: black.
  *
- * Mode bits 1-0: 00 and 10 the PC's screen only, 01 both, 11 the board only (grade D; 10: A). In
+ * Mode bits 1-0: 00 and 10 the PC's screen only, 01 both, 11 the board only (grade D; 10: A). With
  * both, the board shows where the PC's screen is black (grade A). The later profile scrolls by the
  * display start address, blocks counted modulo 2048 (grade A). */
 enum picture_state picture_draw(const struct board *board, const struct native_screen *native,
                                 uint8_t rgb[PICTURE_BYTES]);
 
-/* The PICTURE_BYTES that picture_draw() would draw, where they lie in the board's memory as they
- * are (the board shown, set up, not scrolled, native NULL): valid until the next port access. NULL:
- * they have to be drawn. */
+/* Returns the PICTURE_BYTES that picture_draw() would draw, if they lie in the board's memory as
+ * they are. The board is then shown, set up and not scrolled, and native is NULL. The pointer is
+ * valid until the next port access. Returns NULL if the picture has to be drawn. */
 const uint8_t *picture_in_memory(const struct board *board, const struct native_screen *native);
 
-/* CRC-32 (IEEE 802.3, as in zlib and PNG) of the 768,000 bytes. */
+/* Returns the CRC-32 (IEEE 802.3, as in zlib and PNG) of the 768,000 bytes. */
 uint32_t picture_crc(const uint8_t rgb[PICTURE_BYTES]);
 
 #endif

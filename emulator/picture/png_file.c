@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* PNG files by libpng, what is in them by libdeflate. */
+/* PNG files by libpng; what is written into them is compressed by libdeflate. */
 #include "png_file.h"
 
 #include <errno.h>
@@ -18,7 +18,8 @@ static enum png_status fail(struct png_error *error, enum png_status status, con
     return status;
 }
 
-/* libpng's error: the first one is kept, because an input or output error has said why already. */
+/* Records libpng's error and jumps out. An earlier error stays, because an input or output error
+ * has said why already. */
 static void on_error(png_structp png, png_const_charp message) {
     struct png_error *error = png_get_error_ptr(png);
     if (error->status == PNG_OK) {
@@ -72,7 +73,8 @@ struct image_data {
     size_t size;
 };
 
-/* A number of bytes that the compiler knows lets it take vectors. */
+/* Writes bytes minus left. The inner loop has a constant number of bytes, so the compiler can use
+ * vectors. */
 static void subtract(const uint8_t *bytes, const uint8_t *left, size_t count,
                      uint8_t *restrict to) {
     enum { TOGETHER = 64 };
@@ -87,8 +89,8 @@ static void subtract(const uint8_t *bytes, const uint8_t *left, size_t count,
     }
 }
 
-/* Each row behind the number of its filter: differences to the left, for a rendered picture is flat
- * areas and slopes. */
+/* Writes each row behind the number of its filter. The filter is the difference to the left,
+ * because a rendered picture is flat areas and slopes. */
 static void filter_rows(const uint8_t *rgb, size_t line, unsigned height, uint8_t *to) {
     enum { FILTER_SUB = 1, PIXEL = 3 };
     for (unsigned y = 0; y < height; y++) {
@@ -100,7 +102,7 @@ static void filter_rows(const uint8_t *rgb, size_t line, unsigned height, uint8_
     }
 }
 
-/* False: out of memory. */
+/* Compresses the filtered rows into data. Returns false if out of memory. */
 static bool compress(const uint8_t *filtered, size_t size, struct image_data *data) {
     enum { LEVEL = 1 };
     struct libdeflate_compressor *compressor = libdeflate_alloc_compressor(LEVEL);
@@ -129,8 +131,8 @@ static bool make_data(const uint8_t *rgb, unsigned width, unsigned height,
     return is_made;
 }
 
-/* Everything that libpng may jump out of. It has no locals that change after setjmp(), so none
- * can be lost; false: it jumped. */
+/* Writes everything that libpng may jump out of. The function has no locals that change after
+ * setjmp(), so none can be lost. Returns false if libpng jumped. */
 static bool write_all(png_structp png, png_infop info, const struct image_data *data,
                       unsigned width, unsigned height) {
     if (setjmp(png_jmpbuf(png)) != 0) {
@@ -168,7 +170,7 @@ enum png_status write_png(FILE *file, const uint8_t *rgb, unsigned width, unsign
 
 /* ---- Reading -------------------------------------------------------------------------------- */
 
-/* Reads the header and asks for 8-bit RGB. Under write_all()'s rule for locals. */
+/* Reads the header and asks for 8-bit RGB. Keeps write_all()'s rule for locals. */
 static bool read_header(png_structp png, png_infop info, struct png_image *image) {
     if (setjmp(png_jmpbuf(png)) != 0) {
         return false;
@@ -185,7 +187,7 @@ static bool read_header(png_structp png, png_infop info, struct png_image *image
     return true;
 }
 
-/* Under write_all()'s rule for locals. */
+/* Reads the rows and the end of the file. Keeps write_all()'s rule for locals. */
 static bool read_rows(png_structp png, png_infop info, png_bytepp rows) {
     if (setjmp(png_jmpbuf(png)) != 0) {
         return false;
@@ -195,7 +197,7 @@ static bool read_rows(png_structp png, png_infop info, png_bytepp rows) {
     return true;
 }
 
-/* From the open libpng structs to the pixels. */
+/* Reads the pixels by the open libpng structs. Errors are left in error. */
 static void read_all(png_structp png, png_infop info, struct png_image *image,
                      struct png_error *error) {
     if (!read_header(png, info, image)) {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Pictures as PNG files: 8-bit RGB, written and read by libpng, never ending the program.
  *
- * Not called png.h: that name is libpng's, and -Iemulator would hide it. */
+ * Not called png.h: that name is libpng's, and -Iemulator would hide libpng's file. */
 #ifndef SUPERFRAME_EMULATOR_PNG_FILE_H
 #define SUPERFRAME_EMULATOR_PNG_FILE_H
 
@@ -36,7 +36,7 @@ struct png_image {
 enum png_status write_png(FILE *file, const uint8_t *rgb, unsigned width, unsigned height,
                           struct png_error *error);
 
-/* Reads any PNG as 8-bit RGB: grey and palette are widened, 16 bits are rounded to 8, alpha is
+/* Reads any PNG as 8-bit RGB. Grey and palette are widened, 16 bits are rounded to 8, alpha is
  * dropped, gamma is left alone. On success image->rgb is the caller's to give to free_png(); on
  * failure it is NULL. */
 enum png_status read_png(FILE *file, struct png_image *image, struct png_error *error);

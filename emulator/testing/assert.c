@@ -43,8 +43,8 @@ void superframe_check_writes_any_order(const struct superframe_kit *kit, const c
 
 /* ---- Pixels --------------------------------------------------------------------------------- */
 
-/* Compares a rectangle of the frame memory; expected is freed here, NULL: out of memory. A kit that
- * is not whole fails. */
+/* Compares a rectangle of the frame memory with expected, and frees expected. NULL means out of
+ * memory and fails. A kit that is not whole fails too. */
 static void check_memory(const struct superframe_kit *kit,
                          const struct superframe_rectangle *rectangle, uint8_t *expected,
                          unsigned within, const struct superframe_place *place) {
@@ -99,7 +99,8 @@ void superframe_check_region(const struct superframe_kit *kit,
     check_memory(kit, &rectangle, expected, within, place);
 }
 
-/* Reads the expected picture; false, with the report filled, if it can't be compared. */
+/* Reads the expected picture. Returns false, with the report filled, if the picture can't be
+ * compared. */
 static bool read_expected(const char *path, struct png_image *image, char *report) {
     struct png_error error;
     FILE *file = fopen(path, "rb");

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* The board under test: every access is remembered on its way to it. */
+/* The board under test: every access is remembered on its way to the board. */
 #include "testing.h"
 
 #include <stdlib.h>
 
 enum { FIRST_CAPACITY = 4096 };
 
-/* False, and the bus has failed, if memory is out: no assertion holds then. */
+/* Appends an access to the kit's accesses. If out of memory, returns false and fails the bus, so
+ * that no assertion holds any more. */
 static bool remember(struct superframe_kit *kit, const struct trace_access *access) {
     if (kit->count == kit->capacity) {
         size_t capacity = kit->capacity == 0 ? FIRST_CAPACITY : kit->capacity * 2;

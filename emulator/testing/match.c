@@ -45,7 +45,8 @@ static void add(struct sides *sides, const char *format, ...) {
 
 /* ---- What is expected ----------------------------------------------------------------------- */
 
-/* The mask of a word of hex digits, in which ? is any: 0 bits where there is one. */
+/* Returns the mask of a word of hex digits: 0 bits where the word has a ?, which stands for any
+ * digit. */
 static uint16_t mask_of(const char *word, size_t length) {
     unsigned mask = 0xFFFF;
     for (size_t i = 0; i < length; i++) {
@@ -56,7 +57,7 @@ static uint16_t mask_of(const char *word, size_t length) {
     return (uint16_t)mask;
 }
 
-/* Finds word number 0, 1 or 2 of a line that was found to be an access. */
+/* Finds word number 0, 1 or 2 of a line that has so many, and the word's length. */
 static const char *word_of(const char *text, int which, size_t *length) {
     static const char blanks[] = " \t\r";
     text += strspn(text, blanks);
@@ -68,7 +69,7 @@ static const char *word_of(const char *text, int which, size_t *length) {
     return text;
 }
 
-/* Reads one line. TRACE_LINE_BAD: message says why. */
+/* Reads one line. On TRACE_LINE_BAD message says why. */
 static enum trace_line read_line(const char *text, struct line *line, char *message) {
     char digits[LINE_SIZE];
     struct trace_access access;
@@ -105,7 +106,7 @@ static enum trace_line read_line(const char *text, struct line *line, char *mess
     return TRACE_LINE_ACCESS;
 }
 
-/* How a line is shown: as it was given, without blanks around it. */
+/* Keeps what is shown of a line: the line as it was given, without leading blanks and comment. */
 static void show_line(struct line *line, const char *text) {
     size_t length;
     const char *word = word_of(text, 0, &length);
@@ -159,7 +160,7 @@ bool kit_is_whole(const struct superframe_kit *kit, char *report) {
     return true;
 }
 
-/* Gathers both sides; false, with the report filled, if it can't. */
+/* Gathers both sides. Returns false, with the report filled, if a side can't be gathered. */
 static bool gather(struct sides *sides, const struct superframe_kit *kit, const char *expected,
                    char *report) {
     memset(sides, 0, sizeof *sides);
@@ -195,8 +196,8 @@ static bool fits(const struct line *line, const struct trace_access *write) {
 }
 
 /* Matches as a shell matches *: after a gap that did not work out, one more write goes into the
- * gap. *line and *write are how far it got: the first line that found no write, and where that was.
- */
+ * gap. *line and *write tell how far the match got: the first line that found no write, and the
+ * write there. */
 static bool matches(const struct sides *sides, size_t *line, size_t *write) {
     size_t i = 0, j = 0, gap = SIZE_MAX, after_gap = 0;
     *line = *write = 0;
@@ -276,7 +277,7 @@ static void add_key(struct sides *sides, const char *mark, uint64_t key) {
     add(sides, "%s %s\n", mark, text);
 }
 
-/* Walks two sorted lists; what only one of them has is reported. */
+/* Walks two sorted lists and reports what only one of them has. */
 static bool same_keys(struct sides *sides, const uint64_t *expected, const uint64_t *found) {
     size_t i = 0, j = 0, differences = 0;
     while (i < sides->line_count || j < sides->write_count) {

@@ -35,7 +35,7 @@ uint8_t *pixels_of_memory(const struct board *board, const struct superframe_rec
     return rgb;
 }
 
-/* Writes NAME-KIND.png; path gets its name, or what is wrong with it. */
+/* Writes NAME-KIND.png. path gets the file's path, and the reason if the file can't be written. */
 static void write_picture(const struct pixels *pixels, const uint8_t *rgb, const char *name,
                           const char *kind, char path[PIXELS_PATH_SIZE]) {
     struct png_error error = {PNG_OK, ""};

@@ -15,16 +15,17 @@ struct pixels {
     unsigned within; /* steps of 0..255 that each primary may be off */
 };
 
-/* True if they are the same within what is allowed. False: report says how many differ, which is
- * the first, and by how much, and names the two PNG files that it has written: NAME-expected.png
- * and NAME-found.png in the folder that SUPERFRAME_TEST_FOLDER names, or in the current one if it
- * names none. */
+/* Tells whether two pictures are the same within what is allowed. On false, report says how many
+ * pixels differ, which is the first, and by how much. Two PNG files are then written, and report
+ * names them: NAME-expected.png and NAME-found.png. Their folder is the one that
+ * SUPERFRAME_TEST_FOLDER names, or the current one if the variable names none. */
 bool pixels_equal(const struct pixels *pixels, const char *name, char *report);
 
-/* True if a rectangle has pixels and lies in the frame memory; else report says so. */
+/* Checks that a rectangle has pixels and lies in the frame memory. If not, report says so. */
 bool pixels_rectangle_fits(const struct superframe_rectangle *rectangle, char *report);
 
-/* The bytes of a rectangle of the frame memory; NULL if out of memory. To be freed. */
+/* Copies the bytes of a rectangle of the frame memory. The caller frees the copy. Returns NULL if
+ * out of memory. */
 uint8_t *pixels_of_memory(const struct board *board, const struct superframe_rectangle *rectangle);
 
 #endif

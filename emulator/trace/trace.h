@@ -55,11 +55,11 @@ struct trace_error {
     char message[TRACE_MESSAGE_SIZE];
 };
 
-/* Writes "NAME:LINE: message" or "NAME: byte OFFSET: message" as snprintf() does, and returns as
- * it does. */
+/* Writes "NAME:LINE: message" or "NAME: byte OFFSET: message" as snprintf() does, and returns what
+ * snprintf() returns. */
 int trace_error_format(char *text, size_t size, const char *name, const struct trace_error *error);
 
-/* True if two accesses are the same in every field. */
+/* Tells whether two accesses are the same in every field. */
 bool trace_access_equal(const struct trace_access *a, const struct trace_access *b);
 
 /* ---- The plain-text form -------------------------------------------------------------------- */
@@ -73,8 +73,8 @@ unsigned trace_text_format(char text[TRACE_TEXT_SIZE], const struct trace_access
 enum trace_line { TRACE_LINE_ACCESS, TRACE_LINE_EMPTY, TRACE_LINE_BAD };
 
 /* Reads one line (ended by 0, without its newline). Case and the amount of white space don't
- * matter; # begins a comment. TRACE_LINE_BAD: message (TRACE_MESSAGE_SIZE bytes) says why and what
- * is allowed. */
+ * matter; # begins a comment. On TRACE_LINE_BAD, message (TRACE_MESSAGE_SIZE bytes) says why and
+ * what is allowed. */
 enum trace_line trace_text_parse(const char *line, struct trace_access *access, char *message);
 
 #endif

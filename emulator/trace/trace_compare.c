@@ -2,7 +2,7 @@
 /* The first difference of two traces. */
 #include "trace_compare.h"
 
-/* Adds what both traces have to the context before. */
+/* Appends an access of both traces to the context before the difference. */
 static void remember(struct trace_difference *difference, const struct trace_access *access) {
     if (difference->before_count == TRACE_CONTEXT) {
         memmove(difference->before, difference->before + 1,
@@ -12,7 +12,7 @@ static void remember(struct trace_difference *difference, const struct trace_acc
     difference->before[difference->before_count++] = *access;
 }
 
-/* Reads on after the difference, as far as there is something. */
+/* Reads on after the difference: TRACE_CONTEXT accesses, or fewer if the trace ends. */
 static enum trace_status read_on(struct trace_reader *reader, struct trace_difference *difference,
                                  int which) {
     while (difference->after_count[which] <= TRACE_CONTEXT) {

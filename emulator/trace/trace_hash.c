@@ -34,8 +34,8 @@ void trace_hash_add(struct trace_hash *hash, uint16_t port, uint16_t value, unsi
     hash_if_full(hash);
 }
 
-/* A full buffer is hashed last: until then the write itself would have to be saved over the call.
- */
+/* Passes a write on. A full buffer is hashed last: before that the write itself would have to be
+ * saved over the call. */
 static void hash_write(struct bus *bus, uint16_t port, uint16_t value, unsigned width) {
     struct trace_hash *hash = (struct trace_hash *)bus;
     keep(hash, port, value, width);

@@ -10,7 +10,7 @@
 
 enum { TRACE_HASH_BUFFER = 4000 }; /* bytes; a multiple of the five that a write takes */
 
-/* The hash is XXH3-64 (seed 0) over the writes alone, five bytes each: port (16 bits,
+/* The hash is XXH3-64 (seed 0) over the writes alone. Each write is five bytes: port (16 bits,
  * little-endian), width in bytes (8 bits), value (16 bits, little-endian). */
 struct trace_hash {
     struct bus bus;    /* the first member */
@@ -21,13 +21,14 @@ struct trace_hash {
     uint8_t buffer[TRACE_HASH_BUFFER];
 };
 
-/* Sets up *hash before inner. False if out of memory; else trace_hash_free() is due. */
+/* Sets up *hash in front of inner. Returns false if out of memory; else trace_hash_free() is
+ * due. */
 bool trace_hash_init(struct trace_hash *hash, struct bus *inner);
 
 /* Hashes one write without passing it on, for traces that are read from a file. */
 void trace_hash_add(struct trace_hash *hash, uint16_t port, uint16_t value, unsigned width);
 
-/* The hash of the writes so far; more may follow. */
+/* Returns the hash of the writes so far. More writes may follow. */
 uint64_t trace_hash_value(struct trace_hash *hash);
 
 /* Frees what trace_hash_init() took; harmless when repeated. */

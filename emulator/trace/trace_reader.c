@@ -17,7 +17,7 @@ static enum trace_status fail_at(struct trace_reader *reader, enum trace_status 
     return status;
 }
 
-/* Tells that the file could not be read at the next byte. */
+/* Reports that the file could not be read at the next byte. */
 static enum trace_status fail_to_read(struct trace_reader *reader) {
     return fail_at(reader, TRACE_IO_ERROR, reader->offset, strerror(errno));
 }
@@ -80,7 +80,8 @@ static enum trace_status read_header(struct trace_reader *reader) {
     return TRACE_OK;
 }
 
-/* After the last block: the count, the checksum, and the end of the file. */
+/* Reads and checks what follows the last block: the count, the checksum, and the end of the
+ * file. */
 static enum trace_status read_end(struct trace_reader *reader) {
     uint8_t bytes[TRACE_END_SIZE + TRACE_CHECKSUM_SIZE] = {0};
     if (!read_bytes(reader, bytes + 8, sizeof bytes - 8, "the trailer")) {
@@ -105,7 +106,7 @@ static enum trace_status read_end(struct trace_reader *reader) {
     return TRACE_END;
 }
 
-/* Reads and checks the next block; TRACE_END: there is none. */
+/* Reads and checks the next block. Returns TRACE_END if there is none. */
 static enum trace_status read_block(struct trace_reader *reader) {
     uint8_t checksum[TRACE_CHECKSUM_SIZE];
     reader->block_offset = reader->offset;
@@ -139,7 +140,7 @@ static enum trace_status read_block(struct trace_reader *reader) {
     return TRACE_OK;
 }
 
-/* The next bytes of the payload; NULL if it has fewer. */
+/* Takes the next bytes of the payload. Returns NULL if the payload has fewer. */
 static const uint8_t *take(struct trace_reader *reader, uint32_t count) {
     if (count > reader->size - reader->used) {
         return NULL;
@@ -168,7 +169,7 @@ static bool take_foreign(struct trace_reader *reader, struct trace_access *acces
     return take_value(reader, access);
 }
 
-/* Decodes one access; false: the payload can't have been written by a recorder. */
+/* Decodes one access. Returns false if no recorder can have written the payload. */
 static bool decode(struct trace_reader *reader, struct trace_access *access) {
     struct trace_model *model = &reader->model;
     unsigned slot = model->next[model->previous];
@@ -225,8 +226,8 @@ static enum trace_status next_binary(struct trace_reader *reader, struct trace_a
 
 /* ---- The text form -------------------------------------------------------------------------- */
 
-/* Reads a line without its end; TRACE_END if there is none. The last line may lack its end, but a
- * part of a line that could not be read further is no line. */
+/* Reads a line without its end. Returns TRACE_END if there is no line. The last line may have no
+ * end, but a line that was cut off by a read error is none. */
 static enum trace_status read_line(struct trace_reader *reader, char line[LONGEST_LINE + 1]) {
     unsigned length = 0;
     int c;

@@ -29,16 +29,17 @@ struct trace_reader {
     uint8_t block[TRACE_BLOCK_HEADER_SIZE + TRACE_PAYLOAD_LIMIT];
 };
 
-/* Begins to read file, which stays the caller's: tells the binary form from the text form by the
- * first byte and checks the header. Returns TRACE_OK, or what error.status says. */
+/* Begins to read file, which stays the caller's. The first byte tells the binary form from the text
+ * form; the header of the binary form is checked. Returns TRACE_OK, or what error.status says. */
 enum trace_status trace_reader_open(struct trace_reader *reader, FILE *file);
 
 /* Refuses a binary trace that was recorded for another board. A text trace fits any. */
 enum trace_status trace_reader_require(struct trace_reader *reader,
                                        const struct trace_header *header);
 
-/* Gives the next access: TRACE_OK; TRACE_END after the last one; else what is wrong (also in
- * reader->error, where it stays). A block is given out only after its checksum was found right. */
+/* Gives the next access. Returns TRACE_OK, or TRACE_END after the last access, or what is wrong,
+ * which also stays in reader->error. A block is given out only after its checksum was found
+ * right. */
 enum trace_status trace_reader_next(struct trace_reader *reader, struct trace_access *access);
 
 #endif

@@ -61,8 +61,8 @@ static void write_end(struct trace_recorder *recorder) {
     write_out(recorder, bytes, sizeof bytes);
 }
 
-/* The rare codes: another kind of access than predicted, or another port than the board's. Returns
- * the code. */
+/* Adds an access that has a rare code: another kind than predicted, or another port than the
+ * board's. Returns the code. */
 static unsigned put_unexpected(struct trace_recorder *recorder, unsigned offset, uint16_t port,
                                uint16_t value, unsigned width, bool is_read) {
     uint8_t *bytes = recorder->buffer + recorder->used;

@@ -27,15 +27,15 @@ struct trace_recorder {
     uint8_t buffer[TRACE_BUFFER_SIZE];
 };
 
-/* Begins a trace in file, which stays the caller's, and passes every access on to inner, which
- * must not be NULL. *header must be valid for the text form too: a comment in its first line tells
- * it. The bus fails with BUS_IO_ERROR when the file can't be written, and as inner does when inner
- * fails. */
+/* Begins a trace in file, which stays the caller's, and passes every access on to inner, which must
+ * not be NULL. *header must be valid for the text form too: a comment in the first line holds the
+ * header. The bus fails with BUS_IO_ERROR when the file can't be written, and as inner does when
+ * inner fails. */
 void trace_recorder_init(struct trace_recorder *recorder, struct bus *inner, FILE *file,
                          enum trace_format format, const struct trace_header *header);
 
-/* Ends the trace: without it the file counts as truncated. Flushes the file, not inner; returns
- * the status of the recording. No access may follow. */
+/* Ends the trace: without its end the file counts as truncated. Flushes the file, not inner;
+ * returns the status of the recording. No access may follow. */
 enum bus_status trace_recorder_finish(struct trace_recorder *recorder);
 
 #endif

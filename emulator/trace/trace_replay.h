@@ -16,10 +16,10 @@ struct trace_replay {
     uint16_t first_answer;            /* what the bus answered instead */
 };
 
-/* Plays the accesses up to number stop_after (0: all) into bus; called again it goes on from
- * there. A read that is answered differently is counted and does not stop the replay. Returns
- * TRACE_OK if it stopped at stop_after, TRACE_END after the last access, TRACE_BUS_FAILED if the
- * bus failed (reader->error says at which access), else what is wrong with the trace. */
+/* Plays the accesses up to number stop_after (0: all) into bus. The next call goes on from there. A
+ * read that is answered differently is counted and does not stop the replay. Returns TRACE_OK if
+ * the replay stopped at stop_after, TRACE_END after the last access, else what is wrong with the
+ * trace. Returns TRACE_BUS_FAILED if the bus failed; reader->error says at which access. */
 enum trace_status trace_replay(struct trace_reader *reader, struct bus *bus, uint64_t stop_after,
                                struct trace_replay *replay);
 

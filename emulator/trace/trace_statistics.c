@@ -11,7 +11,8 @@ bool trace_statistics_init(struct trace_statistics *statistics, const struct boa
     return board_init(&statistics->board, desc);
 }
 
-/* What a register holds now; of red, green and blue: the pixel's. */
+/* Returns what a register holds now. For red, green and blue that is the pixel's primary, 0 where
+ * there is no pixel. */
 static unsigned register_value(const struct board *board, unsigned number) {
     switch (number) {
     case 0:
@@ -29,7 +30,7 @@ static unsigned register_value(const struct board *board, unsigned number) {
     }
 }
 
-/* Whether a register, or a pixel's primary, was written before. */
+/* Tells whether a register, or a pixel's primary, was written before. */
 static bool was_written(const struct trace_statistics *statistics, unsigned number) {
     const struct board *board = &statistics->board;
     if (number == REGISTER_DATA) {
@@ -48,7 +49,8 @@ static void touch(struct trace_statistics *statistics, uint32_t pixel, unsigned 
     statistics->touched[pixel] = (uint8_t)(touched | primaries | again << 3);
 }
 
-/* The fill of the later boards: four pixels, of which a redundant one changes none. */
+/* Counts a fill of the later boards. The fill is redundant if its four pixels had been written and
+ * none changes. */
 static void add_fill(struct trace_statistics *statistics, const struct trace_access *access) {
     struct board *board = &statistics->board;
     uint8_t before[12] = {0};
@@ -70,7 +72,7 @@ static void add_fill(struct trace_statistics *statistics, const struct trace_acc
     }
 }
 
-/* A write at one of the board's ports that sets one register or one primary. */
+/* Counts a write at one of the board's ports that sets one register or one primary. */
 static void add_write(struct trace_statistics *statistics, const struct trace_access *access,
                       unsigned number) {
     struct board *board = &statistics->board;
@@ -106,7 +108,7 @@ uint16_t trace_statistics_add(struct trace_statistics *statistics,
     bool is_odd = (offset & 1) != 0;
     bool is_position = offset / 2 == 2 || offset / 2 == 3;
     if (offset >= BOARD_PORTS || (is_odd && (access->width == BUS_WORD || !is_position))) {
-        /* Elsewhere, split in two or without effect: nothing to be redundant. */
+        /* Elsewhere, split in two or without effect: such a write can't be redundant. */
         board_write(board, access->port, access->value, access->width);
     } else if (offset == 2 * REGISTER_RED && access->width == BUS_WORD &&
                board->desc.profile == BOARD_LATER) {

@@ -23,15 +23,15 @@ struct trace_pixels {
     uint32_t again; /* at least one primary more than once */
 };
 
-/* Starts from a board as desc has it. False if board_init() refuses the desc. */
+/* Starts from a board as desc describes it. Returns false if board_init() refuses the desc. */
 bool trace_statistics_init(struct trace_statistics *statistics, const struct board_desc *desc);
 
-/* Takes the next access into account. Returns what the board answers a read, whatever the trace has
- * of it; 0 after a write. */
+/* Takes the next access into account. Returns what the board answers a read, whatever the trace
+ * says; 0 after a write. */
 uint16_t trace_statistics_add(struct trace_statistics *statistics,
                               const struct trace_access *access);
 
-/* Counts the pixels. */
+/* Counts the shown pixels by how often they were written. */
 struct trace_pixels trace_statistics_pixels(const struct trace_statistics *statistics);
 
 #endif

@@ -65,7 +65,7 @@ static const char *skip_space(const char *text) {
     return text;
 }
 
-/* The value of a hex digit, 16 if it is none. */
+/* Returns the value of a hex digit, 16 if the character is none. */
 static unsigned hex_digit(char c) {
     if (c >= '0' && c <= '9') {
         return (unsigned)(c - '0');
@@ -79,7 +79,8 @@ static unsigned hex_digit(char c) {
     return 16;
 }
 
-/* Reads 1..digits hex digits and the end of the word; NULL if there is something else. */
+/* Reads 1..digits hex digits and the end of the word. Returns where the next word begins, NULL if
+ * there is something else. */
 static const char *parse_hex(const char *text, unsigned digits, uint16_t *value) {
     unsigned count = 0;
     unsigned number = 0;
@@ -94,7 +95,7 @@ static const char *parse_hex(const char *text, unsigned digits, uint16_t *value)
     return skip_space(text);
 }
 
-/* Compares a word with an operation's name, whatever the case. */
+/* Tells whether a word is an operation's name, whatever the case. */
 static bool is_operation(const char *word, size_t length, const char *name) {
     if (length != strlen(name)) {
         return false;

@@ -37,7 +37,8 @@ static bool is_served(const struct usb_adapter *adapter, uint16_t base) {
     return base >= FIRST_BASE && base <= LAST_BASE && (base - FIRST_BASE) % BASE_STEP == 0;
 }
 
-/* A hello for the current session changes nothing, so that a late duplicate does no harm. */
+/* Answers a hello. A hello for the current session changes nothing, so that a late duplicate does
+ * no harm. */
 static void answer_hello(struct usb_adapter *adapter, const struct usb_header *header,
                          const uint8_t *payload) {
     uint8_t bytes[USB_HELLO_REPLY_BYTES];
@@ -115,7 +116,7 @@ static bool has_room_for_reply(const struct usb_adapter *adapter) {
     return adapter->output_count + USB_REPLY_MOST <= USB_OUTPUT_BYTES;
 }
 
-/* Answers the frames in the input. False if a reply must be fetched first. */
+/* Answers the frames in the input. Returns false if a reply must be fetched first. */
 static bool work_off(struct usb_adapter *adapter) {
     for (;;) {
         struct usb_header header;

@@ -5,14 +5,14 @@
 
 #include "usb_ops.h"
 
-/* Replies that nobody has fetched yet: whatever the credits allow to be on its way has room. */
+/* Room for the replies that nobody has fetched yet: for all frames that the credits allow. */
 enum { USB_OUTPUT_BYTES = USB_CREDITS_MOST * USB_REPLY_MOST };
 
 /* An adapter. Copyable; no pointers into itself. About 11 KB. */
 struct usb_adapter {
     struct bus *bus; /* where the board is */
     uint16_t
-        base_served; /* the base address that the board's jumper says; 0: any that is offered */
+        base_served; /* the base address that the board's jumper sets; 0: any that is offered */
 
     uint32_t session; /* 0: none since power-on */
     uint32_t last;    /* sequence of the last RUN that was run; 0: none */
@@ -29,16 +29,17 @@ struct usb_adapter {
     uint32_t frames_run, duplicates, damaged; /* counters since power-on */
 };
 
-/* Powers the adapter on: no session. base_served: 0, or 00D0h, 02D0h ... 0CD0h. */
+/* Powers the adapter on, without a session. base_served: 00D0h, 02D0h ... 0CD0h, or 0 for all of
+ * them. */
 void usb_adapter_init(struct usb_adapter *adapter, struct bus *bus, uint16_t base_served);
 
-/* The cable was pulled, or the USB reset came: partial input and unfetched replies are gone, the
+/* Drops partial input and unfetched replies: the cable was pulled, or the USB reset came. The
  * session stays. */
 void usb_adapter_detach(struct usb_adapter *adapter);
 
-/* Takes bytes of the stream and runs the frames that they complete. What comes once there is no
- * room for one more of the largest replies waits, up to USB_FRAME_MOST bytes of it, and is worked
- * off as replies are fetched. Returns how many bytes it took: fewer than count only while
+/* Takes bytes of the stream and runs the frames that they complete. Up to USB_FRAME_MOST bytes wait
+ * while there is no room for one more of the largest replies. Waiting bytes are worked off as
+ * replies are fetched. Returns how many bytes were taken: fewer than count only while
  * USB_CREDITS_MOST replies or more are to be fetched. */
 size_t usb_adapter_receive(struct usb_adapter *adapter, const uint8_t *bytes, size_t count);
 

@@ -96,7 +96,8 @@ static size_t copy(uint8_t *to, const uint8_t *from, size_t count) {
     return count;
 }
 
-/* ASCII to UTF-16; the 0 at the end comes along if count says so. */
+/* Widens count letters of ASCII to UTF-16, the 0 at the end too if count says so. Returns the bytes
+ * written. */
 static size_t widen(uint8_t *to, const char *text, size_t count) {
     for (size_t i = 0; i < count; i++) {
         usb_put16(to + 2 * i, (uint8_t)text[i]);
@@ -137,7 +138,7 @@ static size_t configuration_descriptor(const struct usb_device *device, uint8_t 
     return count;
 }
 
-/* What would be at the other speed: one configuration as well. */
+/* Copies the descriptor of what would be at the other speed: one configuration as well. */
 static size_t qualifier_descriptor(uint8_t *bytes) {
     static const uint8_t table[QUALIFIER_BYTES] = {
         QUALIFIER_BYTES, TYPE_QUALIFIER, 0x01, 0x02, 0, 0, 0, 64, 1, 0};

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The standard and HID requests, and the two pairs of endpoints before the adapter. */
+/* The standard and HID requests, and the two pairs of endpoints in front of the adapter. */
 #include "usb_device.h"
 
 #include "usb_descriptors.h"
@@ -47,7 +47,7 @@ void usb_device_reset(struct usb_device *device) {
     usb_adapter_detach(&device->adapter);
 }
 
-/* The bit of an endpoint in halted; 0: no such endpoint. */
+/* Returns the bit of an endpoint in halted, 0 if there is no such endpoint. */
 static uint8_t bit_of(unsigned endpoint) {
     switch (endpoint) {
     case USB_BULK_OUT:
@@ -63,7 +63,7 @@ static uint8_t bit_of(unsigned endpoint) {
     }
 }
 
-/* The counters, for a look at an adapter that nobody speaks to. */
+/* Writes the counters, for a look at an adapter that nobody speaks to. */
 static int feature_report(const struct usb_device *device, uint8_t *in) {
     const struct usb_adapter *adapter = &device->adapter;
     for (unsigned i = 0; i < USB_FEATURE_BYTES; i++) {
@@ -84,7 +84,8 @@ static int status_bytes(uint8_t *in, unsigned status) {
     return 2;
 }
 
-/* Requests about endpoints: wValue 0 is ENDPOINT_HALT, the only feature that they have. */
+/* Answers requests about endpoints. wValue 0 is ENDPOINT_HALT, the only feature that endpoints
+ * have. */
 static int endpoint_request(struct usb_device *device, unsigned request, unsigned value,
                             unsigned endpoint, uint8_t *in) {
     uint8_t bit = bit_of(endpoint);

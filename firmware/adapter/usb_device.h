@@ -6,7 +6,8 @@
 
 #include "usb_adapter.h"
 
-/* To be registered with pid.codes before hardware ships. (An int of 16 bits ends before it.) */
+/* To be registered with pid.codes before hardware ships. No enum, because an int of 16 bits does
+ * not hold the number. */
 #define USB_PRODUCT_ID UINT16_C(0x9801)
 
 enum {
@@ -41,24 +42,25 @@ struct usb_device {
 void usb_device_init(struct usb_device *device, struct bus *bus, uint16_t base_served,
                      const char *serial, bool is_high_speed);
 
-/* The USB reset: back to the address state; the session of the protocol stays. */
+/* Makes the device not configured, as the USB reset does. The session of the protocol stays. */
 void usb_device_reset(struct usb_device *device);
 
-/* One control transfer. data is what the host sent (setup's wLength bytes) if the transfer goes
- * out; in has room for USB_CONTROL_MOST bytes. Returns how many of them are the answer (0 for a
- * transfer that goes out), or USB_STALL. */
+/* Does one control transfer. data is what the host sent (setup's wLength bytes) if the transfer
+ * goes out; in has room for USB_CONTROL_MOST bytes. Returns how many bytes of in are the answer (0
+ * for a transfer that goes out), or USB_STALL. */
 int usb_device_control(struct usb_device *device, const uint8_t setup[8], const uint8_t *data,
                        uint8_t *in);
 
-/* What came in over an OUT endpoint. False: what came is lost, and the endpoint stalls. So it is
- * where the device has no such endpoint or is not configured, and until CLEAR_FEATURE once more
- * replies waited than credits allow. */
+/* Takes what came in over an OUT endpoint. Returns false if the bytes are lost and the endpoint
+ * stalls. The reason is that the device has no such endpoint, is not configured, or has halted the
+ * endpoint. An endpoint is halted, until CLEAR_FEATURE, once more replies wait than credits
+ * allow. */
 bool usb_device_out(struct usb_device *device, uint8_t endpoint, const uint8_t *bytes,
                     size_t count);
 
-/* What to send over an IN endpoint: at most room bytes (a HID report needs 64), or
- * USB_NOTHING_YET or USB_STALL. A bulk answer is over with a packet that is not full: the driver
- * adds an empty one where the last one was. */
+/* Gives what to send over an IN endpoint: at most room bytes (a HID report needs 64). Returns the
+ * number of bytes, or USB_NOTHING_YET or USB_STALL. A bulk answer ends with a packet that is not
+ * full: after a full last packet the driver adds an empty one. */
 int usb_device_in(struct usb_device *device, uint8_t endpoint, uint8_t *bytes, size_t room);
 
 #endif

@@ -13,9 +13,9 @@ static const uint8_t fixed_reciprocal_seeds[64] = {
     170, 168, 166, 165, 163, 161, 160, 158, 157, 155, 154, 152, 151, 150, 148, 147,
     146, 144, 143, 142, 141, 139, 138, 137, 136, 135, 134, 133, 132, 131, 130, 128};
 
-/* As estimate_division.h says. With x = m / 2^31, a seed s of 256 / x and e = 1 - s x / 256:
- * 1/x = s / 256 (1 + e + e^2 + ...). The rest is below 2^-19; rounding x and the result loses
- * 2^-16 and 2^-17, the shift in the square 2^-18. */
+/* Returns 2^48 / m, as estimate_division.h says. With x = m / 2^31, a seed s of 256 / x and
+ * e = 1 - s x / 256: 1/x = s / 256 (1 + e + e^2 + ...). The rest is below 2^-19. Rounding x and the
+ * result loses 2^-16 and 2^-17, the shift in the square 2^-18. */
 static inline uint32_t fixed_reciprocal_estimate(uint32_t m) {
     int32_t seed = fixed_reciprocal_seeds[(m >> 25) - 64];
     int32_t rounded = (int32_t)((m >> 16) + ((m >> 15) & 1)); /* x 2^15 */

@@ -7,10 +7,10 @@
  * Three conventions hold throughout:
  *
  * - Range: a 32-bit value v has |v| < 2^31, never -2^31 (FIXED_MOST in fixed_bits.h).
- * - Direction: a component of a direction, and a cosine between directions, has |v| <= 4/3; what
+ * - Direction: a component of a direction, and a cosine between directions, has |v| <= 4/3. What
  *   the operations below make of directions stays within 1 + 2^-28. Sums of three products need
- *   that to fit in 64 bits; all other operations take any value.
- * - Rounding: to nearest, halves away from zero: f(-a) = -f(a) wherever the formula is odd, so that
+ *   that bound to fit in 64 bits; all other operations take any value.
+ * - Rounding: to nearest, halves away from zero. So f(-a) = -f(a) wherever the formula is odd, and
  *   a mirrored scene gives a mirrored picture.
  *
  * A comment at a product gives the bound that keeps it inside 63 bits. */
@@ -34,10 +34,10 @@ typedef int32_t real_extinction;
 typedef struct fixed_slope real_slope;
 typedef int64_t real_wide; /* 46 bits of fraction */
 
-/* The double x times scale to nearest, halves away from zero, saturated; NaN gives the lower end.
- * A constant where x is one. Scaling by a power of two, truncation and the remainder are all exact,
- * so compiler and CPU cannot differ, whatever the rounding mode or excess precision. x is evaluated
- * several times. */
+/* The double x times `scale`, to nearest, halves away from zero, saturated; NaN gives the lower
+ * end. The result is a constant where x is one. Scaling by a power of two, truncation and the
+ * remainder are all exact. So compiler and CPU cannot differ, whatever the rounding mode or excess
+ * precision. x is evaluated several times. */
 #define FIXED_CONSTANT(type, most, x, scale)                                                       \
     ((double)(x) * (scale) >= (double)(most)                                                       \
          ? (most)                                                                                  \
@@ -67,7 +67,7 @@ typedef int64_t real_wide; /* 46 bits of fraction */
 /* 8 LSB. */
 #define LENGTH_NOISE ((real_length)8)
 
-/* Where on a ray its first crossing may lie: at 0, because rays snap to surfaces. */
+/* The smallest t of a ray's first crossing: 0, because rays snap to surfaces. */
 #define LENGTH_EPSILON REAL_LENGTH(0.0)
 
 /* ---- Lengths --------------------------------------------------------------------------------- */
@@ -118,12 +118,14 @@ static inline real_slope slope_of(real_unit u) {
     return slope;
 }
 
-/* Error <= 1/2 LSB + |a/u| 2^-31. Monotonic, because product, rounding and saturation are. */
+/* Returns a / u for the slope of u, with an error <= 1/2 LSB + |a/u| 2^-31. The result is monotonic
+ * in a, because product, rounding and saturation are. */
 static inline real_length length_over(real_length a, real_slope slope) {
     return fixed_over(FIXED_length_over, a, slope);
 }
 
-/* floor(a / size) is -1 - floor((-1 - a) / size) for a < 0, and -1 - a is ~a. */
+/* Tells whether floor(a / size) is odd. For a < 0 that floor is -1 - floor((-1 - a) / size), and
+ * -1 - a is ~a. */
 static inline bool length_cell_is_odd(real_length a, real_length size) {
     uint32_t magnitude = (uint32_t)(a < 0 ? ~a : a);
     uint32_t cell = magnitude / (uint32_t)size;
@@ -143,7 +145,7 @@ static inline uint64_t fixed_norm(int32_t x, int32_t y, int32_t z) {
     return (uint64_t)fixed_times(x, x) + (uint64_t)fixed_times(y, y) + (uint64_t)fixed_times(z, z);
 }
 
-/* Saturates beyond 2^22.99, where three components exceed 1672. */
+/* Returns x^2 + y^2 + z^2. Saturates at 2^23, which takes a component above 1672. */
 static inline real_area area_norm(real_length x, real_length y, real_length z) {
     uint64_t norm = fixed_norm(x, y, z);
     bool saturated = norm > (uint64_t)INT64_MAX;
@@ -152,7 +154,8 @@ static inline real_area area_norm(real_length x, real_length y, real_length z) {
     return result;
 }
 
-/* The sum or difference as it wrapped, or the end on the side of a where it did. */
+/* Returns a sum or difference that was formed modulo 2^64. Where the result wrapped, which
+ * `saturated` says, returns the end on the side of a. */
 static inline int64_t fixed_wrapped64(enum fixed_operation operation, uint64_t wrapped, int64_t a,
                                       bool saturated) {
     int64_t result = !saturated ? (int64_t)wrapped : a < 0 ? -INT64_MAX : INT64_MAX;
@@ -162,7 +165,7 @@ static inline int64_t fixed_wrapped64(enum fixed_operation operation, uint64_t w
 
 static inline real_area area_add(real_area a, real_area b) {
     uint64_t sum = (uint64_t)a + (uint64_t)b;
-    /* It wrapped where its sign is neither that of a nor that of b. */
+    /* The sum wrapped where its sign is neither that of a nor that of b. */
     return fixed_wrapped64(FIXED_area_add, sum, a, (((int64_t)sum ^ a) & ((int64_t)sum ^ b)) < 0);
 }
 
@@ -192,7 +195,7 @@ static inline real_length length_root(real_area a) {
     return a <= 0 ? 0 : fixed_saturated(FIXED_length_root, fixed_nearest_root64((uint64_t)a));
 }
 
-/* A / B of the raw values, by the reciprocal of B's 32 leading bits. */
+/* Returns A / B of the raw values, by the reciprocal of B's 32 leading bits. */
 static inline real_length length_quotient(real_area a, real_length b) {
     uint64_t area = fixed_magnitude64(a);
     uint32_t divisor = fixed_magnitude(b);
@@ -201,7 +204,7 @@ static inline real_length length_quotient(real_area a, real_length b) {
     /* (A r) / 2^32 < 2^62: what the low half drops is below one. */
     uint64_t quotient = fixed_times_unsigned((uint32_t)(area >> 32), r) +
                         (fixed_times_unsigned((uint32_t)area, r) >> 32);
-    /* Both ways without a branch, that a compiler's vectors may take them. */
+    /* Both paths are computed without a branch, so that a compiler's vectors may take them. */
     bool few = zeros < 30;
     int64_t lowered = (int64_t)(((quotient >> (few ? 29 - zeros : 0)) + 1) >> 1);
     int64_t raised = quotient > INT32_MAX ? (int64_t)1 << 32 : (int64_t)(quotient << (zeros == 31));
@@ -254,8 +257,8 @@ static inline real_wide wide_sum(real_unit a, real_unit b) {
     return fixed_raised(a, 16) + fixed_raised(b, 16);
 }
 
-/* The slope by which x, y and z are to be taken to have length 1, for norm = x^2 + y^2 + z^2 > 0,
- * relative error 2^-31 + 2^-32; also the root of the norm to nearest. */
+/* Returns the slope that gives (x, y, z) length 1, for norm = x^2 + y^2 + z^2 > 0. The relative
+ * error is 2^-31 + 2^-32. *length is the root of the norm, to nearest. */
 static inline struct fixed_slope fixed_slope_of_norm(uint64_t norm, uint32_t *length) {
     uint64_t rest;
     unsigned half = fixed_leading_zeros64(norm) / 2;
@@ -268,11 +271,13 @@ static inline struct fixed_slope fixed_slope_of_norm(uint64_t norm, uint32_t *le
     return fixed_slope_of(root, half);
 }
 
-/* A wide component without its lowest bits, in 31 bits; 0 <= shift. */
+/* Returns a wide component without its `shift` lowest bits, to nearest, in 31 bits and a sign.
+ * 0 <= shift; with shift = 0 the component must fit already. */
 static inline int32_t fixed_narrowed(int64_t a, unsigned shift) {
     if (shift > 0) {
         a = fixed_rounded(a, shift);
-        /* What rounded up to 2^31 goes back: an error of 1 LSB at most, as small as any other. */
+        /* What was rounded up to 2^31 goes back to 2^31 - 1. That costs 1 LSB at most, as little as
+         * any other error. */
         a = a > FIXED_MOST ? FIXED_MOST : a < -FIXED_MOST ? -FIXED_MOST : a;
     }
     return (int32_t)a;
@@ -315,7 +320,7 @@ static inline real_unit unit_mirrored(real_unit d, real_unit c, real_unit n) {
     return fixed_result(FIXED_unit_mirrored, fixed_raised(d, 29) + fixed_times(c, n), 29);
 }
 
-/* a * factor / 2^32, truncated, of an unsigned 64-bit a. Below 2^64 where a factor < 2^96. */
+/* Returns a * factor / 2^32, truncated. The result fits where a * factor < 2^96. */
 static inline uint64_t fixed_product_high(uint64_t a, uint32_t factor) {
     return fixed_times_unsigned((uint32_t)(a >> 32), factor) +
            (fixed_times_unsigned((uint32_t)a, factor) >> 32);
@@ -395,7 +400,8 @@ static inline real_energy energy_of_cosine(real_unit cosine) {
     return cosine > FIXED_UNIT_ONE ? FIXED_UNIT_ONE : cosine > 0 ? cosine : 0;
 }
 
-/* A quotient of two numbers of one format is 2^30 part / whole, as that of two lengths. */
+/* Divides by the slope of `whole`. A quotient of two numbers of one format, such as two indices or
+ * two lengths, is 2^30 part / whole. */
 static inline real_energy energy_ratio(real_index part, real_index whole) {
     if (whole == 0) {
         return 0;
@@ -423,7 +429,8 @@ static inline real_colour colour_scaled(real_colour a, real_energy share) {
     return fixed_result(FIXED_colour_scaled, fixed_times(a, share), 30);
 }
 
-/* 1/255 = (1 + 2^-8) (1 + 2^-16) (1 + 2^-32) / 2^8, short by a relative 2^-64. */
+/* Multiplies by 1/255 = (1 + 2^-8) (1 + 2^-16) (1 + 2^-32) / 2^8, which is short by a relative
+ * 2^-64. */
 static inline real_colour colour_lit(real_colour a, real_colour light) {
     uint64_t product = fixed_magnitude64(fixed_times(a, light)); /* < 2^62 */
     product += product >> 8;
@@ -449,7 +456,7 @@ static inline real_colour colour_faded(real_colour a, real_length distance, int 
     if (shift > 0) {
         return fixed_saturated(FIXED_colour_faded, fixed_rounded(product, (unsigned)shift));
     }
-    /* Past the end before the shift is past it after. */
+    /* What is past the end before the shift stays past the end after it. */
     int64_t most = product > FIXED_MOST    ? FIXED_MOST
                    : product < -FIXED_MOST ? -FIXED_MOST
                                            : product;

@@ -5,12 +5,12 @@
 
 #include "fixed_bits.h"
 
-/* 2^(32 - f / 2^32): f is a fraction in 32 bits, the result lies in [2^31, 2^32].
+/* Returns 2^(32 - f / 2^32): f is a fraction in 32 bits, the result lies in [2^31, 2^32].
  *
- * 1 - f (c1 - f (c2 - ... f c7)), where the polynomial in brackets interpolates (1 - 2^-f) / f at
- * the seven Chebyshev nodes of [0, 1]: within 2^-33. A coefficient has as many bits of fraction as
- * make it fill 32 bits (32, 34, 36, 38, 41, 44, 48), so that only the last two products lose
- * anything to speak of. Together within 1.9 2^-32; exact at 0. */
+ * The formula is 1 - f (c1 - f (c2 - ... f c7)). The polynomial in brackets interpolates
+ * (1 - 2^-f) / f at the seven Chebyshev nodes of [0, 1], within 2^-33. Each coefficient has so many
+ * bits of fraction that it fills 32 bits (32, 34, 36, 38, 41, 44, 48). So only the last two
+ * products lose anything to speak of. All errors together are within 1.9 2^-32; f = 0 is exact. */
 static inline uint64_t fixed_power_of_half(uint32_t f) {
     const uint64_t half = UINT64_C(1) << 31;
     uint32_t sum = UINT32_C(0xBDA5A379);
@@ -23,7 +23,8 @@ static inline uint64_t fixed_power_of_half(uint32_t f) {
     return (UINT64_C(1) << 32) - ((fixed_times_unsigned(f, sum) + half) >> 32);
 }
 
-/* exp(-x / 2^48) 2^30 to nearest, for 0 <= x < 2^63; the error is below 1.1. */
+/* Returns exp(-x / 2^48) 2^30 for 0 <= x < 2^63. The last step rounds to nearest; the error of the
+ * result is below 1.1. */
 static inline int32_t fixed_exponential(uint64_t x) {
     const uint32_t log2_e = UINT32_C(0xB8AA3B29); /* 2^31 log2(e), relative 2^-33 */
     if (x >= UINT64_C(22) << 48) {                /* exp(-22) 2^30 = 0.3 */

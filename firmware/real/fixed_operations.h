@@ -3,7 +3,7 @@
 #ifndef SUPERFRAME_FIXED_OPERATIONS_H
 #define SUPERFRAME_FIXED_OPERATIONS_H
 
-/* Every operation that rounds or may saturate. */
+/* Every operation that hands its result to fixed_watch(). */
 #define FIXED_OPERATIONS(X)                                                                        \
     X(length_add)                                                                                  \
     X(length_subtract)                                                                             \

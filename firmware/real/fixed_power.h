@@ -5,7 +5,7 @@
 
 #include "fixed_bits.h"
 
-/* A power at work: 31 bits of fraction. */
+/* A power while it is computed: 31 bits of fraction. */
 typedef uint32_t real_power;
 #define POWER_ONE (UINT32_C(1) << 31)
 

@@ -8,7 +8,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* The call and its arguments vanish. */
+/* Does nothing, so that the call and its arguments vanish. */
 static inline void fixed_watch(enum fixed_operation operation, int64_t exact, bool saturated) {
     (void)operation;
     (void)exact;

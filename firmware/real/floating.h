@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Every operation of real.h for a binary floating-point format; strict/real.h is the contract. */
 
-/* Included by f32/real.h, f64/real.h and f128/real.h, which have named the format `floating`, its
- * square root floating_root(), and the noise of a computed t, LENGTH_NOISE.
+/* Included by f32/real.h, f64/real.h, f128/real.h and lab/wrapped.h. Defined before are the format
+ * `floating`, its square root floating_root(), and the noise of a computed t, LENGTH_NOISE.
  *
  * Errors are those of the roundings in each formula, as written: docs/numerics.md lists them. No
  * operation makes a NaN or an infinity of finite arguments that keep the contract. */
@@ -72,20 +72,22 @@ static inline floating floating_clamped(floating x, floating most) {
     return x > most ? most : x < -most ? -most : x;
 }
 
-/* Bounded, because the reciprocal of a subnormal number is infinite, and 0 times that is no number.
- * What it bounds is far beyond LENGTH_FAR for every length that is not noise. */
+/* Returns 1 / u, bounded at 2^100: 1 / u may be infinite for a subnormal u, and 0 times infinity is
+ * no number. A bounded slope still takes every length from 2^-80 up far beyond LENGTH_FAR. */
 static inline real_slope slope_of(real_unit u) {
     return floating_clamped(1 / u, (floating)0x1p100);
 }
 
-/* No saturation: the largest slope leaves the product far below the format's end. */
+/* Returns a / u for the slope of u. Needs no saturation: the largest slope leaves the product far
+ * below the format's end. */
 static inline real_length length_over(real_length a, real_slope slope) {
     return a * slope;
 }
 
 static inline bool length_cell_is_odd(real_length a, real_length size) {
     floating ratio = a / size;
-    /* Finer than a length in fixed point: no pattern that an image could show. */
+    /* Otherwise the cells are finer than a length in fixed point: no pattern that an image could
+     * show. */
     bool is_shown = ratio > -(floating)0x1p31 && ratio < (floating)0x1p31;
     floating cells = is_shown ? ratio : 0;
     int32_t cell = (int32_t)cells; /* towards zero */
@@ -286,8 +288,9 @@ static inline real_energy energy_power(real_energy base, uint16_t exponent) {
     return result;
 }
 
-/* exp(-x) as 2^-whole * 2^-rest: |rest| <= 1/2, the rest by its Taylor series with as many terms as
- * the format resolves (the terms fall below 2^-120 before the bound of the loop). */
+/* Returns exp(-x), x = extinction * way, as 2^-whole * 2^-rest with |rest| <= 1/2. The rest's
+ * Taylor series has as many terms as the format resolves. (The terms fall below 2^-120 before the
+ * bound of the loop.) */
 static inline real_energy energy_transmitted(real_extinction extinction, real_length way) {
     /* log2(e) and ln(2) as sums of two doubles: 106 bits, enough for __float128's results here. */
     const floating log2_e = (floating)1.4426950408889634 + (floating)2.0355273740931033e-17;
@@ -317,7 +320,7 @@ static inline real_energy energy_transmitted(real_extinction extinction, real_le
     return sum;
 }
 
-/* The end of the fixed-point image's colours. */
+/* Returns the end of the fixed-point image's colours. */
 static inline floating colour_most(void) {
     return (floating)32767.99;
 }
@@ -349,7 +352,9 @@ static inline real_colour colour_faded(real_colour a, real_length distance, int 
     return floating_clamped(a * unit / distance, colour_most());
 }
 
-/* Not by adding a half first: that rounds a number just below a half up to one. */
+/* Rounds x to an integer, halves away from zero, saturated at +-(2^31 - 128). Adding a half is
+ * itself rounded: a number just below a half goes up to one. In f32 the magnitude of an odd integer
+ * between 2^23 and 2^24 goes up by one. */
 static inline int32_t floating_steps(floating x) {
     x = floating_clamped(x, (floating)2147483520.0);
     return (int32_t)(x < 0 ? x - (floating)0.5 : x + (floating)0.5);
@@ -367,6 +372,8 @@ static inline int32_t energy_steps(real_energy a) {
     return floating_steps(a * 1073741824);
 }
 
+/* Returns the level to nearest. Adding a half first would round a number just below a half up to
+ * one. */
 static inline uint8_t colour_level(real_colour a) {
     if (!(a > 0)) {
         return 0;

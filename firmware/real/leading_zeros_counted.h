@@ -5,7 +5,7 @@
 
 #include <stdint.h>
 
-/* The number of zero bits above the highest one; x > 0. */
+/* Returns the number of zero bits above the highest one; x > 0. */
 static inline unsigned fixed_leading_zeros(uint32_t x) {
     unsigned zeros = 0;
     if (x < UINT32_C(1) << 16) {

@@ -7,10 +7,10 @@
 #include <limits.h>
 #include <stdint.h>
 
-/* C99 has no name for the instruction, gcc and clang have this one, for an unsigned int. */
+/* C99 has no name for the instruction. gcc and clang have __builtin_clz(), for an unsigned int. */
 typedef char fixed_needs_int_of_32_bits[UINT_MAX == UINT32_MAX ? 1 : -1];
 
-/* The number of zero bits above the highest one; x > 0. */
+/* Returns the number of zero bits above the highest one; x > 0. */
 static inline unsigned fixed_leading_zeros(uint32_t x) {
     return (unsigned)__builtin_clz(x);
 }

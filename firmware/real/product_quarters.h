@@ -5,8 +5,9 @@
 
 #include <stdint.h>
 
-/* Four products of 16 by 16 bits; the compiler's library multiplies 64 by 64 bits. No sum below
- * leaves 32 bits: 65535 * 65535 + 65535 < 2^32, 32768 * 65535 + 65535 = 2^31. */
+/* Each function makes four products of 16 by 16 bits, where the compiler's library multiplies 64 by
+ * 64 bits. No sum below leaves 32 bits: 65535 * 65535 + 65535 < 2^32,
+ * 32767 * 65535 + 65535 < 2^31. */
 
 static inline uint64_t fixed_times_unsigned(uint32_t a, uint32_t b) {
     uint32_t a_low = a & 0xFFFF;

@@ -6,14 +6,15 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* A compiler makes of 64-bit comparisons and shifts more than is needed here; and where it has seen
- * that a number fits, it goes on with 64 bits all the same and multiplies three times for once. */
+/* A compiler makes more of 64-bit comparisons and shifts than is needed here. Even with numbers
+ * that are seen to fit, a compiler goes on in 64 bits: three products instead of one. */
 
 static inline bool fixed_fits(int64_t v) {
     return (int32_t)(v >> 32) == (int32_t)v >> 31;
 }
 
-/* It fits where the bits above bit 31 of the result are all as that one. */
+/* Returns the low 32 bits of v >> shift. The result fits where all bits above its bit 31 are as
+ * bit 31. */
 static inline int32_t fixed_shifted(int64_t v, unsigned shift, bool *fits) {
     int32_t high = (int32_t)(v >> 32);
     uint32_t low = (uint32_t)high << (32 - shift) | ((uint32_t)v >> 1) >> (shift - 1);
@@ -21,7 +22,8 @@ static inline int32_t fixed_shifted(int64_t v, unsigned shift, bool *fits) {
     return (int32_t)low;
 }
 
-/* It does not fit where the sign is neither that of a nor that of b. */
+/* Returns the low 32 bits of a + b. The sum does not fit where its sign is neither that of a nor
+ * that of b. */
 static inline int32_t fixed_sum(int32_t a, int32_t b, bool *fits) {
     int32_t sum = (int32_t)((uint32_t)a + (uint32_t)b);
     *fits = ((sum ^ a) & (sum ^ b)) >= 0;

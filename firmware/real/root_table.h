@@ -15,11 +15,11 @@ static const uint8_t fixed_root_seeds[96] = {
     147, 147, 146, 145, 144, 144, 143, 142, 142, 141, 140, 140, 139, 138, 138, 137,
     137, 136, 135, 135, 134, 134, 133, 132, 132, 131, 131, 130, 130, 129, 129, 128};
 
-/* 2^38 / sqrt(high) for 2^30 <= high < 2^32, with a relative error below 2^-18.5. What is made of
- * it does not depend on that error: its sibling, estimate_float.h, differs.
+/* Returns 2^38 / sqrt(high) for 2^30 <= high < 2^32, with a relative error below 2^-18.5. What is
+ * made of the estimate does not depend on that error: the sibling, estimate_float.h, differs.
  *
- * From the table, and one step of third order. With e = 1 - m y^2 for an estimate y of 1/sqrt(m):
- * 1/sqrt(m) = y (1 + e/2 + 3 e^2/8 + ...). */
+ * The table gives a seed, and one step of third order refines the seed. With e = 1 - m y^2 for an
+ * estimate y of 1/sqrt(m): 1/sqrt(m) = y (1 + e/2 + 3 e^2/8 + ...). */
 static inline uint32_t fixed_root_estimate(uint32_t high) {
     uint32_t seed = fixed_root_seeds[(high >> 25) - 32];
     /* |e| < 2^-5.7; the step leaves 5/16 |e|^3 < 2^-18.8 and 2^-21 of truncation. */

@@ -7,9 +7,9 @@ enum {
     NO_WAY = 255
 };
 
-#define NEVER UINT32_C(0x3FFFFFFF) /* a cost: an int of 16 bits ends before it */
+#define NEVER UINT32_C(0x3FFFFFFF) /* a cost that an int of 16 bits does not hold */
 
-/* What a way can send, of one pixel or pair. */
+/* What decides which ways can send a pixel or pair. */
 struct pixel_facts {
     unsigned changed; /* mask of the primaries that differ from the pixel before */
     bool is_copy, is_pair, is_extreme;
@@ -26,7 +26,7 @@ void usb_encoder_init(struct usb_encoder *encoder, size_t payload_most, void (*f
     encoder->count = 0;
 }
 
-/* Room for an op of so many bytes. */
+/* Reserves so many bytes for an op. If the op has no room, the full payload is handed on first. */
 static uint8_t *reserve(struct usb_encoder *encoder, size_t bytes) {
     if (encoder->used + bytes > encoder->payload_most) {
         encoder->full(encoder->context);
@@ -84,7 +84,7 @@ static bool can_send(unsigned way, const struct pixel_facts *facts) {
     return (facts->changed & ~mask_of(way)) == 0 && (!is_pairs(way) || facts->is_pair);
 }
 
-/* Eighths of a byte for one more pixel or pair. */
+/* Returns the cost of one more pixel or pair, in eighths of a byte. */
 static uint32_t data_cost(unsigned way) {
     if (way == USB_WAY_SAME || way == USB_WAY_COPY) {
         return 0;
@@ -92,7 +92,7 @@ static uint32_t data_cost(unsigned way) {
     return way == USB_WAY_PLANES ? 3 : 8 * bits_of(mask_of(way));
 }
 
-/* Tries to get from pixel i on by a way. */
+/* Tries to go on from pixel i by one way. */
 static void try_way(struct usb_plan *plan, unsigned i, unsigned way) {
     unsigned end = i + (is_pairs(way) ? 2 : 1);
     uint32_t on = plan->cost[i][way];
@@ -140,7 +140,8 @@ static void make_plan(struct usb_encoder *encoder) {
     }
 }
 
-/* Each of these emits at most one op for pixels first..end-1 and returns how many it took. */
+/* Each function below emits one op for up to count pixels from first on, and returns how many
+ * pixels the op took. */
 
 static unsigned put_known(struct usb_encoder *encoder, unsigned way, unsigned count) {
     if (count <= USB_FEW_MOST) {
@@ -253,7 +254,7 @@ void usb_encoder_flush(struct usb_encoder *encoder) {
     }
 }
 
-/* A whole pixel: it joins the run, or begins the next one. */
+/* Takes a whole pixel, which joins the run or begins the next one. */
 static void take_pixel(struct usb_encoder *encoder) {
     if (encoder->count == USB_LINE_PIXELS ||
         (encoder->count > 0 && encoder->x != encoder->first_x + encoder->count)) {
@@ -269,7 +270,7 @@ static void take_pixel(struct usb_encoder *encoder) {
     encoder->stage = 0;
 }
 
-/* True if the access goes on with a pixel. */
+/* Takes the access if it begins a pixel or goes on with one. Returns false if it does neither. */
 static bool goes_on(struct usb_encoder *encoder, unsigned offset, uint16_t value, unsigned width) {
     if (encoder->stage == 0) {
         if (offset != USB_OFFSET_X || width != BUS_WORD) {

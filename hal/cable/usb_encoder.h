@@ -31,7 +31,7 @@ struct usb_encoder {
     uint8_t payload[USB_PAYLOAD_MOST];
 
     /* Takes payload[0..used); called when the next op has no room. The encoder goes on with an
-     * empty one. */
+     * empty payload. */
     void (*full)(void *context);
     void *context;
 
@@ -44,20 +44,21 @@ struct usb_encoder {
     struct usb_plan plan;
 };
 
-/* Begins a session: memory is empty at both ends. payload_most: USB_PAYLOAD_LEAST..MOST. full
- * must not be NULL; it gets context. */
+/* Begins a session: memory is empty at both ends. payload_most:
+ * USB_PAYLOAD_LEAST..USB_PAYLOAD_MOST. full gets context; full must not be NULL. */
 void usb_encoder_init(struct usb_encoder *encoder, size_t payload_most, void (*full)(void *context),
                       void *context);
 
-/* One access. offset is 0..15 from the board's base; a word at 15 leaves the board: false, and
- * nothing is encoded. */
+/* Encodes one write. offset is 0..15 from the board's base. A word at 15 leaves the board: nothing
+ * is encoded, and false is returned. */
 bool usb_encoder_write(struct usb_encoder *encoder, unsigned offset, uint16_t value,
                        unsigned width);
 
-/* A read whose answer comes as 1 or 2 bytes. Nothing waits any more afterwards. */
+/* Encodes one read, whose answer comes as 1 or 2 bytes. Nothing waits any more afterwards. Returns
+ * false as usb_encoder_write() does. */
 bool usb_encoder_read(struct usb_encoder *encoder, unsigned offset, unsigned width);
 
-/* Reads count pixels (1..170) of the current line from x on, three bytes each. */
+/* Encodes a read of count pixels (1..170) of the current line from x on, three bytes each. */
 void usb_encoder_read_pixels(struct usb_encoder *encoder, uint16_t x, unsigned count);
 
 /* Puts into the payload what still waits. */

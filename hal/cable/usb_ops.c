@@ -16,8 +16,8 @@ static unsigned bits_of(unsigned mask) {
     return (mask & 1) + (mask >> 1 & 1) + (mask >> 2 & 1);
 }
 
-/* The ops that are counted in a word: SAME, COPY, PLANES. head is three bytes at least; of what
- * follows them nothing is read here. */
+/* Takes apart the ops with a number of 16 bits: SEEK, SAME, COPY, PLANES. head is three bytes at
+ * least; nothing behind them is read here. */
 static void take_apart_counted(const uint8_t *ops, const uint8_t *head, struct op *op) {
     op->number = usb_get16(head + 1);
     op->length = 3;
@@ -35,7 +35,8 @@ static void take_apart_pixels(const uint8_t *ops, const uint8_t *head, struct op
     op->length = 2 + (size_t)op->number * bits_of(op->low);
 }
 
-/* Takes the first op apart. False if it is unknown or not whole. */
+/* Takes the first op apart. Returns false if the op is unknown or not whole; of the codes 4Xh
+ * is_in_range() finds the unknown ones. */
 static bool take_apart(const uint8_t *ops, size_t count, struct op *op) {
     /* An op that is cut off is read as if zeros followed; its length then does not fit. */
     const uint8_t padded[3] = {ops[0], count > 1 ? ops[1] : (uint8_t)0, 0};
@@ -82,7 +83,8 @@ static bool take_apart(const uint8_t *ops, size_t count, struct op *op) {
     return op->length <= count;
 }
 
-/* Whether an op's numbers are in range; *next_x is followed. */
+/* Tells whether an op is known and its numbers are in range. *next_x moves on as the op moves
+ * it. */
 static bool is_in_range(const struct op *op, uint16_t *next_x) {
     size_t pixels = op->number;
     switch (op->code) {
@@ -141,7 +143,7 @@ bool usb_ops_check(const struct usb_memory *memory, const uint8_t *ops, size_t c
     return true;
 }
 
-/* By bytes: a constant to copy from would take 2 KB of an adapter's flash. */
+/* Clears by bytes: a constant to copy from would take 2 KB of an adapter's flash. */
 void usb_memory_clear(struct usb_memory *memory) {
     uint8_t *bytes = (uint8_t *)memory;
     for (size_t i = 0; i < sizeof *memory; i++) {
@@ -211,7 +213,7 @@ static void draw_planes(const struct target *target, const struct op *op) {
     }
 }
 
-/* SAME and COPY. The line is read before it is drawn over. */
+/* Draws SAME and COPY. The line is read before it is drawn over. */
 static void draw_known(const struct target *target, const struct op *op) {
     for (unsigned n = 0; n < op->number; n++) {
         struct usb_memory *memory = target->memory;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The operations in a frame's payload: what both ends remember of the pixels, how a payload is
- * checked, and how it is run on a bus. */
+/* A payload's operations, what both ends remember of the pixels, and how a payload is checked and
+ * run on a bus. */
 #ifndef SUPERFRAME_HAL_USB_OPS_H
 #define SUPERFRAME_HAL_USB_OPS_H
 
@@ -19,13 +19,13 @@ enum usb_op {
     USB_OP_SAME = 0x42,        /* count low, high: pixels of the last colour */
     USB_OP_COPY = 0x43,        /* count low, high: pixels as last drawn at the same X */
     USB_OP_READ_PIXELS = 0x44, /* count - 1: X written, R, G, B read; three bytes each */
-    USB_OP_PLANES = 0x45,   /* count low, high; for each 8 pixels three bytes, a bit a pixel, bit 0
-                               first: red, green, blue; 1: FFh, 0: 00h */
-    USB_OP_SAME_FEW = 0x50, /* | count - 1 */
-    USB_OP_COPY_FEW = 0x60, /* | count - 1 */
-    USB_OP_PIXELS = 0x80, /* | mask (1 red, 2 green, 4 blue); count - 1; of each pixel the primaries
-                             in the mask, the others as in the pixel before */
-    USB_OP_PAIRS = 0x88   /* | mask; count - 1; the same, and each pixel twice */
+    USB_OP_PLANES = 0x45,      /* count low, high; for each 8 pixels three bytes: red, green, blue.
+                                  A bit a pixel, bit 0 first; 1: FFh, 0: 00h */
+    USB_OP_SAME_FEW = 0x50,    /* | count - 1 */
+    USB_OP_COPY_FEW = 0x60,    /* | count - 1 */
+    USB_OP_PIXELS = 0x80, /* | mask (1 red, 2 green, 4 blue); count - 1; each pixel's primaries in
+                             the mask. The others are as in the pixel before */
+    USB_OP_PAIRS = 0x88   /* | mask; count - 1; as USB_OP_PIXELS, and each pixel twice */
 };
 
 enum {
@@ -58,13 +58,14 @@ void usb_memory_pixel(struct usb_memory *memory, const uint8_t colour[3]);
 /* Notes a plain write. offset: 0..15 from the board's base; width: 1 or 2 bytes. */
 void usb_memory_write(struct usb_memory *memory, unsigned offset, uint16_t value, unsigned width);
 
-/* Whether a payload holds nothing but whole, known ops, with counts in range, and what it reads
- * fits into a reply. *reads gets the bytes that it will give. next_x is memory's. */
+/* Checks that a payload holds nothing but whole, known ops, with counts in range, and that its
+ * reads fit into a reply. *reads gets the bytes that the reads will give. next_x is memory's. */
 bool usb_ops_check(const struct usb_memory *memory, const uint8_t *ops, size_t count,
                    size_t *reads);
 
 /* Runs a payload that usb_ops_check() has passed with the same memory. data gets what was read
- * (room for USB_READ_MOST bytes); returns how much. No port outside base..base + 15 is touched. */
+ * (room for USB_READ_MOST bytes). Returns how many bytes were read. No port outside base..base + 15
+ * is touched. */
 size_t usb_ops_run(struct usb_memory *memory, struct bus *bus, uint16_t base, const uint8_t *ops,
                    size_t count, uint8_t *data);
 

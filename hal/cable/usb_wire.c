@@ -59,7 +59,7 @@ size_t usb_frame_pack(uint8_t *frame, const struct usb_header *header, const uin
     return end + USB_CHECK_BYTES;
 }
 
-/* Bytes before the next place, from 1 on, where a frame may begin. */
+/* Counts the bytes before the next place, from 1 on, where a frame may begin. */
 static size_t skip_to_magic(const uint8_t *bytes, size_t count) {
     size_t place = 1;
     while (place < count &&

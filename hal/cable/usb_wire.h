@@ -22,7 +22,7 @@ enum {
     USB_HELLO_BYTES = 2,         /* payload of a hello */
     USB_HELLO_REPLY_BYTES = 8,   /* payload of its reply */
     USB_REPORT_BYTES = 64,       /* of a HID report */
-    USB_REPORT_STREAM_BYTES = 63 /* of these, what is no length */
+    USB_REPORT_STREAM_BYTES = 63 /* of these, all but the length */
 };
 
 /* What a frame is. */
@@ -32,7 +32,7 @@ enum usb_kind {
     USB_KIND_REPLY = 3  /* from the adapter: exactly one for each of the others */
 };
 
-/* Of a hello, in the place of the status. */
+/* Flags of a hello, in the place of the status. */
 enum usb_hello_flag { USB_HELLO_START = 1 /* begin this session if it is not the current one */ };
 
 /* What a reply says. */
@@ -41,7 +41,7 @@ enum usb_status {
     USB_STATUS_DUPLICATE,       /* run before: not run again; the reads' data once more */
     USB_STATUS_BAD_CHECK,       /* the CRC does not fit: nothing was run */
     USB_STATUS_BAD_OP,          /* an op that is none, or not whole: nothing was run */
-    USB_STATUS_GAP,             /* a frame before it is lacking: nothing was run */
+    USB_STATUS_GAP,             /* a frame before it is missing: nothing was run */
     USB_STATUS_UNKNOWN_SESSION, /* the adapter was switched off since: begin anew */
     USB_STATUS_BAD_VERSION,     /* the version is in the reply's header */
     USB_STATUS_BAD_BASE,        /* a base address that the board does not have */
@@ -73,17 +73,19 @@ struct usb_hello_reply {
     uint8_t capabilities; /* of enum usb_capability */
 };
 
-/* CRC-32 (IEEE 802.3), begun with crc = 0 and continued with what it gave. */
+/* Returns the CRC-32 (IEEE 802.3), begun with crc = 0 and continued with what was returned
+ * before. */
 uint32_t usb_crc(uint32_t crc, const uint8_t *bytes, size_t count);
 
-/* Numbers as they lie in a frame: the low byte first, 2 or 4 bytes at any address. */
+/* Gets or puts a number as it lies in a frame: the low byte first, 2 or 4 bytes at any address. */
 uint16_t usb_get16(const uint8_t *bytes);
 uint32_t usb_get32(const uint8_t *bytes);
 void usb_put16(uint8_t *bytes, uint16_t value);
 void usb_put32(uint8_t *bytes, uint32_t value);
 
-/* Packs a frame: header, payload (header->length bytes; it may lie at frame + USB_HEADER_BYTES
- * already) and CRC. Returns its length. frame has room for USB_OVERHEAD + header->length bytes. */
+/* Packs a frame: header, payload (header->length bytes, which may lie at frame + USB_HEADER_BYTES
+ * already) and CRC. Returns the frame's length. frame has room for USB_OVERHEAD + header->length
+ * bytes. */
 size_t usb_frame_pack(uint8_t *frame, const struct usb_header *header, const uint8_t *payload);
 
 /* How much of a frame a stream of bytes begins with. */
@@ -94,27 +96,28 @@ enum usb_scan {
     USB_SCAN_NOISE    /* no frame begins here */
 };
 
-/* Looks at the first bytes of a stream. *header is filled for FRAME and DAMAGED, *length (bytes)
- * for FRAME, DAMAGED and NOISE: how many bytes to leave out to get on. After a damaged frame these
- * are the bytes before the next place where a frame may begin: what follows a corrupt frame is not
- * lost with it. */
+/* Looks at the first bytes of a stream. *header is filled for FRAME and DAMAGED. *length is filled
+ * for FRAME, DAMAGED and NOISE: how many bytes to leave out to get on. For DAMAGED these are the
+ * bytes before the next place where a frame may begin. So what follows a corrupt frame is not lost
+ * with it. */
 enum usb_scan usb_frame_scan(const uint8_t *bytes, size_t count, struct usb_header *header,
                              size_t *length);
 
-/* Packs and unpacks the payload of the reply to a hello. Unpacking gives false if there are fewer
+/* Packs and unpacks the payload of the reply to a hello. Unpacking returns false if there are fewer
  * bytes or a value is out of range. */
 void usb_hello_reply_pack(uint8_t bytes[USB_HELLO_REPLY_BYTES],
                           const struct usb_hello_reply *hello);
 bool usb_hello_reply_unpack(const uint8_t *bytes, size_t count, struct usb_hello_reply *hello);
 
-/* A HID report carries up to 63 bytes of the same stream. Returns how many of count it took. */
+/* Packs up to 63 bytes of the same stream into a HID report. Returns how many of count were
+ * taken. */
 size_t usb_report_pack(uint8_t report[USB_REPORT_BYTES], const uint8_t *bytes, size_t count);
 
-/* How many bytes of the stream follow at report + 1: 0..63, and fewer than size. A length that is
- * none counts as 0. */
+/* Returns how many bytes of the stream follow at report + 1: 0..63, and fewer than size. An invalid
+ * length counts as 0. */
 size_t usb_report_length(const uint8_t *report, size_t size);
 
-/* One English phrase for a reply's status. */
+/* Returns one English phrase for a reply's status. */
 const char *usb_status_text(uint8_t status);
 
 #endif

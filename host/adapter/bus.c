@@ -12,19 +12,20 @@ struct usb_limits usb_default_limits(void) {
     return limits;
 }
 
-/* The encoder's payload is full. */
+/* Seals the encoder's payload, which is full. */
 static void seal(void *context) {
     usb_session_seal(context);
 }
 
-/* What was written so far is at the latest in the frame that is being filled. */
+/* Notes that what was written to the line so far is, at the latest, in the frame that is being
+ * filled. */
 static void close_line(struct usb_bus *usb_bus) {
     if (usb_bus->y < BOARD_HEIGHT && usb_bus->line_frame[usb_bus->y] == being_written) {
         usb_bus->line_frame[usb_bus->y] = usb_bus->sealed + 1;
     }
 }
 
-/* Follows the picture through words to X and Y and bytes to the primaries. */
+/* Follows the picture: words to X and Y, and bytes to the primaries. */
 static void follow(struct usb_bus *usb_bus, unsigned offset, uint16_t value, unsigned width) {
     if (width == BUS_WORD && offset == USB_OFFSET_X) {
         usb_bus->x = value;
@@ -55,7 +56,7 @@ static void write_port(struct bus *bus, uint16_t port, uint16_t value, unsigned 
     follow(usb_bus, offset, value, width);
 }
 
-/* Returns what was read. Of a bus that fails meanwhile bus_read() takes no value. */
+/* Returns what was read. If the bus fails meanwhile, bus_read() does not take the value. */
 static uint16_t read_port(struct bus *bus, uint16_t port, unsigned width) {
     struct usb_bus *usb_bus = (struct usb_bus *)bus;
     if (usb_encoder_read(&usb_bus->encoder, (uint16_t)(port - usb_bus->base), width)) {

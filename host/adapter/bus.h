@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The ports at the end of a cable: a bus that sends its accesses to an adapter, each exactly once
- * and in order, and knows which lines of the picture have arrived. */
+/* The ports at the end of a cable: a bus that sends its accesses to an adapter, each exactly once,
+ * in order. The bus knows which lines of the picture have arrived. */
 #ifndef SUPERFRAME_USB_BUS_H
 #define SUPERFRAME_USB_BUS_H
 
@@ -12,7 +12,8 @@
 #include "bus.h"
 #include "usb_encoder.h"
 
-/* How patient the bus is. All are bounded: it ends with an error, never in an endless wait. */
+/* How patient the bus is. All waits are bounded: the bus ends with an error, never in an endless
+ * wait. */
 struct usb_limits {
     unsigned reply_ms;  /* for a reply, before the frame is sent again; 1.. */
     unsigned retries;   /* sendings without any progress before it is given up; 1.. */
@@ -23,7 +24,7 @@ struct usb_limits {
         *stop; /* not zero: no more waiting for a lost adapter. NULL: none */
 };
 
-/* What it took. */
+/* What sending and receiving took. */
 struct usb_counts {
     uint64_t frames;        /* made of the accesses */
     uint64_t payload_bytes; /* in them */
@@ -86,32 +87,32 @@ struct usb_bus {
     struct usb_encoder encoder;
 };
 
-/* Patience for people: a second for a reply, five seconds for a replug. */
+/* Returns the patience for people: a second for a reply, five seconds for a replug. */
 struct usb_limits usb_default_limits(void);
 
-/* Greets the adapter behind the link and begins a session. The link stays the caller's. NULL: out
- * of memory. Anything else that goes wrong is in bus.status and reason. */
+/* Greets the adapter behind the link and begins a session. The link stays the caller's. Returns
+ * NULL if memory is out. Anything else that goes wrong is in bus.status and reason. */
 struct usb_bus *usb_bus_new(struct usb_link *link, uint16_t base, const struct usb_limits *limits);
 
-/* Whether everything that was written to a line (0..399) is known to have been run, and there was
- * something. */
+/* Tells whether everything that was written to a line (0..399) is known to have been run. False
+ * also where nothing was written. */
 bool usb_bus_line_is_there(const struct usb_bus *usb_bus, unsigned line);
 
-/* Harmless on NULL. */
+/* Frees the bus; harmless on NULL. */
 void usb_bus_free(struct usb_bus *usb_bus);
 
 /* What reading back came to. */
 struct usb_verification {
     uint64_t pixels;      /* compared */
-    uint64_t repaired;    /* differed, were written again, and are right now */
+    uint64_t repaired;    /* differed, were written again, and are correct now */
     unsigned wrong_lines; /* still differ after USB_REPAIRS_MOST repairs */
     unsigned first_wrong; /* the first of these */
 };
 
 enum { USB_REPAIRS_MOST = 3 };
 
-/* Reads back the pixels that were drawn and repairs those that differ. percent: 1..100 of the
- * lines that have any, chosen by the seed; 100: all. The X and Y registers are moved. False if the
+/* Reads back the pixels that were drawn and repairs those that differ. percent: 1..100 of the lines
+ * that have any, chosen by the seed; 100: all. Moves the X and Y registers. Returns false if the
  * bus failed. */
 bool usb_bus_verify(struct usb_bus *usb_bus, unsigned percent, uint64_t seed,
                     struct usb_verification *verification);

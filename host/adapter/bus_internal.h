@@ -12,16 +12,17 @@ void usb_bus_give_up(struct usb_bus *usb_bus, enum bus_status status, const char
 #endif
     ;
 
-/* Begins the first session. False if the bus failed. */
+/* Begins the first session. Returns false if the bus failed. */
 bool usb_session_begin(struct usb_bus *usb_bus);
 
 /* Makes a frame of the encoder's payload and sends it as soon as the credits allow. */
 void usb_session_seal(struct usb_bus *usb_bus);
 
-/* Waits until every frame is known to have been run. False if the bus failed. */
+/* Waits until every frame is known to have been run. Returns false if the bus failed. */
 bool usb_session_finish(struct usb_bus *usb_bus);
 
-/* Seals, and waits for what that frame reads: count bytes in data. False if the bus failed. */
+/* Seals a frame, and waits for what the frame reads: count bytes in data. Returns false if the bus
+ * failed. */
 bool usb_session_ask(struct usb_bus *usb_bus, size_t count);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The way to an adapter by bulk transfers, with libusb-1.0: several of them on their way at once.
- */
+/* The transport to an adapter by bulk transfers, with libusb-1.0: several transfers are in flight
+ * at once. */
 #include <libusb.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -17,13 +17,13 @@ enum {
     IN_BYTES = 4096, /* of a transfer: a multiple of each packet size */
     QUEUE_BYTES = 65536,
     POLL_MS = 20,
-    SEND_MS = 2000,  /* for the adapter to take one of the frames on their way */
-    CANCEL_MS = 1000 /* for cancelled transfers to come home */
+    SEND_MS = 2000,  /* for the adapter to take one of the frames in flight */
+    CANCEL_MS = 1000 /* for cancelled transfers to come back */
 };
 
 struct bulk_link;
 
-/* One transfer, and whether it is on its way. */
+/* One transfer, and whether it is in flight. */
 struct bulk_transfer {
     struct bulk_link *owner;
     struct libusb_transfer *transfer;
@@ -68,7 +68,7 @@ static void read_serial(libusb_device *device, struct usb_found *found) {
     libusb_close(handle);
 }
 
-/* Adds the adapters to found; each holds a reference to its device. */
+/* Adds the adapters to found, each with a reference to its device. Returns how many there are. */
 static unsigned enumerate(libusb_context *context, struct usb_found *found, unsigned most) {
     libusb_device **devices = NULL;
     unsigned count = 0;
@@ -177,7 +177,7 @@ static void LIBUSB_CALL in_is_done(struct libusb_transfer *transfer) {
     }
 }
 
-/* Lets libusb work for at most so long. */
+/* Lets libusb work for at most so many milliseconds. */
 static void work(struct bulk_link *bulk, long milliseconds) {
     struct timeval patience = {milliseconds / 1000, milliseconds % 1000 * 1000};
     (void)libusb_handle_events_timeout_completed(bulk->context, &patience, NULL);
@@ -194,7 +194,7 @@ static bool is_any_busy(const struct bulk_link *bulk) {
     return is_busy;
 }
 
-/* Ends everything that is on its way. False if libusb does not give all of it back. */
+/* Ends all transfers in flight. Returns false if libusb does not give all of them back. */
 static bool cancel(struct bulk_link *bulk) {
     struct timespec began = stopwatch_start();
     for (unsigned i = 0; i < OUT_TRANSFERS; i++) {
@@ -246,7 +246,8 @@ static void listen_anew(struct bulk_link *bulk) {
     }
 }
 
-/* What a call has to say before it does anything: lost, or stalled and now cleared. */
+/* Returns what a call has to report before the call does anything: lost, or stalled and now
+ * cleared. */
 static enum usb_link_status state_of(struct bulk_link *bulk) {
     if (bulk->handle == NULL || bulk->is_lost) {
         return USB_LINK_LOST;
@@ -254,7 +255,7 @@ static enum usb_link_status state_of(struct bulk_link *bulk) {
     if (!bulk->is_out_stalled && !bulk->is_in_stalled) {
         return USB_LINK_OK;
     }
-    /* What was on its way behind the stall is of no use: the bus sends it again. */
+    /* What was in flight behind the stall is of no use: the bus sends it again. */
     int error = 0;
     if (!cancel(bulk)) {
         lose(bulk, "stalled transfers do not end");
@@ -329,7 +330,7 @@ static enum usb_link_status bulk_receive(struct usb_link *link, uint8_t *bytes, 
 
 /* ---- Opening and closing ------------------------------------------------------------------- */
 
-/* The bulk pair's addresses are the device's to choose. */
+/* Finds the addresses of the bulk pair, which are the device's to choose. */
 static bool find_endpoints(struct bulk_link *bulk, libusb_device *device) {
     struct libusb_config_descriptor *configuration = NULL;
     bulk->out_endpoint = bulk->in_endpoint = 0;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The way to an adapter by HID reports, with hidapi. */
+/* The transport to an adapter by HID reports, with hidapi. */
 #include <errno.h>
 #include <hidapi.h>
 #include <stdio.h>
@@ -19,7 +19,8 @@ struct hid_link {
     char serial[USB_NAME_SIZE];
 };
 
-/* Serial numbers of adapters are ASCII; anything else becomes '?'. */
+/* Converts a serial number to bytes. Serial numbers of adapters are ASCII; anything else becomes
+ * '?'. */
 static void narrow(char *text, const wchar_t *wide) {
     size_t i = 0;
     for (; wide != NULL && wide[i] != L'\0' && i < USB_NAME_SIZE - 1; i++) {
@@ -37,8 +38,8 @@ static bool is_accessible(const char *path) {
     return true;
 }
 
-/* The usage page is not known to all of hidapi's back ends: the interface's number is. One that was
- * pulled meanwhile may be listed without a path. */
+/* Lists the adapters by the number of the HID interface: not all of hidapi's back ends know the
+ * usage page. An adapter that was pulled meanwhile may be listed without a path. */
 static unsigned enumerate(struct usb_found *found, unsigned most, char *reason, bool must_try) {
     unsigned count = 0;
     reason[0] = '\0';

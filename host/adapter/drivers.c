@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What both back ends share: which adapter is meant, and why it can't be had. */
+/* What both back ends share: which adapter is meant, and why an adapter can't be had. */
 #include "adapter/drivers.h"
 
 #include <stdio.h>

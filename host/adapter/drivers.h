@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The two ways to an adapter, bulk transfers and HID reports. A way whose library was not there
- * when the program was built is there all the same, and says so. */
+/* The two transports to an adapter, bulk transfers and HID reports. A transport whose library was
+ * missing when the program was built is there all the same, and says so. */
 #ifndef SUPERFRAME_USB_BACKENDS_H
 #define SUPERFRAME_USB_BACKENDS_H
 
@@ -19,13 +19,13 @@ struct usb_found {
 /* What opening came to. */
 enum usb_open_status {
     USB_OPEN_OK,
-    USB_OPEN_ABSENT, /* no such adapter: it may be plugged in yet */
+    USB_OPEN_ABSENT, /* no such adapter: it may yet be plugged in */
     USB_OPEN_DENIED, /* this user may not open it: udev takes a moment with one that has just come
                       */
     USB_OPEN_REFUSED /* it is there, but can't be had: waiting does not help */
 };
 
-/* One way. */
+/* One transport. */
 struct usb_backend {
     const char *name;    /* "usb" or "hid", as --bus calls it */
     const char *library; /* what it was built with, or that it was not */
@@ -40,7 +40,7 @@ struct usb_backend {
 
 extern const struct usb_backend usb_backend_bulk, usb_backend_hid;
 
-/* Finds the adapter that is meant among those found. OK: *index is its place. */
+/* Finds the adapter that is meant among those found. With USB_OPEN_OK, *index is its place. */
 enum usb_open_status usb_choose(const struct usb_found *found, unsigned count, const char *serial,
                                 unsigned *index, char *reason);
 

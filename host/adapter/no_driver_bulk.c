@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* In the place of usb/libusb.c where libusb-1.0 is not there. */
+/* Stands in for driver_bulk.c where libusb-1.0 is missing. */
 #include <stdio.h>
 
 #include "adapter/drivers.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* In the place of usb/hidapi.c where hidapi is not there. */
+/* Stands in for driver_hid.c where hidapi is missing. */
 #include <stdio.h>
 
 #include "adapter/drivers.h"

@@ -24,7 +24,8 @@ static void pause_ms(long milliseconds) {
     (void)nanosleep(&pause, NULL);
 }
 
-/* Different in each run: a session's number must not be known to an adapter already. */
+/* Returns a seed that differs in each run: a session's number must not be known to an adapter
+ * already. */
 static uint64_t session_seed(void) {
     struct timespec now = {0, 0};
     (void)clock_gettime(CLOCK_REALTIME, &now);
@@ -140,7 +141,7 @@ static bool is_row_there(const struct usb_bus *usb, unsigned row, unsigned lines
     return is_there;
 }
 
-/* The rows that are there, or are not, as "0-57, 60"; returns how many. */
+/* Prints the rows that are there, or those that are not, as "0-57, 60"; returns how many. */
 static unsigned print_rows(const struct usb_bus *usb, const unsigned rows[2], unsigned lines,
                            bool is_there, char *text) {
     unsigned count = 0;

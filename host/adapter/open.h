@@ -17,14 +17,15 @@ struct adapter_bus {
     struct usb_verification verification; /* what adapter_bus_verify() found */
 };
 
-/* Opens an adapter, by HID or else by bulk transfers, after waiting for it if --wait says so. base:
- * of the board behind it. STATUS_DONE; else the reason is printed. */
+/* Opens an adapter, by HID or else by bulk transfers, after waiting for one if --wait says so.
+ * base: the port base of the board behind the adapter. Returns STATUS_DONE; else the reason is
+ * printed. */
 int adapter_bus_open(struct adapter_bus *adapter, bool is_hid, uint16_t base,
                      const struct adapter_options *options);
 
-/* Reads back so many per cent of the lines that were drawn, chosen by the seed, repairs them, and
- * prints what that came to. STATUS_DONE, or STATUS_FAILED if the bus failed or something can't be
- * repaired. */
+/* Reads back so many per cent of the lines that were drawn, chosen by the seed. Repairs the lines,
+ * and prints what that came to. Returns STATUS_DONE, or STATUS_FAILED if the bus failed or
+ * something can't be repaired. */
 int adapter_bus_verify(struct adapter_bus *adapter, unsigned percent, uint64_t seed);
 
 /* Writes what the cable carried as the key adapter of the statistics, a line ended by a comma. The
@@ -32,11 +33,11 @@ int adapter_bus_verify(struct adapter_bus *adapter, unsigned percent, uint64_t s
 void adapter_bus_write_stats(const struct adapter_bus *adapter, FILE *out);
 
 /* Prints why the bus failed and which of the picture's rows first..last-1 are known to be on the
- * board. lines: of the board, to a row: 1 or 2. */
+ * board. lines: how many of the board's lines make a row, 1 or 2. */
 void adapter_bus_explain(const struct adapter_bus *adapter, unsigned first, unsigned last,
                          unsigned lines);
 
-/* Harmless if it is not open. */
+/* Closes an adapter; harmless if it is not open. */
 void adapter_bus_close(struct adapter_bus *adapter);
 
 #endif

@@ -10,7 +10,7 @@ struct adapter_options {
     bool waits;         /* --wait */
     unsigned verify_percent; /* of the lines; 0: no --verify */
     const char *listen;      /* ADDRESS or ADDRESS:PORT; NULL: 127.0.0.1:3240 */
-    bool once;               /* the virtual adapter ends when its first guest leaves */
+    bool once;               /* the virtual adapter ends when its first client leaves */
 };
 
 #endif

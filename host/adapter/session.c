@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A session with an adapter: frames out with credits, replies in, what was lost sent again, and
- * taking up or beginning anew after the cable was pulled. */
+/* A session with an adapter: sends frames with credits, takes replies, and sends what was lost
+ * again. After the cable was pulled, the session is taken up or begun anew. */
 #include "adapter/bus_internal.h"
 
 #include <stdarg.h>
@@ -27,7 +27,7 @@ static bool has_failed(const struct usb_bus *usb_bus) {
     return usb_bus->bus.status != BUS_OK;
 }
 
-/* Something went on: patience begins anew. */
+/* Notes that something went on: patience begins anew. */
 static void note_progress(struct usb_bus *usb_bus) {
     usb_bus->failures = 0;
     usb_bus->waiting_since = stopwatch_start();
@@ -70,7 +70,8 @@ static bool remember(struct usb_bus *usb_bus, const uint8_t *payload, size_t cou
 
 /* ---- Sending ------------------------------------------------------------------------------- */
 
-/* What to do after a call of the link: true if it went well. */
+/* Does what is needed after a call of the link. Returns true if the call went well and the bus did
+ * not fail. */
 static bool recover(struct usb_bus *usb_bus, enum usb_link_status status);
 
 static enum usb_link_status send_one(struct usb_bus *usb_bus, uint32_t sequence) {
@@ -94,8 +95,8 @@ static void go_back(struct usb_bus *usb_bus) {
     usb_bus->sent = usb_bus->acked;
 }
 
-/* Sends what the credits allow. False if something got in between: what is on its way is unknown.
- */
+/* Sends what the credits allow. Returns false if something got in between: what is in flight is
+ * then unknown. */
 static bool fill_window(struct usb_bus *usb_bus) {
     while (!has_failed(usb_bus) && usb_bus->sent < usb_bus->sealed &&
            usb_bus->sent - usb_bus->acked < usb_bus->credits) {
@@ -189,7 +190,7 @@ static void take_input(struct usb_bus *usb_bus) {
 
 /* ---- Waiting ------------------------------------------------------------------------------- */
 
-/* Waits for one answer of the link, at most so long, and takes it. */
+/* Waits for one answer of the link, at most timeout_ms, and takes the answer. */
 static enum usb_link_status listen(struct usb_bus *usb_bus, unsigned timeout_ms) {
     size_t count = 0;
     enum usb_link_status status = usb_bus->link->operations->receive(
@@ -199,7 +200,7 @@ static enum usb_link_status listen(struct usb_bus *usb_bus, unsigned timeout_ms)
         usb_bus->counts.received_bytes += count;
         usb_bus->input_count += count;
         take_input(usb_bus);
-        /* One that never falls silent would never be found to be silent. */
+        /* An adapter that never falls silent would never be found to give no answer. */
         if (stopwatch_seconds(&usb_bus->waiting_since) * 1000 >
             (double)usb_bus->limits.reply_ms * (usb_bus->limits.retries + 1)) {
             usb_bus_give_up(usb_bus, BUS_TIMEOUT, "the adapter talks, but does not answer");
@@ -208,7 +209,7 @@ static enum usb_link_status listen(struct usb_bus *usb_bus, unsigned timeout_ms)
     return status;
 }
 
-/* Counts a failure; false when it was one too many. */
+/* Counts a failure. Returns false, with the bus failed, when there are too many in a row. */
 static bool may_try_again(struct usb_bus *usb_bus, enum bus_status status, const char *what) {
     usb_bus->failures++;
     if (usb_bus->failures > usb_bus->limits.retries) {
@@ -218,8 +219,8 @@ static bool may_try_again(struct usb_bus *usb_bus, enum bus_status status, const
     return true;
 }
 
-/* Sends a hello and waits for its reply. The link's status; OK with is_greeted false: the bus
- * failed. */
+/* Sends a hello and waits for its reply. Returns the link's status. OK with is_greeted false means
+ * that the bus failed. */
 static enum usb_link_status greet(struct usb_bus *usb_bus, bool is_start) {
     uint8_t frame[USB_OVERHEAD + USB_HELLO_BYTES], payload[USB_HELLO_BYTES];
     const struct usb_header header = {USB_VERSION,
@@ -253,7 +254,8 @@ static enum usb_link_status greet(struct usb_bus *usb_bus, bool is_start) {
     return USB_LINK_OK;
 }
 
-/* A session that the adapter has never heard of: everything is sent again from the beginning. */
+/* Makes a session that the adapter has never heard of: everything is sent again from the
+ * beginning. */
 static void new_session(struct usb_bus *usb_bus) {
     do {
         usb_bus->session = (uint32_t)splitmix64(&usb_bus->random);
@@ -261,7 +263,8 @@ static void new_session(struct usb_bus *usb_bus) {
     usb_bus->acked = usb_bus->sent = usb_bus->highest_sent = 0;
 }
 
-/* Whether the greeting lets the session go on where it is; else the bus failed or must_restart. */
+/* Tells whether the greeting lets the session go on where it is. Otherwise the bus failed, or
+ * *must_restart is set. */
 static bool can_go_on(struct usb_bus *usb_bus, bool *must_restart) {
     const struct usb_hello_reply *greeting = &usb_bus->greeting;
     *must_restart = false;
@@ -291,7 +294,8 @@ static bool can_go_on(struct usb_bus *usb_bus, bool *must_restart) {
     return true;
 }
 
-/* Asks the adapter where it stands, and begins anew if it does not know. */
+/* Asks the adapter where the session stands, and begins anew if the adapter does not know. Returns
+ * the link's status. */
 static enum usb_link_status take_up(struct usb_bus *usb_bus) {
     bool is_start = false, must_restart;
     for (;;) {
@@ -317,7 +321,8 @@ static enum usb_link_status take_up(struct usb_bus *usb_bus) {
     }
 }
 
-/* Waits for the adapter to be plugged in again. */
+/* Waits for the adapter to be plugged in again. Returns false, with the bus failed, if it was
+ * not. */
 static bool reopen(struct usb_bus *usb_bus) {
     unsigned waited = 0;
     while (waited < usb_bus->limits.reopen_ms &&
@@ -357,7 +362,7 @@ static bool recover(struct usb_bus *usb_bus, enum usb_link_status status) {
     return false;
 }
 
-/* One step on: sends what may be sent, waits for one answer. */
+/* Goes one step on: sends what may be sent, waits for one answer. */
 static void step(struct usb_bus *usb_bus) {
     if (!fill_window(usb_bus)) {
         return;
@@ -393,7 +398,7 @@ void usb_session_seal(struct usb_bus *usb_bus) {
     usb_bus->counts.frames++;
     usb_bus->counts.payload_bytes += encoder->used;
     if (fill_window(usb_bus)) {
-        /* A glance at what has come meanwhile: what is known to have arrived is up to date. */
+        /* Looks at what has come meanwhile, so that what is known to have arrived is up to date. */
         enum usb_link_status status = listen(usb_bus, 0);
         if (status != USB_LINK_TIMEOUT) {
             (void)recover(usb_bus, status);
@@ -424,7 +429,8 @@ bool usb_session_ask(struct usb_bus *usb_bus, size_t count) {
                 usb_bus_give_up(usb_bus, BUS_PROTOCOL, "the adapter ran a read, but gives no data");
                 break;
             }
-            /* It was run, but its data got lost on the way: a duplicate brings it once more. */
+            /* The frame was run, but its data got lost on the way: a duplicate brings the data once
+             * more. */
             usb_bus->sent = usb_bus->awaited - 1;
             usb_bus->acked = usb_bus->awaited - 1;
         }

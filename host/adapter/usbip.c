@@ -118,7 +118,8 @@ static void answer_import(struct usbip_guest *guest, const uint8_t *bus_id) {
     usb_device_reset(guest->device);
 }
 
-/* One request of this phase; returns its length, 0: more bytes are needed. */
+/* Takes one request of this phase. Returns its length, or 0 where more bytes are needed or the
+ * visit is over. */
 static size_t take_op(struct usbip_guest *guest, const uint8_t *bytes, size_t count) {
     if (count < OP_BYTES) {
         return 0;
@@ -157,7 +158,7 @@ static void answer(const struct usbip_guest *guest, uint32_t code, uint32_t numb
     guest->send(guest->context, bytes, sizeof bytes);
 }
 
-/* Answers a transfer from the device. False: there is nothing yet. */
+/* Answers a transfer from the device. Returns false if there is nothing yet. */
 static bool answer_in(struct usbip_guest *guest, uint32_t number, uint8_t endpoint, uint32_t room) {
     uint8_t bytes[IN_MOST];
     int count = usb_device_in(guest->device, endpoint, bytes, room < IN_MOST ? room : IN_MOST);
@@ -195,7 +196,7 @@ static void submit_control(struct usbip_guest *guest, uint32_t number, const uin
                            uint32_t length, bool is_in) {
     uint8_t in[USB_CONTROL_MOST], setup[8];
     memcpy(setup, header + SETUP_PLACE, sizeof setup);
-    /* What setup says of direction and length must be what follows. */
+    /* The direction and length that setup gives must be those of what follows. */
     bool is_consistent = ((setup[0] & 0x80) != 0) == (is_in || length == 0) ||
                          (length == 0 && usb_get16(setup + 6) == 0);
     uint32_t wanted = usb_get16(setup + 6);
@@ -247,7 +248,8 @@ static void unlink_transfer(struct usbip_guest *guest, const uint8_t *header) {
     answer(guest, ANSWER_UNLINK, get32(header + 4), status, 0);
 }
 
-/* One command of this phase; returns its length, 0: more bytes are needed. */
+/* Takes one command of this phase. Returns its length, or 0 where more bytes are needed or the
+ * visit is over. */
 static size_t take_command(struct usbip_guest *guest, const uint8_t *bytes, size_t count) {
     if (count < HEADER_BYTES) {
         return 0;
@@ -279,7 +281,7 @@ static size_t take_command(struct usbip_guest *guest, const uint8_t *bytes, size
     return HEADER_BYTES + data;
 }
 
-/* Works on what is there; the rest stays. */
+/* Works off the whole requests or commands that are there; the rest stays. */
 static void work_off(struct usbip_guest *guest) {
     size_t begin = 0;
     while (!guest->is_over) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* One guest of a USB/IP server: the bytes that it sends, taken apart and done on a device.
+/* One client of a USB/IP server: the bytes that the client sends, taken apart and done on a device.
  *
  * No sockets: bytes go in by usbip_guest_take() and come out by a function of the caller's. The
  * protocol is the Linux kernel's, version 1.1.1 (Documentation/usb/usbip_protocol.rst). */
@@ -11,7 +11,7 @@
 enum {
     USBIP_PORT = 3240, /* the registered one */
     USBIP_TRANSFER_MOST =
-        65536,             /* bytes of a transfer to the device; more ends the guest's visit */
+        65536,             /* bytes of a transfer to the device; more ends the client's visit */
     USBIP_PARKED_MOST = 32 /* transfers from the device that may wait for data */
 };
 
@@ -24,12 +24,12 @@ struct usbip_parked {
     uint8_t endpoint;
 };
 
-/* A guest. About 66 KB. */
+/* A client. About 66 KB. */
 struct usbip_guest {
     struct usb_device *device;
     void (*send)(void *context, const uint8_t *bytes, size_t count);
     void *context;
-    bool is_busy;     /* the device is another guest's: it may look, but not have it */
+    bool is_busy;     /* another client has the device: this one may look, but not have it */
     bool is_attached; /* has the device */
     bool is_over;     /* close the connection; reason says why */
     const char *reason;
@@ -39,7 +39,7 @@ struct usbip_guest {
     uint8_t input[48 + USBIP_TRANSFER_MOST];
 };
 
-/* A guest has come. is_busy: another one has the device. */
+/* Begins with a client that has come. is_busy: another client has the device. */
 void usbip_guest_init(struct usbip_guest *guest, struct usb_device *device, bool is_busy,
                       void (*send)(void *context, const uint8_t *bytes, size_t count),
                       void *context);
@@ -47,7 +47,7 @@ void usbip_guest_init(struct usbip_guest *guest, struct usb_device *device, bool
 /* Takes bytes and does what they ask for. Once is_over, nothing more is taken. */
 void usbip_guest_take(struct usbip_guest *guest, const uint8_t *bytes, size_t count);
 
-/* The guest is gone: to the device, the cable was pulled. */
+/* Ends a client's visit: to the device, the cable was pulled. */
 void usbip_guest_leave(struct usbip_guest *guest);
 
 #endif

@@ -21,8 +21,8 @@ static void port_write(struct usb_bus *usb_bus, unsigned offset, unsigned value,
     bus_write(&usb_bus->bus, (uint16_t)(usb_bus->base + offset), (uint16_t)value, width);
 }
 
-/* Notes in differs which pixels of a line are not as drawn; returns how many, and adds to
- * *compared. */
+/* Notes in differs which pixels of a line are not as drawn. Returns how many, and adds to *compared
+ * how many were compared. */
 static unsigned compare_line(struct usb_bus *usb_bus, unsigned line, uint8_t *differs,
                              uint64_t *compared) {
     unsigned most = usb_bus->read_most / 3, different = 0;

@@ -5,7 +5,8 @@
 #include <stdarg.h>
 #include <stdio.h>
 
-/* One call of fprintf each, so that the messages of two processes don't mix within a line. */
+/* Prints a message by one call of fprintf, so that the messages of two processes don't mix within a
+ * line. */
 static void print_message(const char *format, va_list arguments) {
     char text[1024];
     (void)vsnprintf(text, sizeof text, format, arguments);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Runs gnuplot, where it is there. */
+/* Runs gnuplot, where it is installed. */
 #include "base/gnuplot.h"
 
 #include <errno.h>

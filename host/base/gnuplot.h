@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Runs gnuplot, where it is there. */
+/* Runs gnuplot, where it is installed. */
 #ifndef SUPERFRAME_GNUPLOT_H
 #define SUPERFRAME_GNUPLOT_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Ending a long run cleanly when its user interrupts it, and any run without files left behind. */
+/* Ends a long run cleanly when its user interrupts it, and leaves no files behind after any run. */
 #include "base/interrupt.h"
 
 #include <stdbool.h>
@@ -11,14 +11,14 @@
 
 enum { GUARDED_MOST = 16 };
 
-/* timeout(1) sends its signal to the program and then to its group, so that one interruption comes
- * twice at once; a user who presses a key again needs longer. */
+/* timeout(1) sends its signal to the program and then to the program's group. So one interruption
+ * comes twice at once. A user who presses a key again needs longer. */
 static const double same_seconds = 0.25;
 
 static const int signals[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
 
-/* A handler has no other way to tell the program anything, or to be told what lies about: the one
- * written global of the host, besides the bound bus. The time is the handler's own. */
+/* The one written global of the host, besides the bound bus. A signal handler has no other way to
+ * tell the program anything, or to be told which files lie about. The time is the handler's own. */
 static struct {
     bool is_caught; /* the first signal is only noted */
     volatile sig_atomic_t signal;
@@ -26,7 +26,7 @@ static struct {
     const char *volatile guarded[GUARDED_MOST]; /* NULL: a free place */
 } noted;
 
-/* The last first: a folder stands before what is in it. */
+/* Removes what is guarded, the last first: a folder stands before what is in it. */
 static void remove_guarded(void) {
     for (int i = GUARDED_MOST - 1; i >= 0; i--) {
         const char *path = noted.guarded[i];

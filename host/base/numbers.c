@@ -8,7 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* strtoul() alone would take blanks, signs and what is too long. */
+/* Reads decimal digits only, up to `most`. strtoul() alone would also take blanks, signs and
+ * numbers that are too long. */
 static bool whole(const char *text, size_t length, uint64_t most, uint64_t *value) {
     uint64_t sum = 0;
     if (length == 0) {
@@ -37,7 +38,7 @@ bool value_whole(const char *text, uint64_t low, uint64_t high, uint64_t *value)
     return true;
 }
 
-/* One decimal number; *end is the first letter behind it. */
+/* Reads one decimal number; *end is the first letter behind the number. */
 static bool decimal(const char *text, const char **end, double *value) {
     size_t letters = strspn(text, "0123456789.eE+-");
     char *stop;

@@ -6,14 +6,14 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* Reads decimal digits only, low..high. False, and *value untouched, if it is anything else. */
+/* Reads decimal digits only, low..high. Any other text gives false and leaves *value untouched. */
 bool value_whole(const char *text, uint64_t low, uint64_t high, uint64_t *value);
 
 /* Reads a decimal number, or a fraction "A/B" of two, low..high. No infinity, no NaN, no
- * hexadecimal digits, no blanks. False, and *value untouched, if it is anything else. */
+ * hexadecimal digits, no blanks. Any other text gives false and leaves *value untouched. */
 bool value_real(const char *text, double low, double high, double *value);
 
-/* Reads "AxB" or another pair with a letter between, each low..its own most. */
+/* Reads "AxB" or another pair with a letter between: A is low..first_most, B low..second_most. */
 bool value_pair(const char *text, char between, uint64_t low, uint64_t first_most,
                 uint64_t second_most, uint64_t *first, uint64_t *second);
 

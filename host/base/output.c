@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Files that appear whole under the asked name, or not at all. */
+/* Files that appear whole under the name that was asked for, or not at all. */
 #include "base/output.h"
 
 #include <errno.h>

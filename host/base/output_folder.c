@@ -22,7 +22,7 @@ static bool fail(struct paper_folder *folder, int error_number) {
     return false;
 }
 
-/* The folder in which the target is, or is to be. */
+/* Returns the folder in which the target is, or is to be. NULL: out of memory. */
 static char *parent_of(const char *target) {
     const char *slash = strrchr(target, '/');
     size_t length = slash == NULL ? 1 : slash == target ? 1 : (size_t)(slash - target);
@@ -34,7 +34,7 @@ static char *parent_of(const char *target) {
     return parent;
 }
 
-/* The name without slashes at its end. */
+/* Copies a name without the slashes at its end. NULL: out of memory. */
 static char *copy_name(const char *name) {
     size_t length = strlen(name);
     while (length > 1 && name[length - 1] == '/') {
@@ -98,7 +98,8 @@ static bool is_dots(const char *name) {
     return strcmp(name, ".") == 0 || strcmp(name, "..") == 0;
 }
 
-/* NULL: there is no more, or, with *is_good false and errno set, it can't be read. */
+/* Returns the next entry of a folder. NULL: there is no more, or, with *is_good false and errno
+ * set, the folder can't be read. */
 static struct dirent *next_entry(DIR *entries, bool *is_good) {
     errno = 0;
     struct dirent *entry = readdir(entries);
@@ -106,8 +107,8 @@ static struct dirent *next_entry(DIR *entries, bool *is_good) {
     return entry;
 }
 
-/* Does something with every file of the temporary folder: moves it into the target or removes it.
- * False with errno set at the first failure. */
+/* Moves every file of the temporary folder into the target, or removes every file. False with errno
+ * set at the first failure. */
 static bool empty_temporary(const struct paper_folder *folder, bool moves) {
     DIR *entries = opendir(folder->temporary);
     bool is_done = entries != NULL;

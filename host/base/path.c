@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Paths of files: joined, followed through links, and resolved so that they can be compared. */
-/* realpath() is of POSIX 2008, but glibc shows it only so. */
+/* realpath() is of POSIX 2008, but glibc declares it only with this switch. */
 #define _XOPEN_SOURCE 700 // NOLINT(bugprone-reserved-identifier): glibc's own switch
 #include "base/path.h"
 
@@ -23,7 +23,7 @@ char *path_join(const char *folder, const char *name) {
     return path;
 }
 
-/* Length of the folder's part of a path, its last slash included. */
+/* Returns the length of the folder's part of a path, its last slash included. */
 static size_t folder_length(const char *path) {
     const char *slash = strrchr(path, '/');
     return slash == NULL ? 0 : (size_t)(slash - path) + 1;
@@ -62,7 +62,7 @@ char *path_follow_links(const char *path) {
     return NULL;
 }
 
-/* Appends what is not there yet to the folder that is, part by part. */
+/* Appends the parts of a path that are not there yet to the folder that is. */
 static char *append_parts(char *folder, char *parts) {
     for (char *part = strtok(parts, "/"); part != NULL && folder != NULL;
          part = strtok(NULL, "/")) {

@@ -3,20 +3,21 @@
 #ifndef SUPERFRAME_FILE_PATH_H
 #define SUPERFRAME_FILE_PATH_H
 
-/* The caller frees what these return; NULL with errno set on failure. */
+/* The caller frees what these functions return; NULL with errno set on failure. */
 
-/* "folder/name". */
+/* Joins the two to "folder/name". */
 char *path_join(const char *folder, const char *name);
 
-/* A name in the folder that a path lies in: "a/b" and "c" make "a/c". A name that starts from the
- * root stays as it is. */
+/* Puts a name into the folder that a path lies in: "a/b" and "c" make "a/c". A name that starts
+ * from the root stays as it is. */
 char *path_beside(const char *path, const char *name);
 
-/* Where symbolic links lead, be it there already or not. */
+/* Returns where symbolic links lead, be that place there already or not. */
 char *path_follow_links(const char *path);
 
-/* The path from the root without links, "." and "..": two spellings of a file are the same, also
- * where it, or the folder that it is in, is not there yet. */
+/* Returns the path from the root without links, "." and "..", so that two spellings of a file
+ * become the same. The file, or the folder that the file is in, need not be there yet. A ".." after
+ * a folder that is not there stays. */
 char *path_resolve(const char *path);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A picture as a PNG in its place. */
+/* Writes a picture as a PNG and puts the file into its place. */
 #include "base/png_output.h"
 
 #include "png_file.h"

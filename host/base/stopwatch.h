@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Seconds by a clock that nobody sets. */
+/* Measures seconds by a clock that nobody sets. */
 #ifndef SUPERFRAME_STOPWATCH_H
 #define SUPERFRAME_STOPWATCH_H
 
@@ -11,13 +11,13 @@ static inline struct timespec stopwatch_start(void) {
     return now;
 }
 
-/* Seconds from one reading to a later one. */
+/* Returns the seconds from one reading to a later one. */
 static inline double stopwatch_between(const struct timespec *began, const struct timespec *ended) {
     return (double)(ended->tv_sec - began->tv_sec) +
            (double)(ended->tv_nsec - began->tv_nsec) * 1e-9;
 }
 
-/* Seconds since then. */
+/* Returns the seconds since a reading. */
 static inline double stopwatch_seconds(const struct timespec *began) {
     struct timespec now = stopwatch_start();
     return stopwatch_between(began, &now);

@@ -96,7 +96,7 @@ bool exposures_commit(struct exposures *exposures) {
         exposures->failed = exposures->kept[i].file != NULL && !output_commit(&exposures->kept[i]);
     }
     if (!exposures->failed) {
-        drop_folder(exposures); /* it stays */
+        drop_folder(exposures); /* the folder stays */
     }
     return !exposures->failed;
 }
@@ -116,7 +116,7 @@ void exposures_free(struct exposures *exposures) {
         free(exposures->names[i]);
     }
     if (exposures->made_folder != NULL) {
-        (void)rmdir(exposures->made_folder); /* only if nothing is in it */
+        (void)rmdir(exposures->made_folder); /* removes the folder only if it is empty */
         drop_folder(exposures);
     }
     free(exposures);

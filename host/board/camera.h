@@ -19,20 +19,20 @@ struct exposures {
     uint8_t rgb[PICTURE_BYTES];   /* the developed picture */
     struct output kept[RENDER_EXPOSURES];
     char *names[RENDER_EXPOSURES];
-    char *made_folder; /* it was not there before; NULL: it was, or there is none */
+    char *made_folder; /* the folder that was made; NULL: it was there before, or there is none */
     bool failed;       /* a picture could not be written; the reason is printed */
 };
 
-/* The name of one of the kept pictures, 0..7, in new memory; NULL: there is none. */
+/* Returns the name of one of the kept pictures, 0..7, in new memory; NULL: out of memory. */
 char *exposure_name(const char *folder, unsigned exposure);
 
-/* A camera with a blank film in front of the chain's board. folder: where each picture is kept as
- * exposure-0.png to exposure-7.png; NULL: nowhere. NULL, with the reason printed, if memory is out
- * or the folder can't be written. Give the result to exposures_free(). */
+/* Makes a camera with a blank film in front of the chain's board. folder: where each picture is
+ * kept as exposure-0.png to exposure-7.png; NULL: nowhere. Returns NULL, with the reason printed,
+ * if memory is out or the folder can't be written. Give the result to exposures_free(). */
 struct exposures *exposures_new(struct port_chain *chain, const char *folder);
 
-/* Photographs what the board shows now: context is the struct exposures. A render_job's `exposed`.
- */
+/* Photographs what the board shows now; a render_job's `exposed`. context is the struct
+ * exposures. */
 void exposures_take(void *context, unsigned exposure);
 
 /* Puts the kept pictures into their places. False, with the reason printed, if one can't be. */

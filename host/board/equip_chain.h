@@ -7,13 +7,13 @@
 #include "board/port_chain.h"
 #include "ports_linux.h"
 
-/* Opens the machine's own ports, and gives up what rights the program has besides: to be called
- * before anything else is opened. STATUS_DONE; else the reason is printed. */
+/* Opens the machine's own ports, and gives up what rights the program has besides. Has to be called
+ * before anything else is opened. Returns STATUS_DONE; otherwise the reason is printed. */
 int open_own_ports(struct ports_linux *ports, uint16_t base);
 
-/* Puts in the PC's own screen (--native) and the faults (--faults), and counts the accesses if the
- * statistics ask for that. To be called before any access, and before the recorder is put in.
- * STATUS_DONE; else the reason is printed. */
+/* Puts in the PC's own screen (--native) and the faults (--faults). If the statistics ask for a
+ * count of the accesses, puts that in too. Has to be called before any access, and before the
+ * recorder is put in. Returns STATUS_DONE; otherwise the reason is printed. */
 int equip_chain(struct port_chain *chain, const struct board_options *board, bool counts);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* When the first port was written: a bus that looks at the clocks once, then leaves the chain. */
+/* Times the first write to a port: a bus that reads the clocks once, then leaves the chain. */
 #include "board/first_write.h"
 
 #include <stddef.h>

@@ -15,7 +15,7 @@ enum picture_kind {
     PICTURE_KIND_WHOLE   /* 640 x 416: the frame memory with its hidden blocks below */
 };
 
-/* All zero: none of them was given. Strings point into argv. */
+/* All zero: no option was given. Strings point into argv. */
 struct board_options {
     enum picture_kind picture;
     const char *native; /* a PNG of the PC-9801's own screen; NULL: black */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The buses behind the ports, put together: a hash of the writes, what is asked for besides, and
- * the board or a device. */
+/* The buses behind the ports, put together. A hash of the writes comes first, then what is asked
+ * for besides, and at the end the board or a device. */
 #ifndef SUPERFRAME_PORT_CHAIN_H
 #define SUPERFRAME_PORT_CHAIN_H
 
@@ -37,45 +37,48 @@ struct port_chain {
     enum picture_state picture_state;
 };
 
-/* A chain without a recorder. has_board: ends at a board of that desc, else at an empty slot. NULL
- * if out of memory or the desc is none. */
+/* Makes a chain without a recorder. has_board: the chain ends at a board of that desc, otherwise at
+ * an empty slot. NULL if memory is out or the desc is invalid. */
 struct port_chain *port_chain_new(const struct board_desc *desc, bool has_board);
 
 /* The following four put something into the chain, before any access. What is put in later sees an
  * access earlier: a device first, then faults, then the count, then the recorder. */
 
-/* A device in the place of the empty slot, for a chain without a board. It stays the caller's. */
+/* Puts a device in the place of the empty slot, for a chain without a board. The device stays the
+ * caller's. */
 void port_chain_end_at(struct port_chain *chain, struct bus *device);
 
-/* Faults between what is recorded and the board. */
+/* Puts faults between what is recorded and the board. */
 void port_chain_spoil(struct port_chain *chain, const struct fault_plan *plan);
 
-/* A count of the accesses, for what they cost: chain->cost. */
+/* Puts in a count of the accesses, for what accesses cost: chain->cost. */
 void port_chain_count(struct port_chain *chain);
 
-/* A recorder. The file stays the caller's. */
+/* Puts in a recorder. The file stays the caller's. */
 void port_chain_record(struct port_chain *chain, FILE *file, enum trace_format format);
 
-/* The bus to bind, after all of the above. Observed: accesses are hashed and their writes counted
- * in chain->hash, and chain->first notes when the first one comes; else nothing is known of them
- * that was not put into the chain, and they come sooner to their end. */
+/* Returns the bus to bind, after all of the above. Observed: chain->hash hashes and counts the
+ * writes, and chain->first notes when the first write comes. Otherwise only what was put into the
+ * chain knows of the accesses, and accesses take less time. */
 struct bus *port_chain_bus(struct port_chain *chain, bool is_observed);
 
-/* Ends the recording, if there is one; the status of the whole chain. No access may follow. */
+/* Ends the recording, if there is one, and returns the status of the whole chain. No access may
+ * follow. */
 enum bus_status port_chain_finish(struct port_chain *chain);
 
-/* Draws into chain->rgb. */
+/* Draws what the CRT shows into chain->rgb. */
 void port_chain_picture(struct port_chain *chain);
 
-/* Port accesses so far, where they are observed. */
+/* Counts the port accesses so far, of an observed chain. Without a board, a recorder and a count
+ * the reads are given as 0. */
 uint64_t port_chain_writes(const struct port_chain *chain);
 uint64_t port_chain_reads(const struct port_chain *chain);
 
-/* Whether a strict check holds: no violation and, with a grade, nothing relied on that is no
- * better known. What was relied on is printed to standard error. */
+/* Tells whether a strict check holds: no violation and, with a grade, nothing relied on that is no
+ * better known. What breaks the check is printed to standard error. */
 bool port_chain_holds(const struct port_chain *chain, bool has_grade, enum board_grade grade);
 
-/* Harmless on NULL. Unbinds the chain if it is bound. */
+/* Frees the chain, and unbinds the chain if it is bound. Harmless on NULL. */
 void port_chain_free(struct port_chain *chain);
 
 #endif

@@ -14,9 +14,9 @@
  * allowed printed, if the file can't be read or can't be such a screen. */
 bool native_read(struct native_screen *native, const char *path);
 
-/* Writes a picture of the board to the output and commits that. native may be NULL: black. A screen
- * that is black because the board was not set up is written as well, with a word on standard error.
- * False, with the reason printed, if it can't be written; the output is then to be discarded. */
+/* Writes a picture of the board to the output and commits the output. native may be NULL: black. A
+ * screen that is black because the board was not set up is written as well, with the reason on
+ * standard error. False, with the reason printed, on failure; then discard the output. */
 bool board_picture_write(struct output *output, const struct board *board,
                          const struct native_screen *native, enum picture_kind kind);
 

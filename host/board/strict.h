@@ -7,13 +7,13 @@
 
 #include "board.h"
 
-/* Whether a behaviour breaks a strict check: a violation of the profile or, with a grade, something
- * no better known than that. */
+/* Tells whether a behaviour breaks a strict check. A violation of the profile does; with a grade,
+ * so does a behaviour that is no better known than that grade. */
 bool strict_minds(const struct board *board, enum board_behaviour behaviour, bool has_grade,
                   enum board_grade grade);
 
-/* Whether the strict check holds for all that the board was made to do. What does not is printed to
- * standard error, a line for each behaviour. */
+/* Tells whether the strict check holds for all that the board was made to do. What breaks the check
+ * is printed to standard error, a line for each behaviour. */
 bool strict_holds(const struct board *board, bool has_grade, enum board_grade grade);
 
 #endif

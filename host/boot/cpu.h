@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A 386 in a PC-9801 that has booted from a floppy: the firmware's machine code, its ports on a
- * bus. */
+/* A 386 in a PC-9801 that has booted from a floppy. It runs the firmware's machine code, with its
+ * ports on a bus. */
 #ifndef SUPERFRAME_PROCESSOR_H
 #define SUPERFRAME_PROCESSOR_H
 
@@ -11,9 +11,10 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* The machine: 640 KiB of memory, text VRAM at A0000h, graphics planes at A8000h, B0000h, B8000h
- * and E0000h as plain memory, the floppy by INT 1Bh, the keyboard; nothing else of the ROM, no
- * interrupts. All other ports go to the bus. An access to what is not there ends the run. */
+/* The machine has 640 KiB of memory and text VRAM at A0000h. Its graphics planes at A8000h, B0000h,
+ * B8000h and E0000h are plain memory. It has a keyboard, and a floppy read by INT 1Bh. Nothing else
+ * of the ROM is there, and there are no interrupts. All other ports go to the bus. An access to
+ * what is not there ends the run. */
 
 enum processor_end {
     PROCESSOR_HALTED,      /* HLT with interrupts off: the program has stopped by itself */
@@ -21,7 +22,7 @@ enum processor_end {
     PROCESSOR_LIMIT,       /* too many instructions */
     PROCESSOR_STOPPED,     /* the caller's flag was set */
     PROCESSOR_BUS_FAILED,  /* the bus says why */
-    PROCESSOR_UNAVAILABLE, /* not built in, or it could not be set up; `reason` says what lacks */
+    PROCESSOR_UNAVAILABLE, /* not built in, or not to be set up; `reason` says what is missing */
     PROCESSOR_ENDS
 };
 
@@ -67,8 +68,8 @@ enum processor_register {
     REGISTER_SS
 };
 
-/* Boots the disk and runs it to its end. Takes at most instructions_most and what one block of
- * code has more. */
+/* Boots the disk and runs it to its end. Runs at most instructions_most instructions, and what the
+ * last block of code has beyond that number. */
 void processor_run(const struct processor_job *job, struct processor_report *report);
 
 #endif

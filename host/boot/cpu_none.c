@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The processor of a build without one: says what to install. */
+/* The processor of a build without Unicorn: says what to install. */
 #include "boot/cpu.h"
 
 #include <stdio.h>

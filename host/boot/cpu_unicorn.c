@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The processor by Unicorn, a library made of QEMU's CPU. */
+/* The processor, emulated by Unicorn, a library made of QEMU's CPU. */
 #include "boot/cpu.h"
 
 #include <inttypes.h>
@@ -26,7 +26,7 @@ enum {
     BLOCKS = 4096 /* entries of the table of block lengths; a power of two */
 };
 
-/* What is memory: begin, length. */
+/* The regions of memory: begin and length. */
 static const struct {
     uint32_t begin, length;
 } regions[] = {{0, MEMORY_BYTES}, {TEXT_BASE, 0x4000}, {0xA8000, 0x18000}, {0xE0000, 0x8000}};
@@ -37,7 +37,7 @@ static const int register_numbers[PROCESSOR_REGISTERS] = {
     UC_X86_REG_EIP, UC_X86_REG_EFLAGS, UC_X86_REG_CS,  UC_X86_REG_DS,
     UC_X86_REG_ES,  UC_X86_REG_FS,     UC_X86_REG_GS,  UC_X86_REG_SS};
 
-/* How many instructions a block of code has that begins at an address. */
+/* The number of instructions of the block of code that begins at an address. */
 struct block_length {
     uint32_t address, instructions;
 };
@@ -81,8 +81,8 @@ static void set_register(struct run *run, int number, uint32_t value) {
 
 /* ---- Hooks ----------------------------------------------------------------------------------- */
 
-/* Called before each block of code. A block is translated before it runs, so that its length is
- * known to Unicorn; it is asked for once and kept. */
+/* Counts the instructions of a block of code before the block runs. Unicorn has translated the
+ * block by then and knows its length, which is asked for once and kept. */
 static void enter_block(uc_engine *engine, uint64_t address, uint32_t size, void *context) {
     /* As unsigned: UC_CTL_READ_WRITE() shifts a bit into the sign. */
     const uc_control_type request =
@@ -129,8 +129,9 @@ static void take_out(uc_engine *engine, uint32_t port, int width, uint32_t value
     check_bus(run);
 }
 
-/* Answers a read of the disk BIOS: AH = 56h or a variant of it, AL the drive, BX bytes, CL
- * cylinder, DH head, DL sector, ES:BP where to; carry and AH say what went wrong. */
+/* Answers a read of the disk BIOS. AH is 56h or a variant of it, AL the drive, BX the number of
+ * bytes. CL is the cylinder, DH the head, DL the sector, ES:BP the destination. Carry and AH say
+ * what went wrong. */
 static void read_disk(struct run *run) {
     uint32_t eax = get_register(run, UC_X86_REG_EAX), flags = get_register(run, UC_X86_REG_EFLAGS);
     uint32_t ecx = get_register(run, UC_X86_REG_ECX), edx = get_register(run, UC_X86_REG_EDX);
@@ -151,7 +152,7 @@ static void read_disk(struct run *run) {
                  status == 0 ? flags & ~(uint32_t)FLAG_CARRY : flags | FLAG_CARRY);
 }
 
-/* Called for INT n and for the CPU's own exceptions. */
+/* Handles INT n and the CPU's own exceptions. */
 static void take_interrupt(uc_engine *engine, uint32_t number, void *context) {
     struct run *run = context;
     uint32_t control = 0;
@@ -201,7 +202,7 @@ static bool add_hooks(struct run *run) {
     for (size_t i = 0; i < sizeof hooks / sizeof hooks[0]; i++) {
         uc_hook handle;
         void *function;
-        /* Unicorn takes a function as void *, which C99 knows no conversion for. */
+        /* Unicorn takes a function as void *, a conversion that C99 does not have. */
         memcpy(&function, &hooks[i].function, sizeof function);
         if (run->unicorn.hook_add(run->engine, &handle, hooks[i].type, function, run, (uint64_t)1,
                                   (uint64_t)0, hooks[i].instruction) != UC_ERR_OK) {
@@ -211,7 +212,8 @@ static bool add_hooks(struct run *run) {
     return true;
 }
 
-/* The machine as its ROM leaves it when it jumps to the boot sector. */
+/* Sets the machine up as its ROM leaves it for the jump to the boot sector; false if Unicorn
+ * fails. */
 static bool prepare(struct run *run) {
     const uint8_t drive = DRIVE_2HD;
     const uint16_t segment = BOOT_SEGMENT;
@@ -234,7 +236,8 @@ static bool prepare(struct run *run) {
            add_hooks(run);
 }
 
-/* Where the CPU stands; the base of a protected segment is taken as 0. */
+/* Reports the registers, where the CPU stands, and the text screen. In protected mode the base of
+ * the code segment is taken as 0. */
 static void describe_place(struct run *run) {
     struct processor_report *report = run->report;
     uint32_t control = 0;
@@ -253,7 +256,8 @@ static void describe_place(struct run *run) {
     }
 }
 
-/* The place that abort() leads to while Unicorn runs: a handler takes no argument of ours. */
+/* The place that abort() leads to while Unicorn runs; global, as a signal handler takes no argument
+ * of ours. */
 static sigjmp_buf way_out;
 
 static void leave_unicorn(int signal_number) {
@@ -261,8 +265,8 @@ static void leave_unicorn(int signal_number) {
     siglongjmp(way_out, 1);
 }
 
-/* Runs the CPU. Version 2.0.1 aborts the program on opcodes that its translator is wrong about,
- * such as FF DF; false then. */
+/* Runs the CPU; false if Unicorn aborted. Version 2.0.1 aborts the program on opcodes that its
+ * translator gets wrong, such as FF DF. */
 static bool start(struct run *run, uc_err *error) {
     struct sigaction action, before;
     memset(&action, 0, sizeof action);
@@ -277,7 +281,7 @@ static bool start(struct run *run, uc_err *error) {
     return has_returned;
 }
 
-/* Runs the CPU to the run's end, and says why it ended. */
+/* Runs the CPU to the run's end, and reports why the run ended. */
 static void run_and_judge(struct run *run) {
     uc_err error = UC_ERR_OK;
     if (!start(run, &error)) {

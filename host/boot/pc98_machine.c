@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What of a PC-9801 a booting floppy meets: its disk, its keyboard, its text screen. */
+/* The parts of a PC-9801 that a booting floppy meets: the disk, the keyboard, the text screen. */
 #include "boot/pc98_machine.h"
 
 /* The keyboard's 8251; a key that is pressed gives its number, Esc 00h. */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What of a PC-9801 a booting floppy meets: its disk, its keyboard, its text screen. */
+/* The parts of a PC-9801 that a booting floppy meets: the disk, the keyboard, the text screen. */
 #ifndef SUPERFRAME_EMULATOR_PC98_MACHINE_H
 #define SUPERFRAME_EMULATOR_PC98_MACHINE_H
 
@@ -20,8 +20,8 @@ enum {
     PC98_TEXT_BYTES = 2 * PC98_TEXT_COLUMNS * PC98_TEXT_ROWS
 };
 
-/* Where a read by INT 1Bh begins on the disk. False if there is no such sector, or the read goes
- * past the disk's end. */
+/* Finds the offset in bytes at which a read by INT 1Bh begins on the disk. Returns false if there
+ * is no such sector, or the read goes past the disk's end. */
 bool pc98_disk_place(unsigned cylinder, unsigned head, unsigned sector, size_t bytes,
                      size_t *offset);
 
@@ -30,7 +30,7 @@ struct pc98_text {
     char row[PC98_TEXT_ROWS][PC98_TEXT_COLUMNS + 1];
 };
 
-/* Reads the characters of the text VRAM; what is not ASCII becomes '?', 0 a blank. */
+/* Reads the characters of the text VRAM; what is not printable ASCII becomes '?', 0 a blank. */
 void pc98_text_read(const uint8_t vram[PC98_TEXT_BYTES], struct pc98_text *text);
 
 /* The ports: the keyboard's two, and the bus behind all others. */
@@ -41,7 +41,8 @@ struct pc98_ports {
     bool escape_is_taken;
 };
 
-/* One IN or OUT of 1, 2 or 4 bytes; 4 are two words, the lower port first. */
+/* Does one IN or OUT of `width` bytes: 1, 2 or 4. Four bytes are two words, the lower port
+ * first. */
 uint32_t pc98_port_read(struct pc98_ports *ports, uint16_t port, unsigned width);
 void pc98_port_write(struct pc98_ports *ports, uint16_t port, uint32_t value, unsigned width);
 

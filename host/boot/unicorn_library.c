@@ -6,7 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Version 2, whose interface <unicorn/unicorn.h> declares; by the names of Linux and macOS. */
+/* The library's names on Linux and macOS, of version 2, whose interface <unicorn/unicorn.h>
+ * declares. */
 static const char *const names[] = {"libunicorn.so.2", "libunicorn.2.dylib"};
 
 static const struct {
@@ -44,7 +45,7 @@ bool unicorn_library_load(struct unicorn_library *library, char *message, size_t
                            functions[i].name);
             return false;
         }
-        /* POSIX gives a function as void *, which C99 knows no conversion for. */
+        /* POSIX gives a function as void *, a conversion that C99 does not have. */
         memcpy((char *)library + functions[i].offset, &function, sizeof function);
     }
     return true;

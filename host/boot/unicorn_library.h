@@ -8,9 +8,9 @@
 #include <stdint.h>
 #include <unicorn/unicorn.h>
 
-/* The functions of Unicorn that are used here, by their names without uc_. Linked in the usual way,
- * the library's 20 MB and 60,000 relocations would be the larger part of every other command's
- * start. */
+/* The functions of Unicorn that are used here, by their names without uc_. The library has 20 MB
+ * and 60,000 relocations. Linked as usual, they would take most of the start of every other
+ * command. */
 struct unicorn_library {
     uc_err (*open)(uc_arch arch, uc_mode mode, uc_engine **engine);
     uc_err (*close)(uc_engine *engine);
@@ -28,7 +28,8 @@ struct unicorn_library {
     const char *(*strerror)(uc_err error);
 };
 
-/* Loads it. False, with one English sentence in message, if it is not there. It stays loaded. */
+/* Loads Unicorn, which stays loaded. Returns false, with one English sentence in `message`, if the
+ * library is missing or lacks a function. */
 bool unicorn_library_load(struct unicorn_library *library, char *message, size_t size);
 
 #endif

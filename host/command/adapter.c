@@ -36,7 +36,7 @@ struct server {
     struct board_bus board_bus;
     struct usb_device device;
     struct guest guests[GUESTS_MOST];
-    bool is_over; /* with --once: the guest that had the device has left */
+    bool is_over; /* with --once: the client that had the device has left */
     int status;
     uint8_t rgb[PICTURE_BYTES];
 };
@@ -61,7 +61,7 @@ static bool split(const char *listen, char *address, char *port) {
     return snprintf(port, NAME_SIZE, "%d", (int)USBIP_PORT) < NAME_SIZE;
 }
 
-/* Says on standard output where the server listens: with port 0 the system has chosen. */
+/* Says on standard output where the server listens: for port 0 the system has chosen a port. */
 static void announce(const struct server *server) {
     struct sockaddr_storage place;
     socklen_t size = sizeof place;
@@ -119,7 +119,7 @@ static void send_to_guest(void *context, const uint8_t *bytes, size_t count) {
             continue;
         }
         if (sent <= 0) {
-            guest->usbip.is_over = true; /* gone, or it does not read */
+            guest->usbip.is_over = true; /* the client is gone, or does not read */
             return;
         }
         bytes += sent;
@@ -127,8 +127,8 @@ static void send_to_guest(void *context, const uint8_t *bytes, size_t count) {
     }
 }
 
-/* The picture goes out before anybody can come, so that a name that can't be written is known at
- * once, whenever a guest has left the device, and at the end. */
+/* Writes the picture, if one is asked for, before any client can come, so that a bad name is known
+ * at once. The picture is written again whenever a client has left the device, and at the end. */
 static void write_screen(struct server *server) {
     struct output output;
     if (server->options->output == NULL) {

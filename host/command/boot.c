@@ -29,7 +29,7 @@ struct boot_run {
     struct output picture, trace, stats;
 };
 
-/* Reads the whole image, which must have the one size that a 2HD disk has. */
+/* Reads the whole image, which must have the size of a 2HD disk. */
 static int read_disk(struct boot_run *run) {
     FILE *file = fopen(run->path, "rb");
     if (file == NULL) {
@@ -163,7 +163,8 @@ static int write_results(struct boot_run *run) {
     return STATUS_DONE;
 }
 
-/* What the finished run says of itself. */
+/* Returns the exit status of a finished run: whether it was interrupted, and whether --strict
+ * holds. */
 static int judge(const struct boot_run *run) {
     const struct options *options = run->options;
     if (run->report.end == PROCESSOR_STOPPED) {

@@ -26,7 +26,7 @@ static void print_description(const struct scene_description *scene) {
                  scene->light_count);
 }
 
-/* Lengths in the file's own unit. */
+/* Prints how the scene was scaled, with lengths in the file's own unit. */
 static void print_scaling(const struct compiled_scene *compiled) {
     (void)printf("scaling     centre (%g, %g, %g), times 2^%d: +-512 scaled units are +-%g\n",
                  compiled->centre[0], compiled->centre[1], compiled->centre[2], compiled->exponent,
@@ -61,7 +61,7 @@ static void print_done(const char *what, unsigned count, const char *one, const 
     (void)printf("%-11s %u %s\n", what, count, count == 1 ? one : many);
 }
 
-/* What the scene compiler made of the solids, so that a ray asks fewer of them. */
+/* Prints what the scene compiler made of the solids, so that a ray asks fewer of them. */
 static void print_optimisations(const struct compiled_scene *compiled) {
     const struct compiled_report *report = &compiled->report;
     print_done("shared", report->shared, "solid is the same as another one",
@@ -76,7 +76,8 @@ static void print_optimisations(const struct compiled_scene *compiled) {
                "pairs of primitives cannot be met one from within the other");
 }
 
-/* Whether each arithmetic can hold the scene: fx is the one whose ranges are narrow. */
+/* Prints whether each arithmetic can hold the scene: fx is the one whose ranges are narrow. Returns
+ * STATUS_BAD_INPUT where one can't. */
 static int print_arithmetics(const struct compiled_scene *compiled) {
     int status = STATUS_DONE;
     for (size_t i = 0; arithmetics_built[i] != NULL; i++) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The sub-commands of superframe: their table, and what runs each. */
+/* The sub-commands of superframe: their table, and the function that runs each. */
 #ifndef SUPERFRAME_COMMAND_H
 #define SUPERFRAME_COMMAND_H
 

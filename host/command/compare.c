@@ -20,13 +20,13 @@
 
 enum { OPERANDS_MOST = 3 };
 
-/* A file that is read; all NULL: not given. */
+/* A file that is read; all NULL: no file was given. */
 struct operand {
     const char *path;
     FILE *file;
 };
 
-/* Two of everything that is compared; all zero where it is not given. */
+/* Two of everything that is compared; all zero where no such files are given. */
 struct compared {
     const struct options *options;
     struct operand pictures[2], signature_files[2];
@@ -75,7 +75,7 @@ static bool read_signatures(const struct operand *operand, struct signatures *si
 static const char lacks_picture[] =
     "compare: B.png is lacking; usage: superframe compare A.png B.png";
 
-/* How many operands there are says already that one is lacking or too many. */
+/* Checks that no operand is missing or too many, as far as the number of operands tells. */
 static int check_count(const struct options *options) {
     if (options->signatures == NULL && options->operand_count == 1) {
         return bad_input("%s", lacks_picture);
@@ -88,8 +88,9 @@ static int check_count(const struct options *options) {
     return STATUS_DONE;
 }
 
-/* Which operand is what: with --signatures A.sig the other file of signatures stands among the
- * operands, wherever it is. It is the one that begins so, the only one, or else the third. */
+/* Tells pictures from signatures. With --signatures A.sig the other file of signatures stands among
+ * the operands, at any place. That file is the one that begins as signatures do, the only operand,
+ * or else the third. */
 static int sort_operands(struct compared *all, const struct operand *operands, int count) {
     int pictures = 0;
     for (int i = 0; i < count; i++) {
@@ -136,8 +137,8 @@ static int read_all(struct compared *all) {
     return STATUS_DONE;
 }
 
-/* Signed pixels are 2 x 2 dots of the screen where they are few enough; a picture from elsewhere
- * may have them one to one. */
+/* Returns the dots along each side of a pixel that has a signature. A screen's picture has 2 where
+ * the pixels are few enough; a picture from elsewhere may have one dot a pixel. */
 static unsigned dots_a_pixel(const struct compared *all) {
     const struct signatures *signatures = &all->signatures[0];
     const struct png_image *image = &all->image[0];
@@ -221,7 +222,7 @@ static void print_words(const struct compared *all) {
     }
 }
 
-/* What JSON has no word for is null. */
+/* Prints a number; null where JSON has no word for it. */
 static void print_number(const char *key, double number) {
     if (isfinite(number)) {
         (void)printf("  \"%s\": %.17g,\n", key, number);
@@ -263,7 +264,8 @@ static void print_json(const struct compared *all) {
     (void)printf("  \"holds\": %s\n}\n", all->holds ? "true" : "false");
 }
 
-/* May overwrite the first picture: it is the last that is done. */
+/* Writes the picture of the differences over the first picture's memory, which nothing reads
+ * afterwards. */
 static int write_difference(struct compared *all) {
     const struct png_image *a = &all->image[0];
     struct output output;

@@ -5,7 +5,8 @@
 #include "adapter/drivers.h"
 #include "command/command.h"
 
-/* One line each: the way, the serial number, where it is; tabs between them. */
+/* Prints a line for each adapter: the backend's name, the serial number, the path, with tabs
+ * between. Returns false, with the reason printed, where adapters can't be listed. */
 static bool list_backend(const struct usb_backend *backend) {
     struct usb_found found[USB_FOUND_MOST];
     char reason[USB_LINK_REASON_SIZE];

@@ -54,8 +54,9 @@ static int dispatch(int argc, char **argv) {
     return bad_input("no command \"%.100s\"; superframe --help lists them", argv[1]);
 }
 
-/* A program may be started with standard streams closed. The next file opened would become one of
- * them, and messages would go into a picture; a descriptor that can't be written to stands in. */
+/* Occupies standard streams that are closed when the program starts. The next file opened would
+ * become one of them, and messages would go into a picture. The descriptor that stands in can't be
+ * used: 0 is not readable, 1 and 2 are not writable. */
 static bool hold_standard_streams(void) {
     for (int descriptor = 0; descriptor <= 2; descriptor++) {
         if (fcntl(descriptor, F_GETFD) < 0 && errno == EBADF &&

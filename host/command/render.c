@@ -25,7 +25,7 @@
 
 enum { NAME_SIZE = 256 };
 
-/* One run of the command: what it holds, to be let go of whatever happens. */
+/* One run of the command. What it holds is freed whatever happens. */
 struct render_run {
     const struct options *options;
     const char *scene_name;
@@ -40,7 +40,7 @@ struct render_run {
     struct render_totals totals;
 };
 
-/* Where the picture goes; NULL: there is none. */
+/* Returns the name of the file where the picture goes; NULL: there is no picture. */
 static const char *picture_name(struct render_run *run) {
     if (run->options->bus != BUS_CHOICE_EMULATOR) {
         return NULL;
@@ -153,7 +153,7 @@ static int render_rows(struct render_run *run) {
     return is_rendered ? STATUS_DONE : bad_input("%s", error.text);
 }
 
-/* The screen's picture, or the camera's. */
+/* Writes the screen's picture, or the camera's where the scene is shown by exposures. */
 static bool write_picture(struct render_run *run) {
     if (run->exposures == NULL) {
         return board_picture_write(&run->picture, &run->chain->board,
@@ -163,7 +163,7 @@ static bool write_picture(struct render_run *run) {
     return png_output(&run->picture, run->exposures->rgb, PICTURE_WIDTH, PICTURE_HEIGHT);
 }
 
-/* Which rows are there, after a failure. */
+/* Prints which rows are on the board behind the adapter, after a failure. */
 static void explain_adapter(const struct render_run *run) {
     const struct compiled_scene *compiled = run->compiled;
     adapter_bus_explain(&run->adapter, run->options->has_rows ? run->options->first_row : 0,
@@ -224,7 +224,7 @@ static int write_results(struct render_run *run) {
     return STATUS_DONE;
 }
 
-/* Follows the trees of the rows that were drawn once more, for --signatures. */
+/* Follows once more the trees of the rows that were drawn, for --signatures. */
 static int write_signatures(struct render_run *run) {
     struct signatures signatures;
     struct scene_error error;
@@ -248,7 +248,8 @@ static int write_signatures(struct render_run *run) {
     return is_written && output_commit(&run->signatures) ? STATUS_DONE : STATUS_FAILED;
 }
 
-/* What the finished run says of itself. */
+/* Returns the exit status of a finished run: whether it was interrupted, and whether --strict
+ * holds. */
 static int judge(const struct render_run *run) {
     const struct options *options = run->options;
     if (*interrupt_noted() != 0) {

@@ -24,7 +24,7 @@ struct replay_run {
     struct output picture, stats;
 };
 
-/* Plays one file on the chain: what it wrote is written, what it read is read and compared. */
+/* Plays one file on the chain: its writes are written, its reads are read and compared. */
 static int play(struct replay_run *run, const char *path) {
     const struct trace_header board = {run->options->profile, run->options->base};
     uint64_t stop = run->options->board.stop;

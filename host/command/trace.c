@@ -20,7 +20,7 @@
 struct trace_run {
     const struct options *options;
     const char *path;
-    bool lists; /* every access is printed: asked for, or nothing else was */
+    bool lists; /* every access is printed: --list is given, or nothing else is asked for */
     FILE *file;
     struct trace_reader reader;
     struct trace_statistics statistics; /* its board follows the accesses */
@@ -39,7 +39,7 @@ static void print_access(const struct trace_run *run, const struct trace_access 
                  trace_words(words, &run->statistics.board, access));
 }
 
-/* A behaviour that the access relied on, and that is asked about. */
+/* Prints a behaviour that the access relied on and that is asked about. */
 static void print_behaviour(const struct trace_run *run, const struct trace_access *access,
                             enum board_behaviour behaviour) {
     const struct board *board = &run->statistics.board;
@@ -150,7 +150,7 @@ static int conclude(struct trace_run *run) {
     return STATUS_DONE;
 }
 
-/* What the command line says of the board, for traces that say less. */
+/* Returns what the command line says of the board, for traces that say less. */
 static struct trace_board asked_board(const struct options *options) {
     const struct trace_board board = {options->has_profile, options->has_base, options->profile,
                                       options->base};

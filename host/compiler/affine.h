@@ -11,15 +11,16 @@ double vector_dot(const double a[3], const double b[3]);
 double vector_length(const double a[3]);
 void vector_cross(const double a[3], const double b[3], double product[3]);
 
-/* Makes the vector one of length 1; false (and unchanged) if it is null. */
+/* Scales a vector to length 1; false, with the vector unchanged, if it is null. */
 bool vector_normalise(double a[3]);
 
-/* outer after inner. */
+/* Returns the map that applies inner first and outer second. */
 struct affine affine_compose(const struct affine *outer, const struct affine *inner);
 
 void affine_point(const struct affine *map, const double point[3], double image[3]);
 
-/* Column `axis` of the linear part: the image of that axis's unit vector, without translation. */
+/* Computes the image of an axis's unit vector without translation: column `axis` of the linear
+ * part. */
 void affine_axis(const struct affine *map, int axis, double image[3]);
 
 extern const struct affine affine_identity;

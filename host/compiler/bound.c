@@ -1,19 +1,19 @@
 /* SPDX-License-Identifier: MIT */
-/* The scene compiler: solids that reach beyond all that their objects can show are cut off there.
- */
+/* The scene compiler: cuts off solids that reach beyond what their objects can show. */
 #include <math.h>
 #include <string.h>
 
 #include "compiler/cut.h"
 #include "compiler/optimise.h"
 
-/* What may be seen of each primitive: the union over its uses. */
+/* The bounds of what may be seen of each primitive: the union over its uses. */
 struct views {
     const struct compiled_scene *scene;
     struct bounds of[COMPILED_DRAFTS_MOST];
 };
 
-/* What the operations above a node let through is `within`. */
+/* Adds to the view of each leaf below a node. `within` bounds what the operations above the node
+ * let through. */
 static void look_at(struct views *views, const struct csg_tree *tree, uint8_t index,
                     const struct bounds *within) {
     const struct csg_node *node = &tree->nodes[index];
@@ -34,7 +34,7 @@ static void look_at(struct views *views, const struct csg_tree *tree, uint8_t in
     look_at(views, tree, node->right, &right);
 }
 
-/* How far bounds reach along an axis, with the margin. */
+/* Returns how far bounds reach along an axis times `sign`, plus COMPILE_MARGIN. */
 static double bounds_reach(const struct bounds *bounds, const double axis[3], double sign) {
     double reach = COMPILE_MARGIN;
     for (int i = 0; i < 3; i++) {
@@ -86,7 +86,7 @@ static bool bound_box(struct compiler *compiler, int index, const struct bounds 
     return changed;
 }
 
-/* What a plane across an axis of the world leaves of a polyhedron's bounds. */
+/* Narrows a polyhedron's bounds to what a plane across an axis of the world leaves of them. */
 static void cut_bounds(struct compiled_polyhedron *polyhedron, const struct compiled_plane *plane) {
     for (int i = 0; i < 3; i++) {
         if (plane->normal[i] >= 1) {
@@ -97,7 +97,8 @@ static void cut_bounds(struct compiled_polyhedron *polyhedron, const struct comp
     }
 }
 
-/* Those planes of a half-space that end it where the world does. */
+/* Moves the planes that end a half-space at the world's end to where its view ends. Returns true if
+ * one was moved. */
 static bool bound_polyhedron(struct compiler *compiler, int index, const struct bounds *view) {
     struct compiled_scene *scene = compiler->scene;
     struct compiled_polyhedron *polyhedron = &scene->polyhedra[scene->primitives[index].index];

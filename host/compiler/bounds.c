@@ -65,7 +65,7 @@ bool bounds_are_apart(const struct bounds *a, const struct bounds *b, double gap
     return false;
 }
 
-/* The bounds of the eight corners' images. */
+/* Returns the bounds of the images of a box's eight corners. */
 static struct bounds corners(const struct affine *map, const double low[3], const double high[3]) {
     struct bounds bounds = bounds_nothing;
     for (int corner = 0; corner < 8; corner++) {
@@ -79,7 +79,8 @@ static struct bounds corners(const struct affine *map, const double low[3], cons
     return bounds;
 }
 
-/* Exact for the ellipsoid that an affine map makes of an ellipsoid: the norm of each row. */
+/* Returns the exact bounds of an ellipsoid's image under an affine map: the norm of each row is the
+ * reach. */
 static struct bounds ellipsoid_bounds(const struct affine *map, const double at[3],
                                       const double radii[3]) {
     struct bounds bounds;
@@ -95,7 +96,8 @@ static struct bounds ellipsoid_bounds(const struct affine *map, const double at[
     return bounds;
 }
 
-/* Around an axis: the discs at its ends. None of these solids is wider between them. */
+/* Bounds a solid around an axis by discs at the axis's ends. None of these solids is wider between
+ * the ends. */
 static struct bounds round_bounds(const struct affine *map, const struct solid_node *node) {
     struct bounds own = bounds_nothing;
     double u[3], v[3], w[3];
@@ -114,7 +116,8 @@ static struct bounds round_bounds(const struct affine *map, const struct solid_n
     return corners(map, own.low, own.high);
 }
 
-/* Of a general quadric only an ellipsoid has an end. */
+/* Returns the bounds of a general quadric; everything unless it is an ellipsoid, as no other one
+ * has an end. */
 static struct bounds quadric_bounds(const struct affine *map, const struct solid_node *node) {
     struct quadric_axes axes;
     struct bounds bounds;
@@ -133,7 +136,7 @@ static struct bounds quadric_bounds(const struct affine *map, const struct solid
     return bounds;
 }
 
-/* Whether no plane of a polyhedron is in a direction's way. */
+/* Tells whether no plane of a polyhedron ends it along a direction. */
 static bool goes_on(const struct solid_node *node, const double direction[3]) {
     for (size_t i = 0; i < node->plane_count; i++) {
         if (vector_dot(node->planes[i].normal, direction) > 1e-12) {
@@ -164,7 +167,7 @@ bool polyhedron_is_bounded(const struct solid_node *node) {
     return spans;
 }
 
-/* The point that three planes have in common; false if they have none, or more than one. */
+/* Finds the point that three planes have in common; false if they have none, or more than one. */
 static bool meeting_point(const struct scene_plane *a, const struct scene_plane *b,
                           const struct scene_plane *c, double point[3]) {
     double bc[3], ca[3], ab[3];
@@ -210,7 +213,8 @@ struct bounds polyhedron_bounds(const struct affine *map, const struct solid_nod
     return polyhedron_is_bounded(node) ? bounds : bounds_everything;
 }
 
-/* Bounded on one side of one axis, where the plane lies across it. */
+/* Returns the bounds of a half-space: on one side of one axis where its plane lies across that
+ * axis, else everything. */
 static struct bounds half_space_bounds(const struct affine *map, const struct solid_node *node) {
     struct bounds bounds = bounds_everything;
     for (int i = 0; i < 3; i++) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Axis-aligned bounds of solids, for scaling and for what can be in whose way. */
+/* Axis-aligned bounds of solids, for scaling and for what can meet or hide what. */
 #ifndef SUPERFRAME_BOUNDS_H
 #define SUPERFRAME_BOUNDS_H
 
@@ -25,13 +25,14 @@ bool bounds_overlap(const struct bounds *a, const struct bounds *b);
 /* Returns true if bounds are farther apart than a gap, along some axis. */
 bool bounds_are_apart(const struct bounds *a, const struct bounds *b, double gap);
 
-/* Of a polyhedron's corners; everything if it is unbounded, nothing if it is empty. */
+/* Returns the bounds of a polyhedron's corners; everything if it is unbounded, nothing if it is
+ * empty. */
 struct bounds polyhedron_bounds(const struct affine *map, const struct solid_node *node);
 
 bool polyhedron_is_bounded(const struct solid_node *node);
 
-/* Bounds of a CSG tree, from the rules of its operations: what it returns may be larger than the
- * solid, never smaller. outer is the placement of the node's parent. */
+/* Returns bounds of a CSG tree by the rules of its operations. They may be larger than the solid's,
+ * never smaller. `outer` is the placement of the node's parent. */
 struct bounds solid_bounds(const struct scene_description *description, int node,
                            const struct affine *outer);
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The scene compiler's part for how colours are shown. */
+/* The scene compiler: how colours are shown. */
 #include "compiler/compiler_internal.h"
 
 #include "board.h"

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The scene compiler: tables without what no program names, in the order of the programs. */
+/* The scene compiler: drops from the tables what no program names, and sorts them by the
+ * programs. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,7 +9,7 @@
 
 enum { NOWHERE = 0xFFFF };
 
-/* Where the entries of each table have gone. */
+/* The new numbers of the entries of each table. */
 struct moves {
     struct compiled_scene old;
     uint16_t primitive[COMPILED_DRAFTS_MOST];
@@ -85,7 +86,7 @@ static void move_frame(struct moves *moves, struct compiled_scene *scene,
     }
 }
 
-/* A primitive with all that belongs to it. */
+/* Moves a primitive with all that belongs to it. */
 static void move_primitive(struct moves *moves, struct compiled_scene *scene, uint8_t index) {
     struct compiled_primitive *primitive = &scene->primitives[scene->primitive_count++];
     *primitive = moves->old.primitives[index];
@@ -164,9 +165,9 @@ static bool is_only_in(const struct compiled_set *set, int primitive) {
     return true;
 }
 
-/* How far each quadric reaches, with room for rounding, and whether it is left for good by its
- * curved face: a neighbour that goes on where this one is cut can be left there and this one
- * entered. */
+/* Sets each quadric's reach, with room for rounding, and whether rays that leave it by its curved
+ * face leave it for good. They do not if it shares that surface: the other primitive may go on
+ * where it is cut. A ray can then leave the other one by that surface and enter it. */
 static void finish_quadrics(struct compiled_scene *scene) {
     for (int i = 0; i < scene->primitive_count; i++) {
         const struct compiled_primitive *primitive = &scene->primitives[i];

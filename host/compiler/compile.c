@@ -42,7 +42,8 @@ static bool object_is_dead(const struct compile_dead *dead, size_t object) {
     return has_part;
 }
 
-/* The bounds of all that has an end: finite solids, the eye, the point lights. */
+/* Returns the bounds of all that has an end: finite solids, the eye, the point lights. Leaves out
+ * what is dead; dead is NULL to leave out nothing. */
 static struct bounds content_bounds(const struct scene_description *description,
                                     const struct compile_dead *dead) {
     struct bounds all = bounds_nothing;
@@ -65,7 +66,7 @@ static struct bounds content_bounds(const struct scene_description *description,
     return all;
 }
 
-/* Coordinates of a file that were rounded a few times on their way: relative to the farthest. */
+/* The error of a file's coordinates after a few roundings, relative to the farthest of them. */
 #define FILE_ROUNDING 0x1p-50
 
 static double bounds_half(const struct bounds *bounds) {
@@ -76,8 +77,9 @@ static double bounds_half(const struct bounds *bounds) {
     return reach;
 }
 
-/* Scales by what is not dead. The rest counts where something endless is seen, whose end it
- * decides, or where nothing else has a size. */
+/* Scales by what is not dead. Dead things count, too, where something endless is seen, as they
+ * decide where it ends. They also count where nothing else has a size, or where compile_round()
+ * asks for them. */
 bool compile_scaling(struct compiler *compiler) {
     struct compiled_scene *scene = compiler->scene;
     const bool is_whole = compiler->dead->has_endless || compiler->dead->keeps_scale;
@@ -148,7 +150,7 @@ static bool compile_tables(struct compiler *compiler) {
     return true;
 }
 
-/* Forgets all but what is dead. */
+/* Forgets all of the last round but what is dead. */
 static void begin(struct compiler *compiler) {
     const struct compiler fresh = {.description = compiler->description,
                                    .scene = compiler->scene,
@@ -163,9 +165,8 @@ static void begin(struct compiler *compiler) {
              compiler->description->path);
 }
 
-/* Makes the tables; by the scale that what is dead had a say in, where what is left refuses its
- * own.
- */
+/* Makes the tables. Where what is left fails at its own scale, makes them again at the whole
+ * scene's. */
 static bool compile_round(struct compiler *compiler) {
     begin(compiler);
     if (compile_tables(compiler)) {
@@ -179,8 +180,8 @@ static bool compile_round(struct compiler *compiler) {
     return compile_tables(compiler);
 }
 
-/* Makes the tables, and makes them anew as long as they prove something dead: without that, what
- * is left may be scaled otherwise. */
+/* Makes the tables, and makes them anew as long as they prove more to be dead. What is left may
+ * have another scale then. */
 static bool compile_live(struct compiler *compiler) {
     unsigned known;
     do {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What the parts of the scene compiler share. */
+/* Declarations that the parts of the scene compiler share. */
 #ifndef SUPERFRAME_COMPILE_INTERNAL_H
 #define SUPERFRAME_COMPILE_INTERNAL_H
 
@@ -9,27 +9,28 @@
 #include "compiler/quadric_form.h"
 #include "compiler/tables.h"
 
-/* Bounded content lies within this, what is unbounded ends at twice that (firmware/scene.h). */
+/* Bounded content lies within COMPILE_EXTENT; what is unbounded ends at twice that
+ * (firmware/scene.h). */
 #define COMPILE_EXTENT 512.0
 #define COMPILE_WORLD  1024.0
 
-/* Surfaces and coordinates (in scaled units) nearer than this are one, or than what the file's own
- * numbers resolve: 32 units in the last place of a double at 512, for placements that are composed
- * one after the other. */
+/* Surfaces and coordinates nearer to each other than this, in scaled units, are one. So are those
+ * nearer than the file's own numbers resolve. At 512 that is 32 units in the last place of a
+ * double, for placements that are composed one after the other. */
 #define COMPILE_SAME 0x1p-38
 
-/* Faces that are farther apart than this are never made one. */
+/* Faces that are farther apart than this never become one. */
 #define COMPILE_WELD_MOST 0x1p-5
 
-/* Farther than this inside: what rounding of an arithmetic could turn over is not strictly inside.
- */
+/* What is strictly inside is so by more than this: no arithmetic's rounding can put it outside. */
 #define COMPILE_STRICTLY 0x1p-30
 
-/* How far faces that are there only to end a solid stand off what is to be seen of it: more than
- * any arithmetic's rounding. */
+/* The distance between what can be seen of a solid and faces that are there only to end it. It is
+ * more than any arithmetic's rounding. */
 #define COMPILE_MARGIN 0x1p-4
 
-/* What is farther apart than this is so in every arithmetic: no rounding lets a ray be in both. */
+/* Solids farther apart than this are apart in every arithmetic: no rounding lets a ray be in
+ * both. */
 #define COMPILE_GAP 0x1p-6
 
 /* All lengths of the firmware end here (LENGTH_FAR). */
@@ -43,20 +44,22 @@ struct compile_plane {
 
 /* The world's axes, those of frames, and the normals of planes. */
 enum { COMPILED_DIRECTIONS_MOST = 3 + 3 * COMPILED_FRAMES_MOST + COMPILED_SURFACES_MOST };
-/* Why things of the file can't change its picture, by their numbers there; NULL: they may. */
+/* The reasons why things of the file can't change its picture, by their numbers there; NULL: they
+ * may. */
 struct compile_dead {
     const char *part[COMPILED_OBJECTS_MOST]; /* objects fall apart into one part a material */
     const char *light[SCENE_LIGHTS_MOST];
     const char *material[SCENE_MATERIALS_MOST];
-    /* Of a material that is not dead: all but its shadow, and what is a part of its look. */
+    /* Of a material that is not dead. Its look is all of it but its shadow; the rest are parts of
+     * its look. */
     const char *look[SCENE_MATERIALS_MOST], *pattern[SCENE_MATERIALS_MOST];
-    const char *table[SCENE_MATERIALS_MOST]; /* of w(theta): a constant does */
+    const char *table[SCENE_MATERIALS_MOST]; /* of w(theta): a constant does as well */
     const char *highlight[SCENE_MATERIALS_MOST], *absorption[SCENE_MATERIALS_MOST];
     unsigned count; /* of all these */
     size_t object_of_part[COMPILED_OBJECTS_MOST];
     int part_count;
-    bool keeps_scale; /* what is left does not fit the scale that it has by itself */
-    bool has_endless; /* something endless can be seen: it ends where the dead ones say, too */
+    bool keeps_scale; /* what is left does not fit its own scale */
+    bool has_endless; /* something endless can be seen, whose end the dead ones decide, too */
 };
 
 struct compiler {
@@ -70,11 +73,11 @@ struct compiler {
     struct affine scaling;                     /* the file's coordinates to scaled ones */
     double same;             /* lengths that differ by no more are one, in scaled units */
     unsigned line;           /* of the node or object at work */
-    unsigned lost_line;      /* of a half-space of the object, none of it in the world; 0: no */
+    unsigned lost_line;      /* of a half-space of the object that lies out of the world; 0: none */
     const char *object_name; /* of the object at work */
     size_t object;           /* its number in the file */
     struct compile_plane planes[COMPILED_SURFACES_MOST]; /* by surface; normal null: no plane */
-    double directions[COMPILED_DIRECTIONS_MOST][3];      /* that were met, either way */
+    double directions[COMPILED_DIRECTIONS_MOST][3];      /* that were met, up to their sign */
     int direction_count;
     struct bounds object_bounds[COMPILED_OBJECTS_MOST]; /* by compiled object, scaled */
 };
@@ -89,24 +92,26 @@ bool compile_fail(struct compiler *compiler, unsigned line, const char *format, 
 /* Shows the tables to the observer, if there is one. */
 void compile_show(const struct compiler *compiler, enum compile_step step);
 
-/* Centre and scale: from the bounds of what is bounded, the eye and the point lights. */
+/* Finds centre and scale from the bounds of bounded solids, the eye and the point lights. */
 bool compile_scaling(struct compiler *compiler);
 
-/* How the colours are shown. */
+/* Compiles how the colours are shown; false with the failure recorded. */
 bool compile_colour(struct compiler *compiler);
 
-/* Objects, programs, primitives, surfaces. */
+/* Compiles the objects, with their programs, primitives and surfaces. */
 bool compile_objects(struct compiler *compiler);
 
 /* Appends one byte to the program of the object at work. */
 bool compile_append(struct compiler *compiler, uint8_t code);
 
 /* Appends a leaf's program: one primitive, or a quadric and the slab that ends it. The placement
- * goes from the leaf's own coordinates to scaled ones. The same solid gives the same primitive. */
+ * maps the leaf's own coordinates to scaled ones. A solid that is there already gives the same
+ * primitive. */
 bool compile_leaf(struct compiler *compiler, const struct solid_node *leaf,
                   const struct affine *placement);
 
-/* A primitive of that kind, or of the same solid if there is one; -1 with the failure recorded. */
+/* Adds a primitive of that kind, or finds the one of the same solid. Returns its number, or -1 with
+ * the failure recorded. */
 int compile_box(struct compiler *compiler, const struct solid_node *leaf,
                 const struct affine *placement);
 int compile_box_in(struct compiler *compiler, uint8_t frame, const double low[3],
@@ -122,29 +127,31 @@ int compile_placed_polyhedron(struct compiler *compiler, const struct scene_plan
 int compile_quadric(struct compiler *compiler, const struct solid_node *leaf,
                     const struct affine *placement);
 
-/* Appends the program of a quadric that is given by its coefficients: they may be those of two
+/* Appends the program of a quadric that is given by its coefficients, which may be those of two
  * parallel planes. */
 bool compile_general_quadric(struct compiler *compiler, const struct solid_node *leaf,
                              const struct affine *placement);
 
-/* A new entry of the table of primitives, with what is common to all kinds. */
+/* Adds an entry to the table of primitives, with what is common to all kinds. Returns its number,
+ * or -1 with the failure recorded. */
 int compile_new_primitive(struct compiler *compiler, uint8_t kind, uint8_t index, uint8_t frame,
                           bool left_for_good);
 
-/* Whether two scaled lengths are one to the compiler. */
+/* Tells whether two scaled lengths are one to the compiler. */
 bool compile_same(const struct compiler *compiler, double a, double b);
 
-/* Replaces a direction of length 1 by one that was met before, or by its opposite, if they are one:
- * coincident faces have the same normal to the last bit. False with the failure recorded. */
+/* Replaces a direction of length 1 by one that was met before, or by its opposite, if the two count
+ * as one. Coincident faces thus have the same normal to the last bit. Returns false with the
+ * failure recorded. */
 bool compile_direction(struct compiler *compiler, double direction[3]);
 
-/* 1 if two directions are the same to the last bit, -1 if they are opposite, else 0. */
+/* Returns 1 if two directions are the same to the last bit, -1 if they are opposite, else 0. */
 double compile_parallel(const double a[3], const double b[3]);
 
-/* The frame with these axes up to their order and signs, which a solid of the frame has to follow:
- * permutation[i] is the axis that became axis i of the frame, sign[i] its sign. third_stays: axis 2
- * is to be axis 2 of the frame. WORLD_FRAME if the axes are the world's; -1 with the failure
- * recorded. */
+/* Finds or adds the frame with these axes, up to their order and signs. A solid of the frame has to
+ * follow these. permutation[i] is the axis that became axis i of the frame, sign[i] its sign. With
+ * third_stays, axis 2 is to be axis 2 of the frame. Returns WORLD_FRAME if the axes are the
+ * world's; -1 with the failure recorded. */
 int compile_frame(struct compiler *compiler, double axis[3][3], bool third_stays,
                   int permutation[3], double sign[3]);
 
@@ -154,42 +161,45 @@ int compile_frame(struct compiler *compiler, double axis[3][3], bool third_stays
 bool compile_placed_plane(struct compiler *compiler, const double normal[3], const double point[3],
                           const struct affine *placement, struct scene_plane *placed);
 
-/* The surface of a plane, given in scaled world coordinates by a direction of compile_direction();
- * one that coincides is found again. Returns its number, or -1 with the failure recorded. */
+/* Finds or adds the surface of a plane, which is given in scaled world coordinates. `normal` comes
+ * from compile_direction(); a surface that coincides is found again. Returns its number, or -1 with
+ * the failure recorded. */
 int compile_plane_surface(struct compiler *compiler, const double normal[3], double offset);
 
-/* Where the plane of a surface crosses an axis that it lies across. */
+/* Returns the coordinate at which the plane of a surface crosses an axis that it lies across. */
 double compile_place_of_plane(const struct compiler *compiler, int surface, const double axis[3]);
 
-/* The ball or quadric whose curved surface is that of a form, -1 if there is none; *opposite says
- * that it lies on the other side. */
+/* Finds the ball or quadric whose curved surface is that of a form. Returns its number, or -1 if
+ * there is none. *opposite says whether it lies on the other side of that surface. */
 int compile_same_curve(const struct compiler *compiler, const struct quadric_axes *form,
                        bool *opposite);
 
 /* Records that faces of one solid have become one surface; returns -1. */
 int compile_fail_thin(struct compiler *compiler);
 
-/* A new surface of its own. */
+/* Adds a surface. Returns its number, or -1 with the failure recorded. */
 int compile_new_surface(struct compiler *compiler);
 
-/* The pattern of a material, if it has one. */
+/* Compiles the pattern of a material, if it has one; false with the failure recorded. */
 bool compile_pattern(struct compiler *compiler, const struct scene_material *from,
                      struct compiled_material *material);
 
-/* Notes the faces in which patterns' cells end, once surfaces have their last numbers. */
+/* Notes the faces in which patterns' cells end, once surfaces have their final numbers. */
 bool compile_pattern_faces(struct compiler *compiler);
 
-/* Notes faces that are nearer to each other than seems to be meant. */
+/* Notes faces that are so near to each other that they were probably meant as one. */
 void compile_near(struct compiler *compiler);
 
-/* Measures how far the curved surfaces of two primitives lie apart, at most; infinite where one of
- * them has none, or both have the same. */
+/* Returns the largest distance between the curved surfaces of two primitives. It is infinite where
+ * one of them has none or both have the same. It is also infinite where too few points of the first
+ * are found. */
 double compile_curve_distance(const struct compiled_scene *scene, int one, int other);
 /* Returns the largest level of a channel that the material's own colour has, or its pattern's. */
 double compiled_colour_most(const struct compiled_scene *scene,
                             const struct compiled_material *material, int channel);
 
-/* Camera, lights, materials, and what can throw shadows. */
+/* Compiles a part of the scene: camera, materials, lights, the brightest level, what can throw
+ * shadows. */
 bool compile_view(struct compiler *compiler);
 bool compile_materials(struct compiler *compiler);
 void compile_lights(struct compiler *compiler);
@@ -199,11 +209,12 @@ void compile_shadows(struct compiler *compiler);
 /* Makes the tables cheaper to render, and says so in the scene's report. */
 bool compile_optimise(struct compiler *compiler);
 
-/* Which primitives lie within which: what a ray need not be tried against. */
+/* Finds which primitives lie within or apart from which, so that a ray need not be tried against
+ * all. */
 void compile_enclosures(struct compiler *compiler);
 
-/* Whether one primitive lies strictly within a convex one; and whether two are found to have no
- * point in common, by more than COMPILE_GAP. */
+/* Tells whether one primitive lies strictly within a convex one, or whether two are more than
+ * COMPILE_GAP apart. False may also mean that this was not found. */
 bool primitive_is_within(const struct compiled_scene *scene, int inner, int outer);
 bool primitives_are_apart(const struct compiled_scene *scene, int one, int other);
 

@@ -1,19 +1,19 @@
 /* SPDX-License-Identifier: MIT */
-/* The scene compiler: which curved surfaces are one, however the file writes each. */
+/* The scene compiler: finds curved surfaces that are one, however the file writes each. */
 #include <math.h>
 #include <string.h>
 
 #include "compiler/compiler_internal.h"
 #include "splitmix64.h"
 
-/* Nine points in general position tell a quadric from all others; some more do so by a margin. */
+/* Nine points in general position determine a quadric; some more give a margin. */
 enum { POINTS_LEAST = 12, POINTS_MOST = 24, LINES = 96 };
 
 static double random_within(uint64_t *state, double most) {
     return most * ((double)(splitmix64(state) >> 11) * 0x1p-52 - 1);
 }
 
-/* Returns half the gradient of a form at a point, and the form's value there. */
+/* Returns a form's value at a point, and fills half its gradient there. */
 static double form_at(const struct quadric_axes *form, const double point[3], double half[3]) {
     double value = form->constant;
     const double from[3] = {point[0] - form->origin[0], point[1] - form->origin[1],
@@ -29,7 +29,8 @@ static double form_at(const struct quadric_axes *form, const double point[3], do
     return value;
 }
 
-/* Finds out how far lines are to start from the centre along each axis to meet the surface. */
+/* Finds how far from the centre, along each axis, lines are to start so that they meet the
+ * surface. */
 static void find_spans(const struct quadric_axes *form, double span[3]) {
     double most = -HUGE_VAL, least = HUGE_VAL, square = fabs(form->constant);
     for (int i = 0; i < 3; i++) {
@@ -47,7 +48,8 @@ static void find_spans(const struct quadric_axes *form, double span[3]) {
     }
 }
 
-/* Adds the points of a line, given in a form's own axes, that lie on it: their number. */
+/* Finds the points, at most two, where a line meets a form's surface in the world, and returns
+ * their number. The line is given in the form's own axes. */
 static int meet_line(const struct quadric_axes *form, const double start[3], const double way[3],
                      double points[2][3]) {
     double a = 0, b = way[2] * form->linear, c = form->constant + 2 * form->linear * start[2];
@@ -57,7 +59,7 @@ static int meet_line(const struct quadric_axes *form, const double start[3], con
         c += form->square[i] * start[i] * start[i];
     }
     double square = b * b - a * c;
-    if (!(square > b * b / 64)) { /* it touches the surface, or misses it */
+    if (!(square > b * b / 64)) { /* the line touches the surface, or misses it */
         return 0;
     }
     double q = b < 0 ? sqrt(square) - b : -b - sqrt(square);
@@ -77,7 +79,7 @@ static int meet_line(const struct quadric_axes *form, const double start[3], con
     return count;
 }
 
-/* Points of a surface, spread over what of it lies in the world: their number. */
+/* Finds points of a surface, spread over its part in the world, and returns their number. */
 static int curve_points(const struct quadric_axes *form, double points[POINTS_MOST + 1][3]) {
     static const double axes[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, centre[3] = {0, 0, 0};
     uint64_t state = 1;
@@ -130,7 +132,8 @@ static bool curve_of_primitive(const struct compiled_scene *scene, int index,
     return true;
 }
 
-/* Measures the distance of points from a surface, at most: each is value over gradient. */
+/* Returns the largest distance of points from a surface; each is estimated as value over
+ * gradient. */
 static double stray(const struct quadric_axes *form, double points[][3], int count) {
     double most = 0;
     for (int i = 0; i < count; i++) {
@@ -168,7 +171,7 @@ int compile_same_curve(const struct compiler *compiler, const struct quadric_axe
     return -1;
 }
 
-/* The number of the curved surface of a ball or a quadric. */
+/* Returns the number of the curved surface of a ball or a quadric. */
 static uint16_t curve_number(const struct compiled_scene *scene, int index) {
     const struct compiled_primitive *primitive = &scene->primitives[index];
     return primitive->kind == KIND_BALL ? scene->balls[primitive->index].surface

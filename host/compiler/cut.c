@@ -42,7 +42,7 @@ bool cut_start(const struct compiled_scene *scene, int index, struct cut_quadric
     return true;
 }
 
-/* A frame that has a plane's normal for an axis. */
+/* Finds or adds a frame that has a plane's normal for an axis; -1 with the failure recorded. */
 static int frame_across(struct compiler *compiler, const double normal[3]) {
     double axis[3][3], sign[3];
     int permutation[3], least = 0;
@@ -56,7 +56,7 @@ static int frame_across(struct compiler *compiler, const double normal[3]) {
     return compile_frame(compiler, axis, false, permutation, sign);
 }
 
-/* The axis of a frame that a plane lies across, -1 if there is none. */
+/* Returns the axis of a frame that a plane lies across, -1 if there is none. */
 static int axis_across(const struct compiled_scene *scene, uint8_t frame, const double normal[3]) {
     int axis = 2;
     while (axis >= 0 && compile_parallel(normal, compiled_axis(scene, frame, axis)) == 0) {
@@ -91,7 +91,7 @@ void cut_across(struct cut_quadric *cut, int axis, double along, double offset) 
     cut->quadric.cuts = (uint8_t)(cut->quadric.cuts | 1 << axis);
 }
 
-/* Leaves out the axes along which the other faces end the solid already. */
+/* Drops the cuts across axes along which the other faces end the solid already. */
 static void drop_idle_axes(const struct compiled_scene *scene, struct cut_quadric *cut) {
     for (int i = 0; i < 3; i++) {
         struct compiled_quadric without = cut->quadric;
@@ -106,7 +106,8 @@ static void drop_idle_axes(const struct compiled_scene *scene, struct cut_quadri
     }
 }
 
-/* Sides that nothing cuts stand off what is there, or where all lengths end. */
+/* Places the sides that nothing cuts COMPILE_MARGIN off the solid, or at COMPILE_FAR if that is
+ * nearer. */
 static void close_sides(const struct compiled_scene *scene, struct cut_quadric *cut) {
     double low[3], high[3];
     quadric_extent(scene, &cut->quadric, &cut->box, cut->frame, low, high);
@@ -121,7 +122,8 @@ static void close_sides(const struct compiled_scene *scene, struct cut_quadric *
     }
 }
 
-/* The faces that cut are surfaces like others, at the same place as those to the last bit. */
+/* Finds or adds the surfaces of the faces that cut. A face takes over its surface's place, so that
+ * coincident faces agree to the last bit. */
 static bool find_surfaces(struct compiler *compiler, struct cut_quadric *cut) {
     for (int face = 0; face < 6; face++) {
         const double *axis = compiled_axis(compiler->scene, cut->frame, face % 3);
@@ -156,7 +158,8 @@ static bool is_same(const struct compiled_scene *scene, const struct compiled_pr
     return true;
 }
 
-/* Into the table of boxes, once the quadric's own one, if it has one, has been taken. */
+/* Adds the box to the table of boxes. The quadric's own one, if it had one, has been copied by
+ * then. */
 static bool keep_box(struct compiler *compiler, struct cut_quadric *cut) {
     struct compiled_scene *scene = compiler->scene;
     if (scene->box_count == COMPILED_DRAFTS_MOST) {

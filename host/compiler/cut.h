@@ -14,20 +14,24 @@ struct cut_quadric {
     unsigned line;
 };
 
-/* Begins with a ball or a quadric, perhaps one that is cut already; false for other kinds. */
+/* Begins a cut quadric with a ball or a quadric, perhaps one that is cut already; false for other
+ * kinds. */
 bool cut_start(const struct compiled_scene *scene, int primitive, struct cut_quadric *cut);
 
-/* The axis that a plane lies across, -1 if there is none. A ball takes on axes for its first one.
- */
+/* Returns the axis that a plane lies across, -1 if there is none. A ball takes on the axes of its
+ * first plane. */
 int cut_axis(struct compiler *compiler, struct cut_quadric *cut, const double normal[3]);
 
-/* Cuts by a plane across an axis: `along` is what its normal has of it, 1 or -1. */
+/* Cuts by a plane across an axis. `along` is 1 if the plane's normal has the axis's direction, -1
+ * if the opposite one. */
 void cut_across(struct cut_quadric *cut, int axis, double along, double offset);
 
-/* The primitive that came of it, a new one or one that is there; -1 with the failure recorded. */
+/* Returns the primitive that the cut quadric has become, new or already there; -1 with the failure
+ * recorded. */
 int cut_finish(struct compiler *compiler, struct cut_quadric *cut);
 
-/* The same in place of a primitive that is a quadric; false with the failure recorded. */
+/* Puts the cut quadric in place of a primitive that is a quadric; false with the failure
+ * recorded. */
 bool cut_replace(struct compiler *compiler, struct cut_quadric *cut, int primitive);
 
 #endif

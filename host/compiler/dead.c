@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The scene compiler: what can't change the picture is marked, for the tables to leave it out. */
+/* The scene compiler: marks what can't change the picture, for the tables to leave it out. */
 #include "compiler/dead.h"
 
 #include <math.h>
@@ -83,8 +83,8 @@ static const char *table_is_dead(const struct compiled_scene *scene,
                : NULL;
 }
 
-/* Returns why a highlight is dead; an opaque material's never is, for it mirrors by the same
- * number. */
+/* Returns why a highlight is dead, or NULL. An opaque material's never is, for the material mirrors
+ * by the same number. */
 static const char *highlight_is_dead(const struct compiled_scene *scene,
                                      const struct compiled_material *material, bool is_light) {
     bool has_one = material->specular > 0 || material->specular_table != NO_TABLE;
@@ -194,7 +194,8 @@ static void tell_material(struct compiler *compiler, size_t index) {
     }
 }
 
-/* Tells of all that is marked. Parts of one object that are dead for one reason are told once. */
+/* Tells of all that is marked. Parts of one object that are dead for the same reason are told
+ * once. */
 static void tell_marks(struct compiler *compiler) {
     const struct compile_dead *dead = compiler->dead;
     const struct scene_description *description = compiler->description;
@@ -242,8 +243,8 @@ static unsigned boundaries_most(const struct compiled_scene *scene) {
     return most;
 }
 
-/* Returns true if no ray comes back from a mirror to the same one: a convex one with nothing let
- * into it, seen from outside. */
+/* Returns true if no ray comes back from a mirror to the same one. That holds for a convex one with
+ * nothing let into it, seen from outside. */
 static bool never_mirrors_itself(const struct compiler *compiler, int index) {
     const struct compiled_scene *scene = compiler->scene;
     const struct compiled_object *object = &scene->objects[index];
@@ -257,7 +258,7 @@ static bool never_mirrors_itself(const struct compiler *compiler, int index) {
            !compiled_object_holds(scene, (uint8_t)index, &scene->camera.inside);
 }
 
-/* Returns the most events that a path can have, by what there is to turn it aside. */
+/* Returns the most events that a path can have, judged by what can turn the path aside. */
 static unsigned events_most(const struct compiler *compiler) {
     const struct compiled_scene *scene = compiler->scene;
     unsigned mirrors = 0;
@@ -273,8 +274,8 @@ static unsigned events_most(const struct compiler *compiler) {
     return boundaries_most(scene) * (mirrors + 1) + mirrors;
 }
 
-/* Returns the most events of a path that the threshold lets pass, and one more: so the threshold is
- * what ends the path. An estimate looks below it. */
+/* Returns one more than the most events of a path that the threshold lets pass, so that the
+ * threshold ends the path. An estimate looks below the threshold: no such bound then. */
 static unsigned events_above_threshold(const struct compiled_scene *scene, double share) {
     if (scene->estimates || share >= 1 || scene->threshold < THRESHOLD_LEAST) {
         return SCENE_DEPTH_MOST;

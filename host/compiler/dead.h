@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* What of a scene's file can't change its picture: found by what rays reach, and left out. */
+/* Parts of a scene's file that can't change its picture: found by what rays reach, and left out. */
 #ifndef SUPERFRAME_COMPILE_DEAD_H
 #define SUPERFRAME_COMPILE_DEAD_H
 
 #include "compiler/compiler_internal.h"
 
-/* What rays reach in a compiled scene, by the numbers of its tables. */
+/* The reach of rays in a compiled scene, by the numbers of its tables. */
 struct compile_reach {
     const char *lost[COMPILED_OBJECTS_MOST]; /* why no ray touches the object; NULL: one may */
     bool is_seen[COMPILED_OBJECTS_MOST]; /* on a path from the eye; false: by shadow rays at most */
@@ -13,7 +13,7 @@ struct compile_reach {
     bool lights[SCENE_LIGHTS_MOST];         /* something that is shown, if nothing is in between */
 };
 
-/* Finds out what rays reach, at least; false with the failure recorded. */
+/* Finds what rays may reach, never too little; false with the failure recorded. */
 bool compile_find_reach(struct compiler *compiler, struct compile_reach *reach);
 
 /* Returns true if surfaces of the material have an intensity of their own. */
@@ -29,8 +29,8 @@ double material_share_most(const struct compiled_scene *scene,
 bool material_turns_aside(const struct compiled_scene *scene,
                           const struct compiled_material *material);
 
-/* Marks in compiler->dead what the compiled scene proves dead. The scene is to be compiled again
- * where that is more than before. False with the failure recorded. */
+/* Marks in compiler->dead what the compiled scene proves to be dead. The scene is to be compiled
+ * again where that is more than before. Returns false with the failure recorded. */
 bool compile_find_dead(struct compiler *compiler);
 
 /* Settles what the scene as a whole requires, and lists what is dead. */

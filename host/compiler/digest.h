@@ -9,8 +9,8 @@
 
 enum { SCENE_DIGEST_SIZE = 17 };
 
-/* Sixteen hexadecimal digits, XXH3-64 of the tables that scene_emit() writes. False: memory is out.
- */
+/* Writes sixteen hexadecimal digits: XXH3-64 of the tables that scene_emit() writes. Returns false
+ * if memory is out. */
 bool scene_digest(const struct compiled_scene *scene, char digest[SCENE_DIGEST_SIZE]);
 
 #endif

@@ -6,13 +6,13 @@
 
 #include "compiler/features.h"
 
-/* Numbers are written as hexadecimal floating constants: exact, whatever compiler reads them. */
+/* Numbers are written as hexadecimal floating constants, which every compiler reads exactly. */
 
 static void emit_vector(FILE *out, const char *role, const double v[3]) {
     fprintf(out, "{%s(%a), %s(%a), %s(%a)}", role, v[0], role, v[1], role, v[2]);
 }
 
-/* As many words as the scene needs: an image that has more fills them with 0. */
+/* Writes as many words of a set as the scene needs; an image that has more fills them with 0. */
 static void emit_set(FILE *out, const struct compiled_set *set, int words) {
     fprintf(out, "{{");
     for (int i = 0; i < words; i++) {
@@ -235,12 +235,12 @@ static void emit_camera(FILE *out, const struct compiled_camera *camera, int wor
     fprintf(out, ", %u},\n", camera->object);
 }
 
-/* A table's name, or 0 where it has no entries: C99 knows no empty arrays. */
+/* Returns a table's name, or "0" where it has no entries, as C99 has no empty arrays. */
 static const char *table(int count, const char *name) {
     return count > 0 ? name : "0";
 }
 
-/* By enum compiled_show; firmware/targets/build.sh looks for the last one. */
+/* Names by enum compiled_show; firmware/targets/build.sh looks for the last one. */
 static const char *const show_names[] = {[COMPILED_FULL] = "SHOW_FULL",
                                          [COMPILED_BITS] = "SHOW_BITS",
                                          [COMPILED_DITHER] = "SHOW_DITHER",

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The scene compiler: which primitives lie strictly within which. */
+/* The scene compiler: finds which primitives lie strictly within which. */
 #include <math.h>
 #include <string.h>
 
@@ -35,7 +35,7 @@ static bool is_within_box(const struct compiled_scene *scene, int inner, int out
     return true;
 }
 
-/* A ball within a ball, or a box's corners within one. */
+/* Tells whether a ball, or a box by its corners, lies within a ball; false for other kinds. */
 static bool is_within_ball(const struct compiled_scene *scene, int inner, int outer) {
     const struct compiled_ball *ball = &scene->balls[scene->primitives[outer].index];
     const struct compiled_primitive *primitive = &scene->primitives[inner];
@@ -71,7 +71,8 @@ static bool is_within_polyhedron(const struct compiled_scene *scene, int inner, 
     return true;
 }
 
-/* The most of a convex quadric's form over a box along its axes, from its centre. */
+/* Returns the most of a convex quadric's form over a box, which is given along its axes from its
+ * centre. */
 static double most_of_form(const struct compiled_quadric *quadric, const double low[3],
                            const double high[3]) {
     double most = quadric->constant;
@@ -83,7 +84,8 @@ static double most_of_form(const struct compiled_quadric *quadric, const double 
     return most;
 }
 
-/* The ball that a primitive lies within: itself, or one about its box. */
+/* Finds a ball that a primitive lies within: the primitive itself, or a ball about its bounds in
+ * its frame. */
 static void surrounding_ball(const struct compiled_scene *scene, int index, double centre[3],
                              double *radius) {
     const struct compiled_primitive *primitive = &scene->primitives[index];
@@ -107,8 +109,8 @@ static void surrounding_ball(const struct compiled_scene *scene, int index, doub
     *radius = sqrt(square);
 }
 
-/* Whether an ellipsoid holds a ball: in coordinates that make it one, the ball's centre and what
- * its radius becomes at most. */
+/* Tells whether an ellipsoid holds a ball. Coordinates in which the ellipsoid is a ball are used,
+ * with the ball's centre and the most that its radius becomes there. */
 static bool holds_ball(const struct compiled_scene *scene, int outer, const double centre[3],
                        double radius) {
     const struct compiled_primitive *primitive = &scene->primitives[outer];
@@ -124,7 +126,8 @@ static bool holds_ball(const struct compiled_scene *scene, int outer, const doub
            sqrt(square) + radius * sqrt(steepest) < sqrt(-quadric->constant) - COMPILE_STRICTLY;
 }
 
-/* Within the form, and behind the planes that cut. */
+/* Tells whether a primitive lies within a quadric's form, and behind the planes that cut the
+ * quadric. */
 static bool is_within_quadric(const struct compiled_scene *scene, int inner, int outer) {
     const struct compiled_primitive *primitive = &scene->primitives[outer];
     const struct compiled_quadric *quadric = &scene->quadrics[primitive->index];
@@ -150,7 +153,8 @@ static bool is_within_quadric(const struct compiled_scene *scene, int inner, int
            holds_ball(scene, outer, centre, radius);
 }
 
-/* Only convex primitives enclose: from a point within, a ray leaves them once. */
+/* Tells whether one primitive lies within another. Only convex primitives enclose: from a point
+ * within, a ray leaves them once. */
 bool primitive_is_within(const struct compiled_scene *scene, int inner, int outer) {
     switch (scene->primitives[outer].kind) {
     case KIND_BOX:
@@ -164,8 +168,8 @@ bool primitive_is_within(const struct compiled_scene *scene, int inner, int oute
     }
 }
 
-/* Whether all of one primitive lies before another one along a direction, which need not have
- * length 1. */
+/* Tells whether all of one primitive lies before another one along a direction of any length; false
+ * for a null direction. */
 static bool lies_beyond(const struct compiled_scene *scene, int one, int other,
                         const double direction[3]) {
     double there[3] = {direction[0], direction[1], direction[2]}, back[3];
@@ -178,8 +182,9 @@ static bool lies_beyond(const struct compiled_scene *scene, int one, int other,
     return primitive_reach(scene, one, there) + primitive_reach(scene, other, back) < -COMPILE_GAP;
 }
 
-/* Whether two primitives are found to have no point in common: by a plane between them across an
- * axis of either, of the world, or across the way from one to the other. */
+/* Tells whether a plane between two primitives was found, so that they have no point in common.
+ * Planes across the axes of either and of the world are tried, then across the line from one to the
+ * other. */
 bool primitives_are_apart(const struct compiled_scene *scene, int one, int other) {
     const uint8_t frames[3] = {WORLD_FRAME, scene->primitives[one].frame,
                                scene->primitives[other].frame};
@@ -198,8 +203,8 @@ bool primitives_are_apart(const struct compiled_scene *scene, int one, int other
     return isfinite(vector_length(to)) && lies_beyond(scene, one, other, to);
 }
 
-/* The enclosure of a primitive is the innermost of all that it lies within: that which lies within
- * the most others itself. */
+/* Sets for each primitive what hides it and its enclosure: the innermost of those that it lies
+ * within. The innermost one is that which itself lies within the most others. */
 void compile_enclosures(struct compiler *compiler) {
     struct compiled_scene *scene = compiler->scene;
     int depth[COMPILED_PRIMITIVES_MOST] = {0};

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The scene compiler: how far primitives reach. */
+/* The scene compiler: finds how far primitives reach. */
 #include <math.h>
 
 #include "compiler/compiler_internal.h"
@@ -10,7 +10,8 @@ const double *compiled_axis(const struct compiled_scene *scene, uint8_t frame, i
 
 /* ---- Quadrics, in their own axes ------------------------------------------------------------ */
 
-/* The least and the most of square x^2 + 2 linear x over an interval, which may be infinite. */
+/* Returns the least of square x^2 + 2 linear x over an interval, which may be infinite. The linear
+ * term counts only where square is 0. */
 static double least_of(double square, double linear, double low, double high) {
     double zero = fmax(low, fmin(high, 0));
     if (square > 0) {
@@ -22,7 +23,8 @@ static double least_of(double square, double linear, double low, double high) {
     return linear > 0 ? 2 * linear * low : linear < 0 ? 2 * linear * high : 0;
 }
 
-/* What an axis may have where the others take as little as they can of what the form allows. */
+/* Narrows the interval of an axis to what the form leaves where the other axes take as little as
+ * they can. */
 static void tighten_axis(const struct compiled_quadric *quadric, int axis, double low[3],
                          double high[3]) {
     double left = -quadric->constant;
@@ -61,8 +63,9 @@ void quadric_extent(const struct compiled_scene *scene, const struct compiled_qu
     }
 }
 
-/* The square of the farthest from the centre, if the two axes at right angles to this one hold what
- * the form leaves them: the most of a parabola over an interval. */
+/* Returns the square of the largest distance from the centre, by the interval of one axis. The two
+ * axes at right angles to it take all that the form leaves them. That is the most of a parabola
+ * over the interval; infinite where there is no such bound. */
 static double square_reach_about(const struct compiled_quadric *quadric, int axis, double low,
                                  double high) {
     double narrow = fmin(quadric->square[(axis + 1) % 3], quadric->square[(axis + 2) % 3]);
@@ -108,7 +111,8 @@ static double box_reach(const struct compiled_scene *scene,
     return reach;
 }
 
-/* Exact for an ellipsoid that nothing cuts, and for the axes of any quadric. */
+/* Returns the reach of a quadric; exact for an ellipsoid that nothing cuts, and along the axes of
+ * any quadric. */
 static double quadric_reach(const struct compiled_scene *scene,
                             const struct compiled_primitive *primitive, const double direction[3]) {
     const struct compiled_quadric *quadric = &scene->quadrics[primitive->index];
@@ -125,7 +129,8 @@ static double quadric_reach(const struct compiled_scene *scene,
     return vector_dot(direction, quadric->centre) + fmin(reach, sqrt(square));
 }
 
-/* Exact across its own faces, and along the axes of the world. */
+/* Returns the reach of a polyhedron; exact across its own faces, and along the axes of the
+ * world. */
 static double polyhedron_reach(const struct compiled_scene *scene,
                                const struct compiled_polyhedron *polyhedron,
                                const double direction[3]) {

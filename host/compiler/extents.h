@@ -1,21 +1,21 @@
 /* SPDX-License-Identifier: MIT */
-/* How far primitives reach, in scaled units. */
+/* The reach of primitives, in scaled units. */
 #ifndef SUPERFRAME_EXTENTS_H
 #define SUPERFRAME_EXTENTS_H
 
 #include "compiler/bounds.h"
 #include "compiler/tables.h"
 
-/* Returns how far a primitive reaches along a direction of length 1; infinite where it has no end,
- * or where that is not known. */
+/* Returns how far a primitive reaches along a direction of length 1. The result is infinite where
+ * the primitive has no end, or none that is known. */
 double primitive_reach(const struct compiled_scene *scene, int primitive,
                        const double direction[3]);
 
-/* Returns what a primitive lies within along the world's axes. */
+/* Returns bounds of a primitive along the world's axes. */
 struct bounds primitive_bounds(const struct compiled_scene *scene, int primitive);
 
-/* Finds what a quadric that a box cuts lies within, along its frame's axes and from its centre;
- * infinite where it has no end. */
+/* Finds bounds of a quadric that a box cuts, along its frame's axes and from its centre. The bounds
+ * are infinite where the quadric has no end. */
 void quadric_extent(const struct compiled_scene *scene, const struct compiled_quadric *quadric,
                     const struct compiled_box *box, uint8_t frame, double low[3], double high[3]);
 

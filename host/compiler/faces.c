@@ -4,7 +4,8 @@
 
 #include "compiler/tables.h"
 
-/* The faces of a box across those of its axes that are in the set. */
+/* Lists the faces of a box that lie across those of its axes whose bits are set. Returns how many
+ * there are. */
 static int box_faces(const struct compiled_scene *scene, uint8_t frame,
                      const struct compiled_box *box, unsigned axes, struct compiled_face *faces) {
     int count = 0;

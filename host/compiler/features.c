@@ -8,8 +8,9 @@
 #include "image.h"
 #include "scene/description.h"
 
-/* The constants of firmware/features/full/feature_set.h, in its order, with what the scene needs of
- * each; tests/targets/quick_test.sh holds the names against that page. */
+/* A constant of firmware/features/full/feature_set.h, with what the scene needs of the constant.
+ * The constants come in that file's order; tests/targets/quick_test.sh holds the names against that
+ * file. */
 struct feature {
     const char *name;
     int value;
@@ -17,7 +18,7 @@ struct feature {
 
 enum { FEATURES = 27 };
 
-/* That firmware/features/full/ has room for: fewer would give another picture. */
+/* firmware/features/full/ has room for so many branches: fewer would give another picture. */
 enum { KEPT_BRANCHES = 512 };
 
 static bool has_rotation(const struct compiled_scene *scene) {
@@ -47,12 +48,13 @@ static bool has_point_light(const struct compiled_scene *scene) {
     return false;
 }
 
-/* Returns true if paths go on somewhere, or what they would bring counts where they end. */
+/* Tells whether paths go on somewhere, or whether what paths would bring counts where they end. */
 static bool has_paths(const struct compiled_scene *scene) {
     return scene->has_branches && (scene->depth > 0 || scene->estimates);
 }
 
-/* The air around does not count: its boundary with an opaque material is that material's. */
+/* Tells whether paths go through a transparent material. The air around, material 0, does not
+ * count: its boundary with an opaque material is that material's. */
 bool features_has_transparency(const struct compiled_scene *scene) {
     for (int i = 1; i < scene->material_count; i++) {
         if (scene->materials[i].transparent) {

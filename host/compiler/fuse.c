@@ -1,26 +1,28 @@
 /* SPDX-License-Identifier: MIT */
-/* The scene compiler: quadrics and the planes that cut them as one primitive, boxes that meet in a
- * box as one box. */
+/* The scene compiler: a quadric and the planes that cut it become one primitive, and two boxes that
+ * meet become one. */
 #include <math.h>
 #include <string.h>
 
 #include "compiler/cut.h"
 #include "compiler/optimise.h"
 
-/* Whether a plane leaves something of a primitive and takes something away. */
+/* Tells whether a plane takes something of a primitive away: the primitive is not strictly behind
+ * the plane. */
 static bool plane_cuts(const struct compiled_scene *scene, int primitive,
                        const struct compiled_face *plane) {
     return primitive_reach(scene, primitive, plane->normal) >= plane->offset - COMPILE_STRICTLY;
 }
 
+/* Tells whether a plane leaves something of a primitive. */
 static bool plane_leaves(const struct compiled_scene *scene, int primitive,
                          const struct compiled_face *plane) {
     double back[3] = {-plane->normal[0], -plane->normal[1], -plane->normal[2]};
     return -primitive_reach(scene, primitive, back) < plane->offset - COMPILE_STRICTLY;
 }
 
-/* Those planes of a box or a polyhedron that cut a primitive: their number, -1 if one of them
- * leaves nothing. */
+/* Finds the planes of a box or a polyhedron that cut a primitive. Returns their number, or -1 if
+ * one of the planes leaves nothing of the primitive. */
 static int cutting_planes(const struct compiled_scene *scene, int primitive, int solid,
                           struct compiled_face planes[COMPILED_FACES_MOST]) {
     uint8_t kind = scene->primitives[solid].kind;
@@ -37,8 +39,8 @@ static int cutting_planes(const struct compiled_scene *scene, int primitive, int
     return kept;
 }
 
-/* A primitive within a solid, or what of it lies outside of that, as one primitive; -1 if that is
- * none. */
+/* Makes one primitive of the part of a primitive within a solid, or of the part outside of the
+ * solid. Returns -1 if no primitive can be that part. */
 static int fuse_quadric(struct compiler *compiler, int primitive, int solid, bool outside) {
     struct compiled_face planes[COMPILED_FACES_MOST];
     struct cut_quadric cut;
@@ -59,7 +61,8 @@ static int fuse_quadric(struct compiler *compiler, int primitive, int solid, boo
     return cut_finish(compiler, &cut);
 }
 
-/* Two boxes of one frame, where they have something in common. */
+/* Makes one box of what two boxes of one frame have in common. Returns -1 where the two are no such
+ * boxes or have nothing in common. */
 static int fuse_boxes(struct compiler *compiler, int a, int b) {
     const struct compiled_scene *scene = compiler->scene;
     const struct compiled_primitive *one = &scene->primitives[a], *other = &scene->primitives[b];
@@ -80,15 +83,15 @@ static int fuse_boxes(struct compiler *compiler, int a, int b) {
     return compile_box_in(compiler, one->frame, low, high);
 }
 
-/* Whether a primitive is used nowhere else: a ball that becomes a quadric must not stay a ball
- * elsewhere, for both would round otherwise. */
+/* Tells whether a primitive may be changed: a ball only if the ball is used nowhere else. A ball
+ * that becomes a quadric must not stay a ball elsewhere, for the two would round differently. */
 static bool may_change(const struct optimiser *optimiser, int primitive) {
     return optimiser->compiler->scene->primitives[primitive].kind != KIND_BALL ||
            optimiser->uses[primitive] == 1;
 }
 
-/* Cuts a part of a tree by a primitive, or by what is outside of it, if one of its own primitives
- * takes that in. */
+/* Cuts a part of a tree by a primitive, or by what is outside of the primitive. Returns false if
+ * none of the part's own primitives can take in the cut. */
 static bool absorb(struct optimiser *optimiser, uint8_t index, int solid, bool outside) {
     struct csg_tree *tree = &optimiser->tree;
     struct csg_node *node = &tree->nodes[index];
@@ -109,7 +112,7 @@ static bool absorb(struct optimiser *optimiser, uint8_t index, int solid, bool o
     return true;
 }
 
-/* What a node becomes when one of its two sides has taken in the other. */
+/* Replaces a node by one of its two sides where that side can take in the other. */
 static void fuse_node(struct optimiser *optimiser, uint8_t index) {
     struct csg_tree *tree = &optimiser->tree;
     struct csg_node *node = &tree->nodes[index];

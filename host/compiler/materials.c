@@ -14,7 +14,7 @@ static bool same_indices(const struct compiled_material *a, const struct compile
     return true;
 }
 
-/* The first material with the same indices of refraction. */
+/* Returns the first material with the same indices of refraction. */
 static uint8_t optical_class(const struct compiled_scene *scene, uint8_t material) {
     uint8_t i = 0;
     while (!same_indices(&scene->materials[i], &scene->materials[material])) {
@@ -23,7 +23,8 @@ static uint8_t optical_class(const struct compiled_scene *scene, uint8_t materia
     return i;
 }
 
-/* w(theta) by the cosine of theta, the first entry being that of theta = 0. */
+/* Compiles a material's specular constant, or its table of w(theta) by the cosine of theta. The
+ * first entry of the table is that of theta = 0. */
 static void compile_specular(struct compiler *compiler, const struct scene_material *from,
                              struct compiled_material *to) {
     struct compiled_scene *scene = compiler->scene;
@@ -50,7 +51,7 @@ static void compile_specular(struct compiler *compiler, const struct scene_mater
     }
 }
 
-/* Indices and factors by channel: those of the model that the scene asks for. */
+/* Sets the indices and factors of each channel, as the model that the scene asks for has them. */
 static void compile_optics(const struct scene_description *description,
                            const struct scene_material *from, struct compiled_material *to) {
     bool by_channel = description->model == MODEL_WAVELENGTH;
@@ -82,7 +83,7 @@ static bool compile_absorption(struct compiler *compiler, const struct scene_mat
     return true;
 }
 
-/* Makes a material that is neither seen nor in the way of light. */
+/* Makes a material that is not seen and does not keep light off. */
 static void compile_nothing(struct compiled_material *material) {
     material->pattern = NO_PATTERN;
     material->specular_table = NO_TABLE;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The scene compiler: faces that are not one, though nearer to each other than anybody means. */
+/* The scene compiler: faces that do not count as one, though they are nearer to each other than
+ * anybody means. */
 #include <math.h>
 
 #include "compiler/compiler_internal.h"
@@ -16,7 +17,7 @@ static void note(struct compiled_scene *scene, int one, int other, double distan
     scene->near_count++;
 }
 
-/* Whether two primitives come so near that a ray may meet both at one place. */
+/* Tells whether two primitives come so near that a ray may meet both at one place. */
 static bool meet(const struct compiled_scene *scene, int one, int other) {
     struct bounds a = primitive_bounds(scene, one), b = primitive_bounds(scene, other);
     for (int i = 0; i < 3; i++) {
@@ -26,8 +27,8 @@ static bool meet(const struct compiled_scene *scene, int one, int other) {
     return bounds_overlap(&a, &b);
 }
 
-/* Gives how far two planes are apart within the scene; infinite where they are not nearly parallel.
- */
+/* Returns about how far two planes are apart within the scene; large where the planes are not
+ * nearly parallel. */
 static double plane_distance(const struct compiled_face *a, const struct compiled_face *b) {
     double sign = vector_dot(a->normal, b->normal) < 0 ? -1 : 1, lean = 0;
     for (int i = 0; i < 3; i++) {
@@ -36,7 +37,8 @@ static double plane_distance(const struct compiled_face *a, const struct compile
     return fabs(a->offset - sign * b->offset) + lean * COMPILE_EXTENT;
 }
 
-/* Finds the nearest two faces of different surfaces; infinite where there are none. */
+/* Returns the distance of the nearest two faces of different surfaces; infinite where there are no
+ * such faces. */
 static double face_distance(const struct compiled_scene *scene, int one, int other) {
     struct compiled_face faces[COMPILED_FACES_MOST], others[COMPILED_FACES_MOST];
     int count = compiled_faces(scene, one, faces), more = compiled_faces(scene, other, others);

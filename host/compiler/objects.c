@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The scene compiler: CSG trees to objects, one a material, with postfix programs. */
+/* The scene compiler: turns CSG trees into objects of one material each, with postfix programs. */
 #include "compiler/compiler_internal.h"
 
 #include <math.h>
@@ -8,7 +8,7 @@
 
 enum { PROGRAM_DEPTH_MOST = 32 };
 
-/* What is to be applied to a solid after it: cutters, from the inside out. */
+/* What is to be applied to a solid after the solid itself: cutters, from the inside out. */
 struct cutter {
     uint8_t code;
     int node;
@@ -75,8 +75,9 @@ static bool append_program(struct compiler *compiler, int index, const struct af
     return true;
 }
 
-/* A boundary that goes on for ever cannot be left: only opaque solids may be unbounded. What of
- * them lies within the world is there; it is not to be nothing. */
+/* Checks that an object is bounded or opaque: a transparent object whose boundary goes on for ever
+ * cannot be left. The part of an unbounded solid within the world is there, and must not be
+ * nothing. */
 static bool check_bounded(struct compiler *compiler, const struct compiled_object *object,
                           const struct bounds *bounds) {
     if (bounds_are_finite(bounds)) {
@@ -114,7 +115,7 @@ static bool add_object(struct compiler *compiler, const struct instance *instanc
         compiler->dead->object_of_part[part] = compiler->object;
     }
     struct compiled_object *object = &scene->objects[scene->object_count];
-    unsigned instance_line = compiler->line; /* what is compiled for it moves that on */
+    unsigned instance_line = compiler->line; /* compiling its solids moves the line on */
     compiler->lost_line = 0;
     object->program = scene->program_length;
     object->length = 0;
@@ -149,8 +150,8 @@ static bool add_object(struct compiler *compiler, const struct instance *instanc
     return true;
 }
 
-/* The one material of a tree's leaves that add to it, -2 if there are several. The cutters of a
- * difference or an intersection give shape only. */
+/* Returns the one material of a tree's leaves that add to the tree, or -2 if there are several. The
+ * cutters of a difference or an intersection give shape only. */
 static int sole_material(const struct scene_description *description, int index, int inherited) {
     const struct solid_node *node = &description->nodes[index];
     int material = node->material >= 0 ? node->material : inherited;

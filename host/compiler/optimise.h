@@ -12,18 +12,19 @@ struct optimiser {
     unsigned uses[COMPILED_DRAFTS_MOST]; /* how often programs name each primitive */
 };
 
-/* Leaves out operations that say nothing; false if nothing is left of the tree. */
+/* Leaves out operations that change nothing. Returns false if nothing is left of the tree. */
 bool optimise_simplify(struct optimiser *optimiser);
 
-/* Primitives of the tree that one primitive can stand for. Those that can't be made for lack of
- * room are left as they are. */
+/* Replaces primitives of the tree by one primitive that can stand for them. Primitives stay as they
+ * are where there is no room for the new one. */
 void optimise_fuse(struct optimiser *optimiser);
 
-/* Cuts off what of each primitive lies outside of all that its programs let through. */
+/* Cuts off the part of each primitive that lies outside of all that the primitive's programs let
+ * through. */
 void optimise_bound(struct optimiser *optimiser);
 
-/* Leaves out of the tables what no program names, in the order of the programs; false with the
- * failure recorded if too much is left. */
+/* Leaves out of the tables what no program names, and orders the rest as the programs do. Returns
+ * false with the failure recorded if too much is left. */
 bool optimise_compact(struct compiler *compiler);
 
 #endif

@@ -5,11 +5,12 @@
 
 #include "compiler/compiler_internal.h"
 
-/* A face is so near the end of a cell that an arithmetic may round its points to either side. */
+/* Nearer to the end of a cell than this, an arithmetic may round a face's points to either side. */
 #define BORDER_NEAR 0x1p-6
 
-/* From a corner of an even cell near the middle of the scene: the pattern is the same, and far
- * origins lose no digits. Cells that are larger than the world end in it once at most. */
+/* Places the cells of a pattern along an axis, from a corner of an even cell near the middle of the
+ * scene. The pattern stays the same, and far origins lose no digits. Cells that are larger than the
+ * world end in the world once at most. Returns false if the corner lies outside of the world. */
 static bool place_cells(const struct scene_pattern *pattern, int axis, double scale, double origin,
                         struct compiled_pattern *compiled) {
     double size = pattern->size[axis] * scale;
@@ -48,9 +49,8 @@ static bool is_odd(double cell) {
     return fmod(cell, 2) != 0;
 }
 
-/* The cells of a pattern on both sides of a plane across one of its axes, where a cell ends near
- * it.
- */
+/* Finds the cells of a pattern on both sides of a plane across one of its axes. Returns false if no
+ * cell ends near the plane. */
 static bool find_cells(const struct compiler *compiler, const struct compiled_pattern *pattern,
                        int axis, double place, struct compiled_pattern_face *face) {
     double nearest = round((place - pattern->origin[axis]) / pattern->size[axis]);

@@ -5,7 +5,8 @@
 
 #include "compiler/compiler_internal.h"
 
-/* A normal goes by the inverse transpose; the matrix of cofactors is that times the determinant. */
+/* Places a plane by its normal and one of its points. A normal is placed by the inverse transpose;
+ * the matrix of cofactors is the inverse transpose times the determinant. */
 bool compile_placed_plane(struct compiler *compiler, const double normal[3], const double point[3],
                           const struct affine *placement, struct scene_plane *placed) {
     double column[3][3], cofactor[3][3], image[3];
@@ -41,8 +42,9 @@ static bool place_plane(struct compiler *compiler, const struct scene_plane *pla
     return compile_placed_plane(compiler, plane->normal, foot, placement, placed);
 }
 
-/* The same surfaces, each with its inside on the same side: the halves of a solid have the plane
- * between them in common. */
+/* Tells whether a polyhedron has these surfaces in this order, each with its inside on the same
+ * side. The surfaces alone do not tell: the halves of a solid have the plane between them in
+ * common. */
 static bool same_planes(const struct compiled_scene *scene,
                         const struct compiled_polyhedron *polyhedron,
                         const struct scene_plane *planes, const int *surfaces, size_t count) {
@@ -58,7 +60,7 @@ static bool same_planes(const struct compiled_scene *scene,
     return true;
 }
 
-/* Everything for a slab, which has no end. */
+/* Sets the bounds of a polyhedron: everything for a slab, which has no end. */
 static void set_bounds(struct compiled_polyhedron *polyhedron, const struct scene_plane *planes,
                        size_t count) {
     struct scene_plane copy[SCENE_PLANES_MOST];
@@ -129,7 +131,7 @@ int compile_polyhedron(struct compiler *compiler, const struct scene_plane *plan
     return compile_placed_polyhedron(compiler, placed, count);
 }
 
-/* Whether no point of the world lies behind the plane. */
+/* Tells whether no point of the world lies behind the plane. */
 static bool misses_world(const struct scene_plane *plane) {
     double reach = 0;
     for (int i = 0; i < 3; i++) {
@@ -138,8 +140,8 @@ static bool misses_world(const struct scene_plane *plane) {
     return plane->offset <= -reach;
 }
 
-/* Half of the world: the firmware's world ends, so that a ray's way to it is a number that every
- * arithmetic holds. */
+/* Compiles the half of the world behind a plane. The firmware's world ends, so that a ray's path to
+ * the world's end is a number that every arithmetic holds. */
 int compile_placed_half_space(struct compiler *compiler, const struct scene_plane *plane) {
     struct scene_plane planes[7] = {*plane};
     size_t count = 1;

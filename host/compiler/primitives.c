@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The scene compiler: leaves to primitives. */
+/* The scene compiler: turns leaves into primitives. */
 #include "compiler/compiler_internal.h"
 
 #include <math.h>
@@ -23,7 +23,8 @@ int compile_new_primitive(struct compiler *compiler, uint8_t kind, uint8_t index
     return scene->primitive_count++;
 }
 
-/* Whether the axes of a placement stay at right angles; they are made of length 1. */
+/* Finds the axes of a placement, made of length 1, and tells whether the axes stay at right
+ * angles. */
 static bool right_angled(const struct compiler *compiler, const struct affine *placement,
                          double axis[3][3]) {
     for (int i = 0; i < 3; i++) {
@@ -36,7 +37,8 @@ static bool right_angled(const struct compiler *compiler, const struct affine *p
     return skew * COMPILE_EXTENT <= compiler->same;
 }
 
-/* Faces of one surface lie at the same place to the last bit. */
+/* Sets the faces of a box: faces of one surface lie at the same place to the last bit. Returns
+ * false with the failure recorded. */
 static bool set_faces(struct compiler *compiler, struct compiled_box *box, uint8_t frame,
                       const double low[3], const double high[3]) {
     for (int face = 0; face < 6; face++) {
@@ -82,7 +84,7 @@ int compile_world_box(struct compiler *compiler, const double low[3], const doub
     return compile_box_in(compiler, WORLD_FRAME, low, high);
 }
 
-/* A box whose axes the placement skews. */
+/* Compiles a box whose axes the placement skews. */
 static int skewed_box(struct compiler *compiler, const struct solid_node *leaf,
                       const struct affine *placement) {
     struct scene_plane planes[6] = {{{0, 0, 0}, 0}};
@@ -95,7 +97,8 @@ static int skewed_box(struct compiler *compiler, const struct solid_node *leaf,
     return compile_polyhedron(compiler, planes, 6, placement);
 }
 
-/* The corners are placed as points: far from the origin nothing is lost between them. */
+/* Compiles a box. The corners are placed as points, so that far from the origin nothing is lost
+ * between them. */
 int compile_box(struct compiler *compiler, const struct solid_node *leaf,
                 const struct affine *placement) {
     double axis[3][3], sign[3], low[3], high[3], corner[2][3];
@@ -118,7 +121,8 @@ int compile_box(struct compiler *compiler, const struct solid_node *leaf,
     return compile_box_in(compiler, (uint8_t)frame, low, high);
 }
 
-/* A placed leaf that is round about an axis: the quadric, then the slab that ends it. */
+/* Appends a placed leaf that is round about an axis: the quadric, then the slab that ends the
+ * quadric. */
 static bool append_round(struct compiler *compiler, const struct solid_node *leaf,
                          const struct affine *placement) {
     struct scene_plane ends[2];
@@ -137,7 +141,7 @@ static bool append_round(struct compiler *compiler, const struct solid_node *lea
            compile_append(compiler, (uint8_t)slab) && compile_append(compiler, CODE_INTERSECTION);
 }
 
-/* A polyhedron has to have an inside and an end. */
+/* Checks that a polyhedron has an inside and an end. */
 static bool check_polyhedron(struct compiler *compiler, const struct solid_node *leaf) {
     if (!polyhedron_is_bounded(leaf)) {
         return compile_fail(compiler, leaf->line,

@@ -10,8 +10,8 @@
 /* What is this much smaller than the largest coefficient is rounding, not shape. */
 #define NEGLIGIBLE 1e-13
 
-/* Forms are worked out in long double, which has some digits more on most hosts: where a cone is
- * narrow, or a placement stretches it, double loses those that say where its tip is. */
+/* Forms are worked out in long double, which has some digits more on most hosts. Where a cone is
+ * narrow, or a placement stretches it, double loses the digits that say where its tip is. */
 typedef long double wide;
 
 /* (x y z 1) m (x y z 1)^T <= 0; m is symmetric. */
@@ -65,7 +65,7 @@ static void invert_linear(const struct affine *placement, wide inverse[4][4]) {
     inverse[3][3] = 1;
 }
 
-/* The form after the linear part of a placement. */
+/* Returns the form after the linear part of a placement. */
 static struct quadric_form form_placed(const struct quadric_form *form,
                                        const struct affine *placement) {
     wide map[4][4], half[4][4];
@@ -90,7 +90,7 @@ static struct quadric_form form_placed(const struct quadric_form *form,
     return placed;
 }
 
-/* Finds the way from one end of a leaf's axis to the other; returns its length. */
+/* Finds the vector from one end of a leaf's axis to the other; returns its length. */
 static wide leaf_way(const struct solid_node *leaf, wide way[3]) {
     for (int i = 0; i < 3; i++) {
         way[i] = (wide)leaf->b[i] - leaf->a[i];
@@ -98,7 +98,7 @@ static wide leaf_way(const struct solid_node *leaf, wide way[3]) {
     return sqrtl(wide_dot(way, way));
 }
 
-/* A form around the axis of a leaf, |p|^2 + (square - 1) z^2 + 2 linear z + constant, z being
+/* Returns a form around the axis of a leaf, |p|^2 + (square - 1) z^2 + 2 linear z + constant. z is
  * counted along the axis from `from`. */
 static struct quadric_form around_axis(const struct solid_node *leaf, wide square, wide linear,
                                        wide constant) {
@@ -138,7 +138,7 @@ static struct quadric_form hyperboloid(const struct solid_node *leaf) {
     return around_axis(leaf, -k, k * half, -k * (half - gap) * (half + gap));
 }
 
-/* Around leaf->a, which a general quadric has at the origin. */
+/* Returns the form of a leaf around leaf->a, which a general quadric has at the origin. */
 static struct quadric_form form_of_leaf(const struct solid_node *leaf) {
     wide way[3], radius = leaf->radius, radius_b = leaf->radius_b;
     const double *f = leaf->form;
@@ -169,7 +169,7 @@ static struct quadric_form form_of_leaf(const struct solid_node *leaf) {
     }
 }
 
-/* One Jacobi rotation that makes a[p][q] zero; the rows of axis turn with it. */
+/* Turns the form by the Jacobi rotation that makes a[p][q] zero; the rows of axis turn with it. */
 static void rotate(wide a[3][3], wide axis[3][3], int p, int q) {
     if (a[p][q] == 0) {
         return;
@@ -193,7 +193,7 @@ static void rotate(wide a[3][3], wide axis[3][3], int p, int q) {
     a[p][q] = a[q][p] = 0;
 }
 
-/* A form in its own axes, before it is rounded. */
+/* A form in its own axes, before it is rounded to double. */
 struct wide_axes {
     wide origin[3], axis[3][3], square[3];
     wide linear, constant;
@@ -249,7 +249,7 @@ static void gather_linear(struct wide_axes *axes, wide linear[3]) {
     }
 }
 
-/* The form in its own axes; false if it has no quadratic part. */
+/* Finds the form in its own axes; returns false if the form has no quadratic part. */
 static bool form_axes(const struct quadric_form *form, struct wide_axes *axes) {
     wide linear[3], largest = 0;
     diagonalise(form, axes);

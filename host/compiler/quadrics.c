@@ -33,7 +33,8 @@ static int add_quadric(struct compiler *compiler, const struct compiled_quadric 
     return primitive;
 }
 
-/* Makes a quadric of a ball: the other side of its surface rounds as it does, then. */
+/* Makes a quadric of a ball, so that the other side of the ball's surface rounds as this side
+ * does. */
 static void make_quadric(struct compiled_scene *scene, struct compiled_primitive *primitive) {
     const struct compiled_ball *ball = &scene->balls[primitive->index];
     struct compiled_quadric quadric = {.square = {1, 1, 1}, .surface = ball->surface};
@@ -44,7 +45,7 @@ static void make_quadric(struct compiled_scene *scene, struct compiled_primitive
     scene->quadrics[scene->quadric_count++] = quadric;
 }
 
-/* The other side of a surface that is there, by the same numbers. */
+/* Adds the other side of a surface that exists already, by the same numbers. */
 static int add_opposite(struct compiler *compiler, int twin) {
     struct compiled_primitive *primitive = &compiler->scene->primitives[twin];
     if (primitive->kind == KIND_BALL) {
@@ -59,7 +60,7 @@ static int add_opposite(struct compiler *compiler, int twin) {
     return add_quadric(compiler, &quadric, primitive->frame);
 }
 
-/* Whether a form is a ball's: its radius is the same along all axes. */
+/* Tells whether a form is a ball's: the radius is the same along all axes. */
 static bool is_round(const struct compiler *compiler, const struct quadric_axes *axes) {
     double radius = sqrt(fabs(axes->constant));
     for (int i = 0; i < 3; i++) {
@@ -70,7 +71,7 @@ static bool is_round(const struct compiler *compiler, const struct quadric_axes 
     return true;
 }
 
-/* A surface that no primitive has: the third axis takes the linear part with it. */
+/* Adds a quadric with a surface that no primitive has. A linear part stays on the third axis. */
 static int add_curve(struct compiler *compiler, struct quadric_axes *axes) {
     struct compiled_quadric quadric;
     double sign[3];
@@ -95,7 +96,7 @@ static bool holds_no_point(const struct quadric_axes *axes) {
     return axes->square[0] > 0 && axes->square[1] > 0 && axes->square[2] > 0 && axes->constant >= 0;
 }
 
-/* Says why a form cannot be a primitive of the firmware; NULL if it can. */
+/* Returns why a form cannot be a primitive of the firmware, or NULL if the form can. */
 static const char *fault_of(const struct quadric_axes *axes) {
     if (holds_no_point(axes)) {
         return "a quadric that holds no point: its form has to be negative somewhere";
@@ -114,7 +115,7 @@ static const char *fault_of(const struct quadric_axes *axes) {
     return NULL;
 }
 
-/* Finds between what a form lies within the world's box, from above and below. */
+/* Finds a lower and an upper bound of a form's values within the world's box. */
 static void form_range(const struct quadric_axes *axes, double *least, double *most) {
     *least = *most = axes->constant;
     for (int i = 0; i < 3; i++) {
@@ -137,8 +138,9 @@ static void form_range(const struct quadric_axes *axes, double *least, double *m
     }
 }
 
-/* Makes what holds the whole world, or nothing of it, of a form whose surface does not come near;
- * -2 where it does. */
+/* Compiles a form whose surface stays outside of the world as a half-space that holds all of the
+ * world, or nothing. Returns -2 where the surface may come near, or where the form holds no
+ * point. */
 static int compile_beyond(struct compiler *compiler, const struct quadric_axes *axes) {
     double least, most;
     form_range(axes, &least, &most);
@@ -149,8 +151,8 @@ static int compile_beyond(struct compiler *compiler, const struct quadric_axes *
     return compile_placed_half_space(compiler, &plane);
 }
 
-/* Moves a centre that lies out of the scene to the middle of it, along axes that say nothing of it.
- */
+/* Moves a centre that lies out of the scene to the scene's middle, along the axes that leave the
+ * centre free. */
 static void centre_form(struct quadric_axes *axes) {
     for (int i = 0; i < 3; i++) {
         double along = vector_dot(axes->origin, axes->axis[i]);
@@ -161,8 +163,8 @@ static void centre_form(struct quadric_axes *axes) {
     }
 }
 
-/* Appends the half-spaces of a form that two parallel planes are: what is between them, or not.
- * Their faces coincide with those of other solids, then. */
+/* Appends the half-spaces of a form that is two parallel planes: what is between them, or what is
+ * not. As planes, the faces coincide with those of other solids. */
 static bool append_planes(struct compiler *compiler, const struct quadric_axes *axes) {
     double half = sqrt(fabs(axes->constant)), between = axes->square[0];
     double middle = vector_dot(axes->axis[0], axes->origin);

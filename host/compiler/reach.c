@@ -14,7 +14,7 @@ static const char out_of_light[] =
 static const char is_filled[] = "a later object fills its place";
 static const char is_sealed[] = "it lies within an opaque object";
 
-/* An object's program as a tree, and what that lies within. */
+/* An object's program as a tree, and the bounds that the object lies within. */
 struct solid {
     struct csg_tree tree;
     struct bounds bounds;
@@ -41,7 +41,7 @@ static bool has_specular(const struct compiled_material *material) {
     return material->specular > 0 || material->specular_table != NO_TABLE;
 }
 
-/* Returns true if rays bend at the material. Between media of one index they go straight on, and
+/* Returns true if rays bend at the material. Between media of one index, rays go straight on, and
  * nothing is reflected. */
 static bool refracts(const struct compiled_scene *scene, const struct compiled_material *material) {
     return material->transparent && !scene->simple &&
@@ -99,16 +99,17 @@ static bool is_lit(const struct compiled_scene *scene, const struct compiled_mat
 
 /* ---- Places --------------------------------------------------------------------------------- */
 
-/* Returns true if all of a solid is on the far side of a plane through the eye, by more than any
- * rounding. */
+/* Returns true if all of a solid is on the far side of a plane through the eye. The distance has to
+ * be more than any rounding. */
 static bool is_behind(const struct search *search, const struct solid *solid, double inward[3]) {
     const double *eye = search->scene->camera.eye;
     return vector_normalise(inward) && csg_reach(search->scene, &solid->tree, solid->tree.root,
                                                  inward) < vector_dot(inward, eye) - COMPILE_GAP;
 }
 
-/* Returns true if a solid reaches into the view: a pyramid with four sides through the picture's
- * edges, half a pixel from the outermost rays. What lies behind the eye is outside of it. */
+/* Returns true if a solid reaches into the view. The view is a pyramid whose four sides go through
+ * the picture's edges, half a pixel from the outermost rays. What lies behind the eye is outside of
+ * the view. */
 static bool is_in_view(const struct search *search, const struct solid *solid) {
     const struct compiled_scene *scene = search->scene;
     const struct compiled_camera *camera = &scene->camera;
@@ -134,8 +135,8 @@ static bool is_in_view(const struct search *search, const struct solid *solid) {
     return true;
 }
 
-/* Returns true if a part of a solid lies strictly within a primitive, or is that primitive where
- * that will do. */
+/* Returns true if a part of a solid lies strictly within a primitive. With may_be_it, a part that
+ * is the primitive itself will do, too. */
 static bool lies_within(const struct search *search, const struct csg_tree *tree, uint8_t index,
                         uint8_t primitive, bool may_be_it) {
     const struct csg_node *node = &tree->nodes[index];
@@ -164,8 +165,8 @@ static bool are_one_solid(const struct compiled_scene *scene, int one, int other
            memcmp(&scene->programs[a->program], &scene->programs[b->program], a->length) == 0;
 }
 
-/* Returns true if an opaque object is whole: no later one reaches out of it, through which a ray
- * could come in, and the eye is outside. */
+/* Returns true if an opaque object is whole and the eye is outside. Whole means: no later object
+ * reaches out of the opaque one, to let a ray come in. */
 static bool is_closed(const struct search *search, int object) {
     const struct compiled_scene *scene = search->scene;
     if (material_of(scene, object)->transparent ||
@@ -182,7 +183,7 @@ static bool is_closed(const struct search *search, int object) {
     return true;
 }
 
-/* Returns why no ray meets an object, wherever rays go; NULL if one may. */
+/* Returns why no ray meets an object, wherever rays go; NULL if a ray may meet the object. */
 static const char *find_cover(const struct search *search, int object) {
     for (int i = 1; i < search->scene->object_count; i++) {
         if (i > object && (are_one_solid(search->scene, i, object) ||
@@ -237,7 +238,7 @@ static void find_lights(struct search *search) {
     }
 }
 
-/* Returns bounds of the way from anywhere on a solid to a light. */
+/* Returns bounds of the path from anywhere on a solid to a light. */
 static struct bounds way_to_light(const struct solid *from, const struct compiled_light *light) {
     struct bounds way = from->bounds;
     if (!light->parallel) {
@@ -266,7 +267,7 @@ static bool is_in_light(const struct search *search, int object) {
     return false;
 }
 
-/* Returns true if an object keeps light off, or may fill a part of an earlier one that does. */
+/* Returns true if an object keeps light off, or may fill a part of an earlier object that does. */
 static bool matters_to_shadows(const struct search *search, int object) {
     const struct compiled_scene *scene = search->scene;
     bool matters = material_of(scene, object)->casts_shadow;

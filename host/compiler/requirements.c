@@ -29,7 +29,8 @@ static void print_word(struct words *words, const char *text) {
     words->column += fprintf(words->out, "%s", text);
 }
 
-/* A feature's name as people write it; those that are numbers with their value. */
+/* Prints a required feature's name as people write names. Features that are numbers are followed by
+ * their value. */
 static void take_feature(void *context, const char *name, int value) {
     static const char *const numbers[] = {"DEPTH", "WIDTH", "PRIMITIVE_WORDS", "KEPT"};
     char text[64];

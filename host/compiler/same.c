@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* The scene compiler: which directions, planes and frames are one, however the file writes each. */
+/* The scene compiler: which directions, planes and frames count as one, however the file writes
+ * each. */
 #include <math.h>
 #include <string.h>
 
 #include "compiler/compiler_internal.h"
 
-/* A direction may be off by so much that nothing within the scene moves by more than a length that
- * is the same. */
+/* Tells whether two directions count as one, the second times the sign. A direction may be off by
+ * so much that nothing within the scene moves by more than compiler->same. */
 static bool same_direction(const struct compiler *compiler, const double a[3], const double b[3],
                            double sign) {
     for (int i = 0; i < 3; i++) {
@@ -87,7 +88,8 @@ double compile_place_of_plane(const struct compiler *compiler, int surface, cons
     return compile_parallel(axis, plane->normal) < 0 ? -plane->offset : plane->offset;
 }
 
-/* Sorts axes into those of a frame, up to their order and signs. */
+/* Sorts axes into those of a frame, up to their order and signs. Returns false if they do not
+ * match, or the third axis would have to stay and does not. */
 static bool sort_axes(const struct compiled_scene *scene, uint8_t frame, double axis[3][3],
                       bool third_stays, int permutation[3], double sign[3]) {
     for (int i = 0; i < 3; i++) {

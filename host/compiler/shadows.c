@@ -17,8 +17,8 @@ static bool casts(const struct compiled_scene *scene, int object) {
     return scene->materials[scene->objects[object].material].casts_shadow;
 }
 
-/* Whether everything but one object, and the light, lie on the far side of a plane that has all of
- * that object behind it. */
+/* Tells whether all objects but one, and the light, lie on the far side of a plane. The plane has
+ * all of that one object behind it. */
 static bool is_clear_of(const struct compiler *compiler, int object,
                         const struct compiled_light *light, int axis, double side, double place) {
     const struct compiled_scene *scene = compiler->scene;
@@ -36,9 +36,10 @@ static bool is_clear_of(const struct compiler *compiler, int object,
     return true;
 }
 
-/* Checks whether an object casts no shadow that is seen. An opaque convex body throws none on
- * itself, and none on what lies, with the light, before one of its faces; a transparent one does,
- * on its own far side. Proved for boxes along the axes: the floors and boards of most scenes. */
+/* Tells whether an object is proved to cast no shadow that is seen. An opaque convex body throws no
+ * shadow on itself, nor on what lies, with the light, before one of its faces. A transparent body
+ * throws one on its own far side. The proof is for boxes along the axes: the floors and boards of
+ * most scenes. */
 static bool is_harmless(const struct compiler *compiler, int object,
                         const struct compiled_light *light) {
     const struct compiled_scene *scene = compiler->scene;
@@ -59,8 +60,8 @@ static bool is_harmless(const struct compiler *compiler, int object,
     return false;
 }
 
-/* The objects that cast shadows for some light, and those after them that may fill some of their
- * place with something that does not. */
+/* Finds the objects that cast shadows for some light, and the later objects that may fill some of
+ * their place. A later object may put something there that casts no shadow. */
 void compile_shadows(struct compiler *compiler) {
     struct compiled_scene *scene = compiler->scene;
     bool harms[COMPILED_OBJECTS_MOST] = {false};

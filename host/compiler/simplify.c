@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The scene compiler: operations of CSG that say nothing are left out. */
+/* The scene compiler: leaves out operations of CSG that change nothing. */
 #include "compiler/optimise.h"
 
 /* Stands for a solid without a point, while a tree is simplified. */
@@ -9,7 +9,7 @@ static bool is_nothing(const struct csg_tree *tree, uint8_t node) {
     return tree->nodes[node].code == CODE_NOTHING;
 }
 
-/* Whether two parts of a tree are the same solid, word for word. */
+/* Tells whether two parts of a tree are the same solid, word for word. */
 static bool are_equal(const struct csg_tree *tree, uint8_t one, uint8_t other) {
     const struct csg_node *a = &tree->nodes[one], *b = &tree->nodes[other];
     return a->code == b->code && (csg_is_leaf(tree, one) || (are_equal(tree, a->left, b->left) &&
@@ -31,7 +31,7 @@ static bool are_apart(const struct compiled_scene *scene, const struct csg_tree 
     return bounds_are_apart(&first, &second, COMPILE_GAP);
 }
 
-/* What a node is worth: one of its sides, nothing, or what it was. */
+/* Replaces a node by what the node amounts to: one of its sides, nothing, or the node itself. */
 static void simplify_node(struct optimiser *optimiser, uint8_t index) {
     struct compiled_scene *scene = optimiser->compiler->scene;
     struct csg_tree *tree = &optimiser->tree;

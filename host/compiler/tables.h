@@ -10,9 +10,9 @@
 #include "scene/description.h"
 #include "scene/overrides.h"
 
-/* Member by member what firmware/scene.h holds; read its comments there. Lengths are scaled
- * already. host/render/per_arithmetic/load.c turns this into tables in memory, host/compiler/emit.c
- * into C source. */
+/* The tables have, member by member, what firmware/scene.h holds; read the comments there. Lengths
+ * are scaled already. host/render/per_arithmetic/load.c turns the tables into those in memory,
+ * host/compiler/emit.c into C source. */
 
 enum {
     COMPILED_PRIMITIVES_MOST = 64,
@@ -132,20 +132,22 @@ struct compiled_camera {
 
 /* What the compiler made of the file's solids. */
 struct compiled_report {
-    unsigned shared;     /* solids that are one with another one */
-    unsigned simplified; /* operations of CSG that say nothing */
+    unsigned shared;     /* solids that are the same as another one */
+    unsigned simplified; /* operations of CSG that change nothing */
     unsigned fused;      /* solids that a neighbour has taken in */
     unsigned bounded;    /* solids cut off where nothing is to be seen of them */
     unsigned hidden;     /* pairs of primitives of which one is not met from within the other */
 };
 
-/* Two faces that are not one, though nearer to each other than seems to be meant. */
+/* Two faces that do not count as one, though they are nearer to each other than seems to be
+ * meant. */
 struct compiled_near {
     unsigned line, other_line; /* of their solids */
     double distance;           /* in the file's unit */
 };
 
-/* What of the file can't change the picture, and is not in the tables, for people. */
+/* A part of the file that can't change the picture and is not in the tables, described for
+ * people. */
 struct compiled_dead {
     char what[80];
     const char *why;
@@ -212,8 +214,8 @@ struct compiled_scene {
     uint32_t seed;
 };
 
-/* The numbers that programs and tables are made of; firmware/scene.h has the same, but needs an
- * arithmetic. host/render/per_arithmetic/load.c holds the two against each other. */
+/* The numbers that programs and tables are made of. firmware/scene.h has the same numbers, but
+ * needs an arithmetic. host/render/per_arithmetic/load.c holds the two against each other. */
 enum compiled_kind { KIND_BOX = 0, KIND_BALL = 1, KIND_POLYHEDRON = 2, KIND_QUADRIC = 3 };
 
 enum {
@@ -250,13 +252,13 @@ struct compile_observer {
     void *context;
 };
 
-/* Flattens, centres, scales and analyses a scene. NULL with *error filled where the scene cannot be
- * rendered (the line is that of the culprit). The caller frees the result with free(). */
+/* Flattens, centres, scales and analyses a scene. Returns NULL with *error filled where the scene
+ * cannot be rendered; the line is that of the culprit. The caller frees the result with free(). */
 struct compiled_scene *scene_compile(const struct scene_description *description,
                                      struct scene_error *error);
 
-/* As load_scene(), with overrides put in and compiled. The caller frees the result with
- * free(). */
+/* Loads a scene as load_scene() does, puts the overrides in and compiles the scene. The caller
+ * frees the result with free(). */
 struct compiled_scene *load_compiled_scene(const char *name_or_path,
                                            const struct scene_overrides *overrides,
                                            struct scene_error *error);
@@ -279,26 +281,29 @@ enum { COMPILED_FACES_MOST = SCENE_PLANES_MOST + 6 };
 int compiled_faces(const struct compiled_scene *scene, int primitive,
                    struct compiled_face faces[COMPILED_FACES_MOST]);
 
-/* An axis of a frame, or of the world. */
+/* Returns an axis of a frame, or of the world for WORLD_FRAME. */
 const double *compiled_axis(const struct compiled_scene *scene, uint8_t frame, int axis);
 
-/* Measures how far the surface of one quadric lies from another one's, both in one frame, at
- * most: by points spread over what of it lies in the world. 0 where none does. */
+/* Measures how far, at most, the surface of one quadric lies from that of another, both in one
+ * frame. The distance is taken at points spread over the part of the surface that lies in the
+ * world. Returns 0 where no part does. */
 double compiled_quadric_strays(const struct compiled_scene *scene, uint8_t frame,
                                const struct compiled_quadric *from,
                                const struct compiled_quadric *other);
 
-/* Whether a point, in scaled coordinates, is strictly inside a primitive. */
+/* Tells whether a point, in scaled coordinates, is strictly inside a primitive. */
 bool compiled_primitive_holds(const struct compiled_scene *scene, uint8_t index,
                               const double point[3]);
 
-/* Whether an object holds a point that is inside these primitives; other objects may fill the
+/* Tells whether an object holds a point that is inside these primitives. Other objects may fill the
  * place. */
 bool compiled_object_holds(const struct compiled_scene *scene, uint8_t index,
                            const struct compiled_set *inside);
 
-/* Whether a set has a primitive, and putting it in. */
+/* Tells whether a set has a primitive. */
 bool compiled_set_has(const struct compiled_set *set, int primitive);
+
+/* Puts a primitive into a set. */
 void compiled_set_include(struct compiled_set *set, int primitive);
 
 #endif

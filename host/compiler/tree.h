@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* An object's postfix program as a tree: the scene compiler rewrites it, the POV-Ray export reads
- * it. */
+/* An object's postfix program as a tree, which the scene compiler rewrites and the POV-Ray export
+ * reads. */
 #ifndef SUPERFRAME_COMPILE_TREE_H
 #define SUPERFRAME_COMPILE_TREE_H
 
@@ -21,7 +21,8 @@ struct csg_tree {
 void csg_read(const struct compiled_scene *scene, const struct compiled_object *object,
               struct csg_tree *tree);
 
-/* Writes a tree as the object's program, from byte `place` of the programs; the byte after it. */
+/* Writes a tree as the object's program, from byte `place` of the programs. Returns the place after
+ * the program's last byte. */
 uint16_t csg_write(struct compiled_scene *scene, struct compiled_object *object,
                    const struct csg_tree *tree, uint16_t place);
 
@@ -31,7 +32,7 @@ bool csg_is_leaf(const struct csg_tree *tree, uint8_t node);
 double csg_reach(const struct compiled_scene *scene, const struct csg_tree *tree, uint8_t node,
                  const double direction[3]);
 
-/* What a part of a tree lies within; infinite where that is not known. */
+/* Returns what a part of a tree lies within; infinite where that is not known. */
 struct bounds csg_bounds(const struct compiled_scene *scene, const struct csg_tree *tree,
                          uint8_t node);
 

@@ -1,12 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* The scene compiler: camera, lights, materials, and what can keep light off. */
+/* The scene compiler: the camera and the solids that the eye is inside of, lights, and the largest
+ * intensity. */
 #include "compiler/compiler_internal.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-/* A pixel that traps light ends here: where an accuracy is asked for, and where it is not. */
+/* A pixel that traps light ends after so many rays: where an accuracy is asked for, and where none
+ * is. */
 enum { RAYS_FOR_ACCURACY_MOST = 100000, RAYS_OF_A_PIXEL_MOST = 1000000 };
 
 static void scaled_point(const struct compiler *compiler, const double point[3], double out[3]) {
@@ -36,7 +38,8 @@ static bool is_inside_polyhedron(const struct compiled_scene *scene,
     return true;
 }
 
-/* p: in the frame's coordinates, which the box shares; q: the same from the quadric's centre. */
+/* Tells whether a point is strictly inside a quadric. p: the point in the frame's coordinates,
+ * which the box shares. q: the same from the quadric's centre. */
 static bool is_inside_quadric(const struct compiled_scene *scene,
                               const struct compiled_quadric *quadric, const double p[3],
                               const double q[3]) {
@@ -51,7 +54,7 @@ static bool is_inside_quadric(const struct compiled_scene *scene,
            0;
 }
 
-/* The frames of solids have no origin of their own. */
+/* Turns a point into the axes of a frame; the frames of solids have no origin of their own. */
 static void to_frame(const struct compiled_scene *scene, uint8_t frame, const double point[3],
                      double turned[3]) {
     const double from[3] = {point[0], point[1], point[2]};
@@ -83,7 +86,7 @@ bool compiled_primitive_holds(const struct compiled_scene *scene, uint8_t index,
     }
 }
 
-/* What ray_hit()'s programs say, in the host's words. */
+/* Evaluates an object's program in the host's words; the program means the same as in ray_hit(). */
 bool compiled_object_holds(const struct compiled_scene *scene, uint8_t index,
                            const struct compiled_set *inside) {
     const struct compiled_object *object = &scene->objects[index];
@@ -103,7 +106,7 @@ bool compiled_object_holds(const struct compiled_scene *scene, uint8_t index,
     return (stack & 1) != 0;
 }
 
-/* The object that the eye is in. */
+/* Returns the object that the eye is in; 0 is the air. */
 static uint8_t object_of(const struct compiled_scene *scene, const struct compiled_set *inside) {
     uint8_t i = (uint8_t)(scene->object_count - 1);
     while (i > 0 && !compiled_object_holds(scene, i, inside)) {
@@ -112,7 +115,7 @@ static uint8_t object_of(const struct compiled_scene *scene, const struct compil
     return i;
 }
 
-/* Finds an object of a material that has no end; 0 if there is none. */
+/* Finds an object of a material that has no end; returns 0 if there is none. */
 static int endless_object(const struct compiler *compiler, uint8_t material) {
     int i = compiler->scene->object_count - 1;
     while (i > 0 && (compiler->scene->objects[i].material != material ||
@@ -122,8 +125,8 @@ static int endless_object(const struct compiler *compiler, uint8_t material) {
     return i;
 }
 
-/* Refuses an eye in an opaque material that goes on without an end: where the world ends for the
- * firmware, there is no surface. */
+/* Refuses an eye in an opaque material that goes on without an end. Where the world ends for the
+ * firmware, such a material has no surface. */
 static bool check_eye(struct compiler *compiler) {
     const struct compiled_scene *scene = compiler->scene;
     uint8_t material = scene->objects[scene->camera.object].material;
@@ -244,8 +247,8 @@ void compile_lights(struct compiler *compiler) {
     }
 }
 
-/* No surface's own intensity is above this: Eq. (1) with every cosine and A at 1. The distance may
- * make C + D as small as C. */
+/* Finds an intensity that no surface's own exceeds: Eq. (1) with every cosine and A at 1. The
+ * distance may make C + D as small as C. */
 void compile_brightest(struct compiler *compiler) {
     const struct scene_description *description = compiler->description;
     struct compiled_scene *scene = compiler->scene;

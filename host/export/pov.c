@@ -4,7 +4,7 @@
 
 #include "export/pov_internal.h"
 
-/* POV-Ray's parallel light shines from a plane; this one lies behind all of the world, which ends
+/* POV-Ray's parallel light shines from a plane. The plane lies behind all of the world, which ends
  * at 1024 scaled units. */
 #define LIGHT_DISTANCE 16384.0
 
@@ -52,8 +52,9 @@ static void write_head(FILE *out, const struct scene_description *description,
     (void)fputs(" }\n\n", out);
 }
 
-/* The firmware's ray of dot (x, y) of a w x h picture is forward + (2x+1-w) column + (2y+1-h) row;
- * POV-Ray's is direction + ((x+1/2)/w - 1/2) right + (1/2 - (y+1/2)/h) up. */
+/* Writes a camera with the firmware's rays. Of dot (x, y) of a w x h picture, the firmware's ray is
+ * forward + (2x+1-w) column + (2y+1-h) row. POV-Ray's ray is
+ * direction + ((x+1/2)/w - 1/2) right + (1/2 - (y+1/2)/h) up. */
 static void write_camera(FILE *out, const struct compiled_scene *scene) {
     const struct compiled_camera *camera = &scene->camera;
     double across = ldexp(2.0 * scene->width, -camera->shift);

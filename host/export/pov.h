@@ -8,8 +8,8 @@
 
 #include "compiler/tables.h"
 
-/* Whether POV-Ray can show the scene as it is; false with *error naming what it can't and where.
- * The compiled scene is that of the description. */
+/* Tells whether POV-Ray can show the scene as it is. If not, *error names what POV-Ray can't show,
+ * and where. The compiled scene has to be that of the description. */
 bool export_pov_check(const struct scene_description *description,
                       const struct compiled_scene *scene, struct scene_error *error);
 

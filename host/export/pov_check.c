@@ -6,8 +6,8 @@
 
 #include "export/pov_internal.h"
 
-/* Points along each axis where two objects may overlap: what is thinner than this share of the
- * common part of their bounds may be missed. */
+/* Points along each axis where two objects are tested for an overlap. The bounds of the two have a
+ * part in common: an overlap thinner than 1/SAMPLES of this part may be missed. */
 enum { SAMPLES = 40 };
 
 static bool refuse(struct scene_error *error, const struct scene_description *description,
@@ -66,7 +66,7 @@ static bool check_material(const struct scene_description *description,
     return true;
 }
 
-/* The part of space that the bounds of two objects have in common; false if there is none. */
+/* Finds the part of space that the bounds of two objects have in common; false if there is none. */
 static bool common_bounds(const struct compiled_object *a, const struct compiled_object *b,
                           double low[3], double high[3]) {
     for (int i = 0; i < 3; i++) {
@@ -126,8 +126,9 @@ static bool check_opaque_pair(const struct scene_description *description,
                   scene->object_names[later], scene->object_names[earlier]);
 }
 
-/* What an opaque object fills of a transparent one before it needs no care: no ray gets there. All
- * else that a transparent object has in common with another one POV-Ray shows otherwise. */
+/* Checks that POV-Ray shows two objects as they are. A transparent object may have nothing in
+ * common with another one, which POV-Ray would show otherwise. But a later opaque object may fill a
+ * part of a transparent one: no ray gets there. */
 static bool check_pair(const struct scene_description *description,
                        const struct compiled_scene *scene, uint8_t earlier, uint8_t later,
                        struct scene_error *error) {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The POV-Ray export: where faces lie on each other, which the firmware takes for one boundary and
- * POV-Ray for two at one place. */
+/* The POV-Ray export: finds where faces lie on each other. The firmware takes such faces for one
+ * boundary, POV-Ray for two at one place. */
 #include <math.h>
 #include <string.h>
 
@@ -8,7 +8,7 @@
 #include "export/pov_internal.h"
 
 enum {
-    SAMPLES = 48 /* points along a face's sides: less of a common face may be missed */
+    SAMPLES = 48 /* points along a face's sides: a smaller common face may be missed */
 };
 
 /* How far before and behind a face a point is tested, in scaled units. */
@@ -44,7 +44,7 @@ static bool box_face(const struct compiled_scene *scene, const struct compiled_p
     return false;
 }
 
-/* The plane of a primitive's face; false if the surface is curved. */
+/* Finds the plane of a primitive's face; false if the surface is curved. */
 static bool face_of(const struct compiled_scene *scene, uint8_t index, unsigned surface,
                     struct face *face) {
     const struct compiled_primitive *primitive = &scene->primitives[index];
@@ -64,7 +64,7 @@ static bool face_of(const struct compiled_scene *scene, uint8_t index, unsigned 
     return false;
 }
 
-/* Whether a primitive is entered or left at a point of the plane. */
+/* Tells whether a primitive is entered or left at a point of the plane. */
 static bool is_crossed(const struct compiled_scene *scene, uint8_t primitive,
                        const struct face *face, const double point[3]) {
     double before[3], behind[3];
@@ -76,7 +76,7 @@ static bool is_crossed(const struct compiled_scene *scene, uint8_t primitive,
            compiled_primitive_holds(scene, primitive, behind);
 }
 
-/* Whether two primitives are both crossed at some point of the plane within the bounds. */
+/* Tells whether two primitives are both crossed at some point of the plane within the bounds. */
 static bool lie_on_each_other(const struct compiled_scene *scene, uint8_t a, uint8_t b,
                               const struct face *face, const double low[3], const double high[3]) {
     int steep = 0;
@@ -99,7 +99,7 @@ static bool lie_on_each_other(const struct compiled_scene *scene, uint8_t a, uin
     return false;
 }
 
-/* The primitives of an object, each once. */
+/* Returns the primitives of an object, each once. */
 static struct compiled_set primitives_of(const struct compiled_scene *scene, uint8_t index) {
     const struct compiled_object *object = &scene->objects[index];
     struct compiled_set set;
@@ -113,8 +113,8 @@ static struct compiled_set primitives_of(const struct compiled_scene *scene, uin
     return set;
 }
 
-/* Whether one primitive of each set have a common face. The same curved one in both counts as
- * that. */
+/* Tells whether a primitive of one set and one of the other have a common face. A curved surface of
+ * both counts as a common face, wherever it lies. */
 static bool sets_touch(const struct compiled_scene *scene, const struct compiled_set *first,
                        const struct compiled_set *second, const double low[3],
                        const double high[3]) {
@@ -143,7 +143,7 @@ bool export_pov_touch(const struct compiled_scene *scene, uint8_t a, uint8_t b, 
     return sets_touch(scene, &first, &second, low, high);
 }
 
-/* The inner faces of an opaque union are not seen. */
+/* Tells whether an object is an opaque union, whose inner faces nobody sees. */
 static bool seams_are_hidden(const struct compiled_scene *scene,
                              const struct compiled_object *object) {
     if (scene->materials[object->material].transparent) {

@@ -8,8 +8,8 @@
 /* Longest name of a material in the source, with its NUL. */
 enum { POV_NAME_SIZE = 48 };
 
-/* The name of a compiled material: its own, so that people find it, and its number, so that there
- * is one of it. */
+/* Makes the name of a compiled material from the material's own name and number. People find the
+ * material by its own name; the number keeps any two names apart. */
 void export_pov_material_name(const struct scene_description *description,
                               const struct compiled_scene *scene, uint8_t material,
                               char name[POV_NAME_SIZE]);
@@ -20,19 +20,20 @@ void export_pov_vector(FILE *out, double x, double y, double z);
 /* Prints text on one line of a comment. */
 void export_pov_comment(FILE *out, const char *text);
 
-/* #declare's every material that an object uses. */
+/* Writes a #declare of every material that an object uses. */
 void export_pov_materials(FILE *out, const struct scene_description *description,
                           const struct compiled_scene *scene);
 
-/* Every object, in the order of the table. */
+/* Writes every object, in the order of the table. */
 void export_pov_objects(FILE *out, const struct scene_description *description,
                         const struct compiled_scene *scene);
 
-/* Whether a face of one object lies on a face of another somewhere within these bounds. */
+/* Tells whether a face of one object lies on a face of another somewhere within these bounds. */
 bool export_pov_touch(const struct compiled_scene *scene, uint8_t a, uint8_t b, const double low[3],
                       const double high[3]);
 
-/* Whether faces of two of an object's own solids lie on each other, so that it matters. */
+/* Tells whether faces of two of an object's own solids lie on each other. False for an opaque
+ * union, where such a seam does not matter. */
 bool export_pov_has_seam(const struct compiled_scene *scene, uint8_t object);
 
 #endif

@@ -5,24 +5,26 @@
 
 #include "export/pov_internal.h"
 
-/* What POV-Ray's transparent pigments let through, T = 1 - 2^-20: its own, opaque part of the light
- * is scaled by 1 - T, the pigment is scaled up by as much, and what is lost in a path of 255
- * crossings is 1/16 of a level. Both factors are exact in POV-Ray's single precision. */
+/* What POV-Ray's transparent pigments do not let through: 1 - T, for T = 1 - 2^-20. POV-Ray scales
+ * the pigment's own, opaque part of the light by 1 - T; the pigment is scaled up by as much. What
+ * is lost in a path of 255 crossings is 1/16 of a level. Both factors are exact in POV-Ray's single
+ * precision. */
 #define OPACITY 0x1p-20
 
-/* Where a surface has an ambient light but no own colour to scale it by, this one: the diffuse
- * light that it adds is less than 1/60000 of a level. */
+/* The colour of a surface with an ambient light, but no own colour to scale the light by. The
+ * diffuse light that this colour adds is less than 1/60000 of a level. */
 #define TRACE_OF_COLOUR 0x1p-24
 
-/* POV-Ray does not count a ray as a new one where both indices are the same. The next number of its
- * single precision makes it count, and bends nothing by a pixel. */
+/* POV-Ray does not count a ray as a new one where both indices are the same. The next number of
+ * POV-Ray's single precision makes the ray count, and bends no ray by a pixel. */
 #define INDEX_STEP 0x1p-23
 
 /* What a second layer of texture hides of the first: 1/128 of a level in a path of 255 crossings.
- * POV-Ray's single precision holds 1 minus that, and its reciprocal. */
+ * POV-Ray's single precision holds 1 - LAYER_OPACITY and 1 / LAYER_OPACITY. */
 #define LAYER_OPACITY 0x1p-23
 
-/* A cell that holds all of the world along an axis without a pattern, from -1/2 to 1/2 of it. */
+/* The size of a cell along an axis without a pattern. The cell lies from -1/2 to 1/2 of its size,
+ * and holds all of the world. */
 #define WHOLE_CELL 8192.0
 
 void export_pov_material_name(const struct scene_description *description,
@@ -35,13 +37,13 @@ void export_pov_material_name(const struct scene_description *description,
     }
 }
 
-/* Whether rays go straight on, and none is reflected. */
+/* Tells whether rays go straight on, and none is reflected. */
 static bool is_straight(const struct compiled_scene *scene,
                         const struct compiled_material *material) {
     return scene->simple || fabs(material->ior[0] - 1) < INDEX_STEP / 2;
 }
 
-/* What POV-Ray's single precision makes of 1 - T. */
+/* Returns what POV-Ray's single precision makes of 1 - T. */
 static double opacity_of(const struct compiled_scene *scene,
                          const struct compiled_material *material) {
     if (!material->transparent) {
@@ -50,8 +52,8 @@ static double opacity_of(const struct compiled_scene *scene,
     return scene->simple ? fmax(1 - (double)(float)material->transmittance, OPACITY) : OPACITY;
 }
 
-/* a Ia or a Ic is POV-Ray's emission, which it multiplies by the pigment; the pigment is made
- * visible where it has to be. */
+/* Writes a Ia or a Ic as POV-Ray's emission, which POV-Ray multiplies by the pigment. Where
+ * `ambient` is not 0 the pigment has to be TRACE_OF_COLOUR at least. */
 static void write_emission(FILE *out, const struct compiled_material *material,
                            const double pigment[3]) {
     double emission[3];
@@ -72,7 +74,7 @@ static bool is_wide_highlight(const struct compiled_scene *scene,
     return material->specular > 0 && material->gloss == 0 && !scene->blinn;
 }
 
-/* A highlight by alpha is POV-Ray's phong, one by beta its specular. */
+/* Writes a highlight: one by alpha is POV-Ray's phong, one by beta POV-Ray's specular. */
 static void write_highlight(FILE *out, const struct compiled_scene *scene,
                             const struct compiled_material *material) {
     if (material->specular <= 0 || is_wide_highlight(scene, material)) {
@@ -96,8 +98,8 @@ static void write_reflection(FILE *out, const struct compiled_scene *scene,
     }
 }
 
-/* Writes the highlight of gloss 0 as a layer of its own: POV-Ray's diffuse light of a white
- * surface, with the cosine to the power of 0, is the light on the whole lit side. */
+/* Writes the highlight of gloss 0 as a layer of its own. POV-Ray's diffuse light of a white surface
+ * is the light on the whole lit side where brilliance, the cosine's power, is 0. */
 static void write_wide_highlight(FILE *out, const struct compiled_material *material) {
     double white = 1 / LAYER_OPACITY;
     (void)fputs("    texture {\n        pigment { rgb ", out);

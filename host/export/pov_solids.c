@@ -5,7 +5,8 @@
 #include "compiler/tree.h"
 #include "export/pov_internal.h"
 
-/* How far an object's bounding box stands off it, in scaled units: rounding can't cut it. */
+/* How far a bounding box stands off its object, in scaled units, so that rounding can't cut the
+ * object. */
 #define BOUND_MARGIN 0x1p-6
 
 /* An object, and how its operations are to be written. */
@@ -47,7 +48,8 @@ static void write_curve(FILE *out, const struct compiled_quadric *quadric) {
     (void)fprintf(out, ", %.17g", quadric->constant);
 }
 
-/* From a frame's coordinates to the world's: point = origin + sum of local_i axis_i. */
+/* Writes the matrix from a frame's coordinates to the world's:
+ * point = origin + sum of local_i axis_i. */
 static void write_frame(FILE *out, const struct compiled_scene *scene, uint8_t frame,
                         const double origin[3], int level) {
     (void)fputc('\n', out);
@@ -60,7 +62,7 @@ static void write_frame(FILE *out, const struct compiled_scene *scene, uint8_t f
     (void)fprintf(out, "%.17g, %.17g, %.17g>", origin[0], origin[1], origin[2]);
 }
 
-/* The planes that cut a quadric, as a solid of their own: POV-Ray 3.7 works out bounds for a
+/* Writes the planes that cut a quadric as a solid of their own. POV-Ray 3.7 works out bounds for a
  * quadric from planes beside it, and errs with hyperboloids. */
 static void write_cuts(FILE *out, const struct compiled_scene *scene,
                        const struct compiled_quadric *quadric, uint8_t frame, int level) {
@@ -98,7 +100,8 @@ static void write_quadric(FILE *out, const struct compiled_scene *scene,
     }
 }
 
-/* Without the closing brace, so that an object of one primitive can go on with its material. */
+/* Writes a primitive without the closing brace, so that an object of one primitive can go on with
+ * its material. */
 static void write_primitive(FILE *out, const struct compiled_scene *scene, uint8_t index,
                             int level) {
     const struct compiled_primitive *primitive = &scene->primitives[index];
@@ -126,8 +129,8 @@ static void write_primitive(FILE *out, const struct compiled_scene *scene, uint8
     (void)fputc(' ', out);
 }
 
-/* A merge has no inner faces, which of an opaque object nobody sees and which a union is faster
- * without looking for. */
+/* Names an operation. A transparent object needs a merge, which has no inner faces. Nobody sees the
+ * inner faces of an opaque object, and a union, which does not look for them, is faster. */
 static const char *operation_name(const struct pov_tree *tree, uint8_t code) {
     if (code == CODE_UNION) {
         return tree->transparent ? "merge" : "union";
@@ -137,7 +140,8 @@ static const char *operation_name(const struct pov_tree *tree, uint8_t code) {
 
 static void write_node(FILE *out, const struct pov_tree *tree, uint8_t index, int level);
 
-/* The operands of a chain (a op b) op c, which is one operation of POV-Ray's, in order. */
+/* Writes the operands of a chain (a op b) op c in order. In POV-Ray such a chain is one
+ * operation. */
 static void write_operands(FILE *out, const struct pov_tree *tree, uint8_t index, int level) {
     uint8_t chain[256] = {0};
     int count = 0;
@@ -155,7 +159,8 @@ static void write_operands(FILE *out, const struct pov_tree *tree, uint8_t index
     }
 }
 
-/* As deep as solids may be nested: 32 levels. */
+/* Writes a node and, by recursion, all below it. A file's solids nest at most SCENE_NESTING_MOST
+ * levels deep. */
 static void write_node(FILE *out, const struct pov_tree *tree, uint8_t index, int level) {
     uint8_t code = tree->csg.nodes[index].code;
     if (csg_is_leaf(&tree->csg, index)) {
@@ -167,7 +172,8 @@ static void write_node(FILE *out, const struct pov_tree *tree, uint8_t index, in
     indent(out, level);
 }
 
-/* POV-Ray finds no bounds of quadrics and slanted planes by itself. A box or a ball needs none. */
+/* Writes the bounds of an object: POV-Ray finds none of quadrics and slanted planes by itself. A
+ * box or a ball needs none. */
 static void write_bounds(FILE *out, const struct compiled_scene *scene,
                          const struct compiled_object *object) {
     uint8_t first = scene->programs[object->program];
@@ -196,8 +202,8 @@ static void write_object(FILE *out, const struct pov_tree *tree,
     (void)fputs("}\n\n", out);
 }
 
-/* POV-Ray lets light through what is transparent. What casts a shadow none the less has an opaque
- * twin that shadow rays alone can meet. */
+/* Writes the opaque twin of a transparent object that casts a shadow. POV-Ray lets light through
+ * what is transparent; shadow rays alone can meet the twin. */
 static void write_shadow(FILE *out, const struct pov_tree *tree,
                          const struct compiled_object *object) {
     (void)fputs("// its shadow\n", out);

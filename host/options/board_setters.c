@@ -12,7 +12,7 @@ static enum value_verdict verdict(bool is_allowed) {
     return is_allowed ? VALUE_TAKEN : VALUE_WRONG;
 }
 
-/* For the options without a value. */
+/* Sets the flag of an option without a value. */
 static enum value_verdict set_flag(bool *flag) {
     *flag = true;
     return VALUE_TAKEN;
@@ -104,7 +104,8 @@ static bool read_dead_port(struct fault_plan *plan, const char *value) {
     return true;
 }
 
-/* One fault of the list: a word, or a name and its value. */
+/* Reads one fault of the list: a word, or a name and its value. Returns false where it is
+ * invalid. */
 static bool read_fault(struct fault_plan *plan, char *part) {
     char *value = strchr(part, '=');
     if (value == NULL) {

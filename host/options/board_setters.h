@@ -6,7 +6,8 @@
 
 #include "options/options.h"
 
-/* Each reads a value as struct option_entry has it; the table says what is allowed. */
+/* Reads an option's value, as the member `set` of struct option_entry does. The table says what is
+ * allowed. */
 enum value_verdict set_ports_are_mine(struct options *options, const char *value);
 enum value_verdict set_picture(struct options *options, const char *value);
 enum value_verdict set_native(struct options *options, const char *value);
@@ -19,8 +20,9 @@ enum value_verdict set_violations(struct options *options, const char *value);
 enum value_verdict set_against(struct options *options, const char *value);
 enum value_verdict set_to(struct options *options, const char *value);
 
-/* A list of faults with commas between: seed=N, lose=N, flip=N, flip-read=N (one access in N, N
- * 1..1000000000), dead=PORT, absent, vanish=N (after N accesses), lost (and the bus says so). */
+/* Reads a list of faults with commas between. lose=N, flip=N and flip-read=N, N 1..1000000000, hit
+ * one access in N. The others are seed=N, dead=PORT, absent, vanish=N (after N accesses), lost (and
+ * the bus says so). */
 enum value_verdict set_faults(struct options *options, const char *value);
 
 /* What set_faults() allows, for messages and the help. */

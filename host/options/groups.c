@@ -25,7 +25,7 @@ static enum value_verdict verdict(bool is_allowed) {
     return is_allowed ? VALUE_TAKEN : VALUE_WRONG;
 }
 
-/* The place of a value among words, or -1. */
+/* Finds the place of a value among words; -1: it is none of them. */
 static int find_word(const char *value, const char *const *words) {
     for (int i = 0; words[i] != NULL; i++) {
         if (strcmp(value, words[i]) == 0) {
@@ -35,7 +35,7 @@ static int find_word(const char *value, const char *const *words) {
     return -1;
 }
 
-/* Whether value is the word alone or "word:..." */
+/* Tells whether value is the word alone or "word:..." */
 static bool is_kind(const char *value, const char *word) {
     size_t length = strlen(word);
     return strncmp(value, word, length) == 0 && (value[length] == '\0' || value[length] == ':');
@@ -52,7 +52,7 @@ static enum value_verdict set_output(struct options *options, const char *value)
     return verdict(value[0] != '\0');
 }
 
-/* Many files can't go to standard output. */
+/* Sets the folder of a command that writes many files, which can't go to standard output. */
 static enum value_verdict set_folder(struct options *options, const char *value) {
     options->output = value;
     return verdict(value[0] != '\0' && strcmp(value, "-") != 0);
@@ -95,7 +95,8 @@ static enum value_verdict set_size(struct options *options, const char *value) {
     return VALUE_TAKEN;
 }
 
-/* Absorption is a property of materials and goes with every model: alone it is the standard one. */
+/* Sets the model. Absorption is a property of materials and goes with every model: the word alone
+ * stands for the standard model. */
 static enum value_verdict set_model(struct options *options, const char *value) {
     static const char *const words[] = {"simple", "fresnel", "wavelength", "absorption", NULL};
     static const enum scene_model models[] = {MODEL_SIMPLE, MODEL_FRESNEL, MODEL_WAVELENGTH,
@@ -342,7 +343,8 @@ static enum value_verdict set_json(struct options *options, const char *value) {
     return VALUE_TAKEN;
 }
 
-/* Whatever takes an option, the same is allowed; what it does there may be another thing. */
+/* What the value of an option may be, for all commands that take it; its effect may differ between
+ * them. */
 #define DEPTHS     "a whole number 0..255"
 #define THRESHOLDS "a number or a fraction 0..1"
 #define ERRORS     "a number 0.01..255"

@@ -99,7 +99,8 @@ static void set_defaults(struct options *options) {
     options->share = 99.9;
 }
 
-/* What a bus other than the emulator can't do, and what real ports ask for. */
+/* Checks that the bus can do what the options ask for, and that real ports are declared to be the
+ * board's. */
 static bool check_bus(const struct options *options, struct options_error *error) {
     bool is_ports = options->bus == BUS_CHOICE_PORTS;
     bool is_cable = options->bus == BUS_CHOICE_USB || options->bus == BUS_CHOICE_HID;
@@ -127,7 +128,7 @@ static bool check_bus(const struct options *options, struct options_error *error
     return true;
 }
 
-/* What of `superframe trace` excludes what. */
+/* Checks that no options of `superframe trace` exclude each other. */
 static bool check_trace(enum command_id command, const struct options *options,
                         struct options_error *error) {
     const struct trace_options *tracing = &options->tracing;
@@ -148,7 +149,7 @@ static bool check_trace(enum command_id command, const struct options *options,
     return true;
 }
 
-/* The options without which a command has nothing to do. */
+/* Checks that a command has the options without which it has nothing to do. */
 static bool check_needs(enum command_id command, const struct options *options,
                         struct options_error *error) {
     static const struct {
@@ -173,7 +174,7 @@ static bool check_needs(enum command_id command, const struct options *options,
     return true;
 }
 
-/* Options that exclude each other. */
+/* Checks that no options exclude each other. */
 static bool check_together(enum command_id command, const struct options *options,
                            struct options_error *error) {
     if (options->overrides.has_error && options->overrides.has_threshold) {
@@ -227,7 +228,7 @@ static bool check_operands(const struct command *command, const struct options *
     return true;
 }
 
-/* The options that "--s" or "--s=value" may stand for: ", --size, --seed". */
+/* Lists the options that "--s" or "--s=value" may stand for: ", --size, --seed". */
 static void list_meant(const struct getopt_tables *tables, const char *culprit, char *text,
                        size_t size) {
     const char *begin = culprit + strspn(culprit, "-");
@@ -240,8 +241,9 @@ static void list_meant(const struct getopt_tables *tables, const char *culprit, 
     }
 }
 
-/* getopt_long() leaves in optopt the letter of a short option, the value of a long one that takes
- * no argument but got one, or 0: there is none of that name, or several begin so. */
+/* Refuses an option that getopt_long() does not know. optopt is the letter of a short option, or
+ * the value of a long one that got an argument but takes none. optopt is 0 where no long option has
+ * that name, or several begin so. */
 static bool refuse_unknown(const char *command, const struct getopt_tables *tables,
                            const char *culprit, struct options_error *error) {
     char meant[300];

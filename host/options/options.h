@@ -59,7 +59,7 @@ struct command {
     int (*run)(const struct options *options); /* returns an exit status */
 };
 
-/* Strings point into argv. */
+/* The options of a command line. Strings point into argv. */
 struct options {
     bool help;
     char **operands; /* what is no option */
@@ -67,7 +67,7 @@ struct options {
 
     const char *output;     /* -o; NULL: not given; "-": standard output */
     const char *arithmetic; /* a name that arithmetic_find() knows */
-    bool has_arithmetic;    /* it was given */
+    bool has_arithmetic;    /* --arith was given */
     struct scene_overrides overrides;
     enum bus_choice bus;
     const char *bus_file;       /* of --bus trace:FILE */
@@ -92,7 +92,7 @@ struct options {
     bool validates;             /* check holds the compiler's tables against the scene */
     bool minimal;               /* compile writes a feature_set.h instead of the tables */
     uint64_t instructions_most; /* that an emulated CPU may run */
-    uint64_t escape_after;      /* Esc when the keyboard has been asked so often; 0: never */
+    uint64_t escape_after;      /* Esc when the keyboard has been asked so many times; 0: never */
     int within;                 /* LSB, 0..255 */
     double share;               /* per cent, 0..100 */
     bool json;
@@ -102,7 +102,7 @@ struct options {
 
 enum { OPTIONS_JOBS_MOST = 256 };
 
-/* A frame of 640 x 400 takes some 60 thousand million. */
+/* Instructions: a frame of 640 x 400 takes some 60 thousand million. */
 #define OPTIONS_INSTRUCTIONS UINT64_C(200000000000)
 
 /* Why a command line is refused. */
@@ -118,7 +118,7 @@ struct option_entry {
     const char *name;  /* without the dashes */
     char letter;       /* of the short form, or 0 */
     const char *value; /* what the help calls the value; NULL: none; "[=X]": may be left out */
-    unsigned commands; /* bit 1 << command_id for each that takes it */
+    unsigned commands; /* bit 1 << command_id for each command that takes the option */
     enum value_verdict (*set)(struct options *options, const char *value);
     const char *allowed; /* what the value may be, for messages and the help */
     const char *help;    /* NULL: known, but not built into this version; the help leaves it out */
@@ -128,7 +128,7 @@ struct option_entry {
 extern const struct option_entry option_table[];
 
 /* Reads what stands after the sub-command's name; argv[0] is that name. argv is permuted: options
- * may stand anywhere. False with *error filled where it is refused. */
+ * may stand anywhere. False with *error filled where the command line is refused. */
 bool options_parse(const struct command *command, int argc, char **argv, struct options *options,
                    struct options_error *error);
 

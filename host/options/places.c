@@ -18,8 +18,8 @@ struct place {
     const char *what; /* the option or operand that names it */
     const char *name; /* "-": a standard stream */
     bool is_there;
-    struct stat facts; /* where it is there */
-    char *resolved;    /* where it is not: its folder's real path, and its own name */
+    struct stat facts; /* where is_there */
+    char *resolved;    /* where it is not there: its folder's real path, and its own name */
 };
 
 /* All results of a command line. */
@@ -51,14 +51,16 @@ static bool is_same_file(const struct place *a, const struct place *b) {
     return a->facts.st_dev == b->facts.st_dev && a->facts.st_ino == b->facts.st_ino;
 }
 
-/* A device takes everything from everybody; a terminal shows it. */
+/* Tells whether results may share a place. A device takes everything from everybody, but the
+ * terminal of standard output would show results mixed up. */
 static bool is_shareable(const struct place *place) {
     const struct place output = look_at("", "-", STDOUT_FILENO);
     return (S_ISCHR(place->facts.st_mode) || S_ISBLK(place->facts.st_mode)) &&
            !(is_same_file(place, &output) && isatty(STDOUT_FILENO));
 }
 
-/* Whether what goes to one place is lost or mixed up where something goes to the other too. */
+/* Tells whether what goes to one place is lost or mixed up where something goes to the other
+ * too. */
 static bool do_results_clash(const struct place *a, const struct place *b) {
     if (is_stream(a) && is_stream(b)) {
         return true;
@@ -69,7 +71,7 @@ static bool do_results_clash(const struct place *a, const struct place *b) {
     return a->resolved != NULL && b->resolved != NULL && strcmp(a->resolved, b->resolved) == 0;
 }
 
-/* Whether the result replaces the file that is read. */
+/* Tells whether the result replaces the file that is read. */
 static bool is_overwritten(const struct place *input, const struct place *result) {
     return input->is_there && result->is_there && S_ISREG(input->facts.st_mode) &&
            is_same_file(input, result);
@@ -83,7 +85,8 @@ static void add_result(struct results *results, const char *what, const char *na
     }
 }
 
-/* What a command prints besides the results that are asked for by an option. */
+/* Returns the name of what a command prints besides the results that options ask for; NULL:
+ * nothing. */
 static const char *printed(enum command_id command, const struct options *options) {
     const struct trace_options *tracing = &options->tracing;
     switch (command) {

@@ -5,10 +5,10 @@
 
 #include "options/options.h"
 
-/* Whether each result of the command line has a place of its own that none of its inputs is read
- * from. However two names are spelled, they are one place where they lead to the same file, be it
- * there already or not. Devices may be shared (/dev/null), a terminal's standard output may not.
- * False with *error filled where they clash. */
+/* Checks that each result of the command line has a place of its own, from which no input is read.
+ * However two names are spelled, they are one place where they lead to the same file, existing or
+ * not. Devices may be shared (/dev/null), a terminal's standard output may not. False with *error
+ * filled where two places clash. */
 bool places_are_apart(enum command_id command, const struct options *options,
                       struct options_error *error);
 

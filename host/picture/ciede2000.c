@@ -17,14 +17,14 @@ static double linear_level(unsigned level) {
     return share <= 0.04045 ? share / 12.92 : pow((share + 0.055) / 1.055, 2.4);
 }
 
-/* The CIE's cube root with its straight part near black. */
+/* Returns the CIE's cube root with its straight part near black. */
 static double lab_root(double share) {
     const double border = 216.0 / 24389, slope = 24389.0 / 27;
     return share > border ? cbrt(share) : (slope * share + 16) / 116;
 }
 
-/* The rows of IEC 61966-2-1's matrix; each is divided by its own sum, which is the white point, so
- * that every grey has a* = b* = 0 exactly. */
+/* Converts linear R, G, B to CIELAB, by the rows of IEC 61966-2-1's matrix. Each row is divided by
+ * its own sum, which is the white point, so that every grey has a* = b* = 0 exactly. */
 static struct lab lab_of_linear(double red, double green, double blue) {
     double x = (0.4124564 * red + 0.3575761 * green + 0.1804375 * blue) /
                (0.4124564 + 0.3575761 + 0.1804375);
@@ -51,7 +51,7 @@ static double radians(double degrees) {
     return degrees * pi / 180;
 }
 
-/* The hue in degrees, 0 <= h < 360; that of a grey is 0. */
+/* Returns the hue in degrees, 0 <= h < 360; the hue of a grey is 0. */
 static double hue(double a, double b) {
     if (fpclassify(a) == FP_ZERO && fpclassify(b) == FP_ZERO) {
         return 0;
@@ -60,7 +60,8 @@ static double hue(double a, double b) {
     return h < 0 ? h + 360 : h;
 }
 
-/* From one hue to another by the shorter way; 0 where one of the two is grey. */
+/* Returns the step from one hue to another by the shorter arc, in degrees; 0 where one of the two
+ * is grey. */
 static double hue_step(double from, double to, bool grey) {
     double step = to - from;
     if (grey) {
@@ -69,7 +70,8 @@ static double hue_step(double from, double to, bool grey) {
     return step > 180 ? step - 360 : step < -180 ? step + 360 : step;
 }
 
-/* Halfway between two hues by the shorter way; their sum where one of the two is grey. */
+/* Returns the hue halfway between two by the shorter arc, in degrees; their sum where one of the
+ * two is grey. */
 static double mean_hue(double one, double other, bool grey) {
     double sum = one + other;
     if (grey) {
@@ -81,7 +83,7 @@ static double mean_hue(double one, double other, bool grey) {
     return sum < 360 ? (sum + 360) / 2 : (sum - 360) / 2;
 }
 
-/* sqrt(c^7 / (c^7 + 25^7)). */
+/* Returns sqrt(c^7 / (c^7 + 25^7)) for a chroma c. */
 static double chroma_share(double chroma) {
     double seventh = pow(chroma, 7);
     return sqrt(seventh / (seventh + 6103515625.0));
@@ -109,7 +111,7 @@ double colour_difference(struct lab one, struct lab other) {
     double hue_part = step_hue / (1 + 0.015 * c * hue_weight(h));
     double square = lightness * lightness + chroma_part * chroma_part + hue_part * hue_part +
                     turn * chroma_part * hue_part;
-    return square > 0 ? sqrt(square) : 0; /* rounding may leave less than nothing */
+    return square > 0 ? sqrt(square) : 0; /* rounding may leave less than 0 */
 }
 
 /* ---- Pictures ------------------------------------------------------------------------------- */

@@ -55,8 +55,8 @@ double comparison_share(const struct comparison *comparison, unsigned within) {
 }
 
 bool comparison_holds(const struct comparison *comparison, unsigned within, double share) {
-    /* Both sides are counts of pixels; a thousandth of one is far below what tells two apart and
-     * far above the rounding of share / 100. */
+    /* Both sides are counts of pixels. A thousandth of a pixel is far below what tells two counts
+     * apart, and far above the rounding of share / 100. */
     double needed = share / 100 * (double)comparison->pixels;
     return (double)comparison_within(comparison, within) >= needed - 1e-3;
 }

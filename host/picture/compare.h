@@ -20,23 +20,26 @@ struct comparison {
 void compare_pictures(const uint8_t *a, const uint8_t *b, size_t pixels,
                       struct comparison *comparison);
 
-/* The largest difference, LSB; 0 for no pixels. */
+/* Returns the largest difference, in LSB; 0 for no pixels. */
 unsigned comparison_largest(const struct comparison *comparison);
 
-/* The root of the mean square over all channels, LSB; 0 for no pixels. */
+/* Returns the root of the mean square over all channels, in LSB; 0 for no pixels. */
 double comparison_rmse(const struct comparison *comparison);
 
-/* Peak signal-to-noise ratio, 20 log10(255 / rmse), dB; infinite for equal pictures. */
+/* Returns the peak signal-to-noise ratio, 20 log10(255 / rmse), in dB; infinite for equal
+ * pictures. */
 double comparison_psnr(const struct comparison *comparison);
 
-/* Pixels with a difference of at most `within` LSB, 0..255. */
+/* Returns how many pixels have a difference of at most `within` LSB, 0..255. */
 uint64_t comparison_within(const struct comparison *comparison, unsigned within);
 
-/* The same in per cent; 100 for no pixels. */
+/* Returns the share of the pixels with a difference of at most `within` LSB, in per cent; 100 for
+ * no pixels. */
 double comparison_share(const struct comparison *comparison, unsigned within);
 
-/* Whether at least `share` per cent of the pixels are within; exact also where share is a decimal
- * fraction that a double can only come close to. */
+/* Tells whether at least `share` per cent of the pixels have a difference of at most `within`
+ * LSB. The answer is exact also where share is a decimal fraction that a double can only come
+ * close to. */
 bool comparison_holds(const struct comparison *comparison, unsigned within, double share);
 
 #endif

@@ -26,7 +26,7 @@ static void make_window(double window[SIMILARITY_WINDOW]) {
     }
 }
 
-/* The five means along one line: the window is a product of one across and one down. */
+/* Computes the five means along one line: the window is a product of one across and one down. */
 static void mean_line(const double *window, const uint8_t *a, const uint8_t *b, unsigned columns,
                       double *line) {
     for (unsigned x = 0; x < columns; x++) {
@@ -55,7 +55,8 @@ static double similarity_of(const double means[MEANS]) {
            ((a * a + b * b + c1) * (variance_a + variance_b + c2));
 }
 
-/* The sum over the windows whose first line is `top`; lines is a ring of the lines' means. */
+/* Returns the sum of the similarities of the windows whose first line is `top`; lines is a ring of
+ * the lines' means. */
 static double sum_row(const double *window, const double *lines, unsigned columns, unsigned top) {
     double sum = 0;
     for (unsigned x = 0; x < columns; x++) {

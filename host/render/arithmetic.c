@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-/* Known to `superframe measure` alone. */
+/* Arithmetics that `superframe measure` alone knows. */
 static const struct arithmetic *const examples[] = {&arithmetic_q16, &arithmetic_q16_epsilon};
 
 const struct arithmetic *arithmetic_find(const char *name) {

@@ -16,16 +16,16 @@ struct arithmetic {
     /* How far a distance along a ray may be off by rounding, in scaled units. */
     double noise;
 
-    /* The scene's tables in this arithmetic, in one block that free() takes back. NULL with *error
-     * filled where the arithmetic cannot hold the scene, or memory is out. */
+    /* Returns the scene's tables in this arithmetic, in one block that free() takes back. Returns
+     * NULL with *error filled where the arithmetic cannot hold the scene, or memory is out. */
     struct scene *(*load)(const struct compiled_scene *compiled, struct scene_error *error);
 
-    /* Learns what the scene's cut branches are worth, if that is asked for; to be called once,
-     * before rows and pixels. The estimate is all 0 where they count as black. */
+    /* Learns what the scene's cut branches are worth, if the scene asks for that. To be called
+     * once, before rows and pixels. The estimate is all 0 where cut branches count as black. */
     void (*learn)(struct scene *scene, struct estimate *estimate, struct render_counts *counts);
 
-    /* Renders one pixel: its intensities in levels, neither rounded nor clamped, what it took added
-     * to *counts, and its tree told to the observer, if there is one. */
+    /* Renders one pixel: its intensities are in levels, neither rounded nor clamped. Adds what the
+     * pixel took to *counts, and tells its tree to the observer, if there is one. */
     void (*pixel)(const struct scene *scene, uint16_t x, uint16_t y, double intensity[3],
                   struct render_counts *counts, const struct pixel_observer *observer);
 };
@@ -34,26 +34,27 @@ extern const struct arithmetic arithmetic_fx;
 extern const struct arithmetic arithmetic_f32;
 extern const struct arithmetic arithmetic_f64;
 
-/* Plain Q16.16, to be measured against the others; arithmetic_find() does not know them. */
+/* Two forms of plain Q16.16, to be measured against the others; arithmetic_find() knows neither. */
 extern const struct arithmetic arithmetic_q16;
 extern const struct arithmetic arithmetic_q16_epsilon;
 
-/* The arithmetics of this build, in a list that make makes; NULL ends it. */
+/* The arithmetics of this build, in a list that list_arithmetics.sh writes; NULL ends the list. */
 extern const struct arithmetic *const arithmetics_built[];
 
-/* The names of those that this build was made without; NULL ends them. */
+/* The names of the arithmetics that are missing from this build; NULL ends the list. */
 extern const char *const arithmetics_missing[];
 
-/* The arithmetic of that name; NULL if there is none. */
+/* Finds the arithmetic of that name in this build; NULL if there is none. */
 const struct arithmetic *arithmetic_find(const char *name);
 
-/* The same, with those that are there to be measured only. */
+/* Finds the arithmetic of that name, also among those that are only measured; NULL if there is
+ * none. */
 const struct arithmetic *arithmetic_find_any(const char *name);
 
-/* Tells an arithmetic that this build was made without from one that does not exist. */
+/* Tells whether an arithmetic of that name exists but is missing from this build. */
 bool arithmetic_is_missing(const char *name);
 
-/* The names of those that are there, as "fx, f32, f64 or f128", for messages. */
+/* The names of the arithmetics of this build, as "fx, f32, f64 or f128", for messages. */
 extern const char arithmetic_names[];
 
 #endif

@@ -8,10 +8,10 @@
 struct engine_choice {
     const char *arithmetic; /* NULL ends the table */
     const struct stream_engine *engine;
-    bool (*runs_here)(void); /* whether this CPU has what it takes; NULL: any has */
+    bool (*runs_here)(void); /* tells whether this CPU runs the engine; NULL: any does */
 };
 
-/* From the plainest to the best. */
+/* For each arithmetic, from the plainest engine to the best. */
 extern const struct engine_choice engine_choices[];
 
 #endif

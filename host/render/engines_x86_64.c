@@ -5,12 +5,13 @@
 extern const struct stream_engine stream_f32_plain, stream_f32_avx2, stream_f32_avx512;
 extern const struct stream_engine stream_f64_plain, stream_f64_avx2, stream_f64_avx512;
 
-/* What gcc's and clang's -march=x86-64-v3 and -v4 make use of. */
+/* Tells whether this CPU has what gcc and clang make use of by -march=x86-64-v3. */
 static bool has_avx2(void) {
     return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
            __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");
 }
 
+/* Tells whether this CPU has what gcc and clang make use of by -march=x86-64-v4. */
 static bool has_avx512(void) {
     return has_avx2() && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
            __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&

@@ -6,8 +6,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* Lengths in scaled units, intensities in levels, weights as products of coefficients. The kinds
- * and ends are those of firmware/tree.h. */
+/* Lengths are in scaled units, intensities in levels; weights are products of coefficients. The
+ * kinds and ends are those of firmware/tree.h. */
 enum observed_kind { OBSERVED_EYE, OBSERVED_REFLECTED, OBSERVED_REFRACTED };
 enum observed_why {
     OBSERVED_LEFT,
@@ -24,14 +24,14 @@ struct observed_node {
     uint32_t number, parent; /* from 1 in the order they are reached; parent 0: the eye */
     enum observed_kind kind;
     uint8_t channel;       /* 0, 1, 2 or OBSERVED_ALL_CHANNELS */
-    uint8_t events;        /* on the way from the eye to here, this boundary not counted */
+    uint8_t events;        /* on the path from the eye to here, this boundary not counted */
     uint8_t before, after; /* objects on the near and the far side; 0: the air */
     uint8_t primitive, face;
     uint16_t surface;
     bool leaving;
     double distance; /* from the node before */
     double where[3], normal[3];
-    double weight[3]; /* with what the medium on the way has absorbed */
+    double weight[3]; /* after what the media on the path have absorbed */
     double local[3];  /* own intensity: Eq. (1) without its last two terms */
 };
 
@@ -44,8 +44,8 @@ struct observed_end {
     enum observed_why why;
 };
 
-/* With an accuracy asked for, a pixel may begin again and come to a node 1 again: what was reported
- * before is void. */
+/* Where an accuracy is asked for, a pixel may begin again. What was reported before the new node 1
+ * is void. */
 struct pixel_observer {
     void *context;
     void (*node)(void *context, const struct observed_node *node);

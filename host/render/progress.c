@@ -10,7 +10,7 @@ enum { BAR_WIDTH = 24, SECONDS_SHOWN_MOST = 359999 };
 
 #define SECONDS_BETWEEN 0.1
 
-/* "1234", "56.7 k" or "8.90 M" */
+/* Writes a rate as "1234", "56.7 k" or "8.90 M". */
 static void rate_text(char *text, size_t size, double rate) {
     if (rate < 1e4) {
         (void)snprintf(text, size, "%.0f", rate);
@@ -53,7 +53,7 @@ void progress_show(void *context, const struct render_totals *so_far) {
     }
     progress->last_drawn = so_far->seconds;
     progress_line(line, progress->rows, so_far);
-    (void)fprintf(stderr, "\r%s\033[K", line); /* what is right of it is erased */
+    (void)fprintf(stderr, "\r%s\033[K", line); /* erases what is right of the line */
     (void)fflush(stderr);
 }
 

@@ -15,19 +15,20 @@ struct progress {
     double last_drawn; /* seconds since the start when the line was last drawn */
 };
 
-/* Sets the bar up for so many rows; shown only if standard error is a terminal and not quiet. */
+/* Prepares the bar for so many rows. The bar is shown only if standard error is a terminal and
+ * `quiet` is false. */
 void progress_begin(struct progress *progress, unsigned rows, bool quiet);
 
-/* Draws the line again, some ten times a second at most: context is the struct progress. A
- * render_job's `progress`. */
+/* Draws the line again, some ten times a second at most, as `progress` of a struct render_job.
+ * context is the struct progress. */
 void progress_show(void *context, const struct render_totals *so_far);
 
-/* Takes the line away. */
+/* Removes the line from the terminal. */
 void progress_end(struct progress *progress);
 
 enum { PROGRESS_LINE_SIZE = 128 };
 
-/* The line itself, for `rows` rows in all. */
+/* Writes the text of the line, for `rows` rows in all. */
 void progress_line(char line[PROGRESS_LINE_SIZE], unsigned rows,
                    const struct render_totals *so_far);
 

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Room for one more entry; false where there is none to be had. */
+/* Makes room for one more entry; false where there is none to be had. */
 static bool make_room(void **entries, size_t *room, size_t count, size_t size) {
     if (count < *room) {
         return true;
@@ -61,7 +61,8 @@ void ray_tree_free(struct ray_tree *tree) {
     memset(tree, 0, sizeof *tree);
 }
 
-/* The paper's letters: S for what the mirror direction brings, T for what comes through. */
+/* Names a branch by the paper's letters: S for what the mirror direction brings, T for what comes
+ * through. */
 static const char *kind_text(enum observed_kind kind, uint8_t channel) {
     static const char *const refracted[] = {"T red", "T green", "T blue", "T"};
     static const char *const reflected[] = {"S red", "S green", "S blue", "S"};
@@ -90,7 +91,8 @@ static void indent(FILE *out, unsigned depth) {
     fprintf(out, "%*s", (int)(2 * depth), "");
 }
 
-/* rho or tau: what a branch weighs of what the node it began at weighs. */
+/* Returns rho or tau: the weight of a branch as a share of the weight of the node where it
+ * began. */
 static double coefficient(const struct ray_tree *tree, uint32_t parent, const double weight[3]) {
     double whole = parent > 0 ? largest(tree->nodes[parent - 1].weight) : 1;
     return whole > 0 ? largest(weight) / whole : 0;
@@ -119,8 +121,8 @@ static void print_end(FILE *out, const struct ray_tree *tree, const struct obser
     (void)tree;
 }
 
-/* The children of each node in the order in which they were reached, as linked lists: the index of
- * the first child of node i at [i], of the next sibling of node j at [j]. */
+/* The children of each node as linked lists, in the order in which the children were reached.
+ * first_child[i] is of node i, next_sibling[j] of node j. */
 struct links {
     uint32_t *first_child, *next_sibling; /* by number; 0: none */
     uint32_t *first_end;                  /* index + 1 into ends, by number */
@@ -163,8 +165,8 @@ static void print_ends(FILE *out, const struct ray_tree *tree, const struct link
     }
 }
 
-/* Depth first, without recursion: down to the first child, else on to the next sibling of the
- * nearest ancestor that has one. */
+/* Prints depth first, without recursion. Next comes a node's first child, else its next sibling,
+ * else that of the nearest ancestor that has one. */
 int ray_tree_print(FILE *out, const struct ray_tree *tree, const struct compiled_scene *compiled) {
     struct links links;
     bool good = make_links(tree, &links);
@@ -189,7 +191,8 @@ int ray_tree_print(FILE *out, const struct ray_tree *tree, const struct compiled
     return good && !ferror(out) ? 0 : -1;
 }
 
-/* In quotes of Graphviz's, a quote and a backslash are not themselves. */
+/* Prints a text for Graphviz's quotes, in which a quote and a backslash need a backslash before
+ * them. */
 static void print_quotable(FILE *out, const char *text) {
     for (; *text != '\0'; text++) {
         fprintf(out, *text == '"' || *text == '\\' ? "\\%c" : "%c", *text);

@@ -19,18 +19,19 @@ struct ray_tree {
 
 enum { RAY_TREE_NODES_MOST = 1000000 };
 
-/* Grows the tree of a pixel. False where memory ran out, or the tree has more than
- * RAY_TREE_NODES_MOST nodes; free it all the same. */
+/* Grows the tree of a pixel. Returns false where memory ran out, or the tree has more than 2^21
+ * nodes or ends: room doubles up to 4 * RAY_TREE_NODES_MOST. Free the tree all the same. */
 bool ray_tree_grow(struct ray_tree *tree, const struct arithmetic *arithmetic,
                    const struct scene *scene, uint16_t x, uint16_t y);
 
 void ray_tree_free(struct ray_tree *tree);
 
-/* Prints a line for each node, indented by its depth, and one for each branch that ends; lengths in
- * the file's unit. 0, or -1 where writing failed. */
+/* Prints a line for each node, indented by its depth, and one for each branch that ends. Lengths
+ * are in the file's unit. Returns 0, or -1 where writing failed or memory ran out. */
 int ray_tree_print(FILE *out, const struct ray_tree *tree, const struct compiled_scene *compiled);
 
-/* The same as a directed graph, as in the paper's Fig. 2: the arrows go the way of the light. */
+/* Prints the tree as a directed graph, as in the paper's Fig. 2: the arrows point where the light
+ * goes. Returns 0, or -1 where writing failed. */
 int ray_tree_print_dot(FILE *out, const struct ray_tree *tree,
                        const struct compiled_scene *compiled);
 

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* What a scene is told to mean, and perhaps does not. */
+/* Remarks on what a scene says, and perhaps does not mean. */
 #include "render/remarks.h"
 
 #include <math.h>
 
 #include "base/complain.h"
 
-/* Faces that are so many times the noise apart are told apart at any place and angle. */
+/* Faces that are more than this many times the noise apart are told apart at any place and
+ * angle. */
 enum { NOISES_APART = 16 };
 
 static bool tells_apart(const struct compiled_scene *scene, const struct arithmetic *arithmetic,
@@ -14,7 +15,8 @@ static bool tells_apart(const struct compiled_scene *scene, const struct arithme
     return ldexp(near->distance, scene->exponent) > NOISES_APART * arithmetic->noise;
 }
 
-/* The largest distance, rounded up to two digits: as `weld` it makes all of the faces one. */
+/* Returns the largest distance, rounded up to two digits: a `weld` of that length makes all of the
+ * faces one. */
 static double weld_of(const struct compiled_scene *scene) {
     double most = 0;
     for (unsigned i = 0; i < scene->near_count && i < COMPILED_NEAR_MOST; i++) {
@@ -47,7 +49,7 @@ void remarks_complain(const struct compiled_scene *scene, const struct arithmeti
     }
 }
 
-/* Names the arithmetics that may take the faces for one at some places. */
+/* Prints a pair of near faces, and the arithmetics that may take both for one at some places. */
 static void print_near(FILE *out, const struct compiled_scene *scene,
                        const struct compiled_near *near) {
     static const char *const names[] = {"fx", "f32", "f64", "f128"};

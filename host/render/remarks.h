@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What a scene is told to mean, and perhaps does not: no error, but worth a word. */
+/* Remarks on what a scene says, and perhaps does not mean: no error, but worth a word. */
 #ifndef SUPERFRAME_REMARKS_H
 #define SUPERFRAME_REMARKS_H
 
@@ -7,11 +7,11 @@
 
 #include "render/arithmetic.h"
 
-/* Says on standard error what may spoil a picture in this arithmetic: near faces that it does not
- * tell apart, an eye inside an opaque solid. */
+/* Says on standard error what may spoil a picture in this arithmetic. That is near faces which the
+ * arithmetic does not tell apart, or an eye inside an opaque object. */
 void remarks_complain(const struct compiled_scene *scene, const struct arithmetic *arithmetic);
 
-/* Prints all remarks for `check`, with what each arithmetic does. */
+/* Prints all remarks for `check`, with the arithmetics in which seams may show. */
 void remarks_print(FILE *out, const struct compiled_scene *scene);
 
 #endif

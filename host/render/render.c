@@ -74,7 +74,7 @@ static size_t row_bytes(const struct renderer *renderer) {
     return (size_t)renderer->job->scene->width * 3;
 }
 
-/* Where row y is kept. */
+/* Returns the place where row y is kept. */
 static uint8_t *kept_row(const struct renderer *renderer, unsigned y) {
     return renderer->kept + (y - renderer->job->first_row) * row_bytes(renderer);
 }
@@ -85,26 +85,26 @@ static void keep_row(struct renderer *renderer, unsigned y, const uint8_t *rgb) 
     }
 }
 
-/* The row_source of drawings after the first. */
+/* Copies a kept row: the row_source of drawings after the first. */
 static bool repeat_row(void *context, uint16_t y, uint8_t *rgb) {
     const struct renderer *renderer = context;
     memcpy(rgb, kept_row(renderer, y), row_bytes(renderer));
     return bus_bound_status() == BUS_OK;
 }
 
-/* How many rows the band has that begins there. */
+/* Returns how many rows the band has that begins at row `first`. */
 static unsigned band_rows(const struct renderer *renderer, unsigned first) {
     unsigned left = renderer->job->last_row - first;
     return left < BAND_ROWS ? left : BAND_ROWS;
 }
 
-/* The place in `pixels` of a row of one job's band. */
+/* Returns the place of a row in `pixels`, where one job works alone. */
 static uint8_t *band_row(const struct renderer *renderer, unsigned y) {
     return renderer->pixels + (y - renderer->job->first_row) % BAND_ROWS * row_bytes(renderer);
 }
 
-/* The row_source of one job: the drawing thread computes, a band when its first row is asked for.
- */
+/* Computes a band in the drawing thread when its first row is asked for: the row_source of one
+ * job. */
 static bool compute_row(void *context, uint16_t y, uint8_t *rgb) {
     struct renderer *renderer = context;
     struct render_counts counts = {0};
@@ -121,7 +121,7 @@ static bool compute_row(void *context, uint16_t y, uint8_t *rgb) {
     return true;
 }
 
-/* Gives the next band of the window to a worker; false when none is left. */
+/* Waits until the next band is in the window, and gives it to a worker; false when none is left. */
 static bool take_band(struct renderer *renderer, unsigned *first) {
     (void)pthread_mutex_lock(&renderer->mutex);
     while (!renderer->is_over && renderer->next < renderer->job->last_row &&
@@ -138,7 +138,7 @@ static bool take_band(struct renderer *renderer, unsigned *first) {
     return has_band;
 }
 
-/* The slot of a row; those of a band lie side by side. */
+/* Returns the slot of a row; the slots of a band lie side by side. */
 static struct row_slot *slot_of(const struct renderer *renderer, unsigned y) {
     return &renderer->slots[(y - renderer->job->first_row) % renderer->window];
 }
@@ -166,8 +166,8 @@ static void *work(void *context) {
     return NULL;
 }
 
-/* The row_source of several jobs: waits for the row and makes room in the window. The driver asks
- * for each row once, from the first to the last. */
+/* Waits for a row and makes room in the window: the row_source of several jobs. The driver asks for
+ * each row once, from the first to the last. */
 static bool fetch_row(void *context, uint16_t y, uint8_t *rgb) {
     struct renderer *renderer = context;
     struct row_slot *slot = slot_of(renderer, y);
@@ -189,7 +189,7 @@ static bool fetch_row(void *context, uint16_t y, uint8_t *rgb) {
     return true;
 }
 
-/* One drawing of rows up to last - 1. */
+/* Draws the rows up to last - 1 once. */
 static void draw_once(struct renderer *renderer, row_source *source, unsigned last,
                       unsigned exposure) {
     const struct render_job *job = renderer->job;
@@ -226,8 +226,8 @@ static bool draw_alone(struct renderer *renderer) {
     return true;
 }
 
-/* Starts up to job->jobs workers; returns how many there are. Signals are for the drawing thread:
- * it is the one that reads the flag. */
+/* Starts up to job->jobs workers; returns how many there are. Signals are blocked in the workers:
+ * the drawing thread reads the flag. */
 static unsigned start_workers(struct renderer *renderer, pthread_t *workers) {
     unsigned started = 0;
     sigset_t all, before;

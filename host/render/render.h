@@ -21,8 +21,8 @@ struct render_totals {
     double seconds;
 };
 
-/* What is to be rendered, and how. The port accesses go to the bound bus, all from the caller's
- * thread and in the same order whatever the number of jobs. */
+/* What is to be rendered, and how. All port accesses go to the bound bus, from the caller's thread.
+ * Their order is the same for any number of jobs. */
 struct render_job {
     const struct arithmetic *arithmetic;
     const struct compiled_scene *scene;
@@ -30,29 +30,30 @@ struct render_job {
     unsigned first_row, last_row; /* rows first .. last-1, within the scene's height */
     unsigned jobs;                /* threads that compute: 1..256; 1: the caller's own thread */
 
-    /* Not zero: the render ends after the row that is being drawn. NULL: it can't be stopped. */
+    /* Not zero: the render ends after the row that is being drawn. NULL: the render can't be
+     * stopped. */
     const volatile sig_atomic_t *stop;
 
     /* Called from the caller's thread after each row; NULL: nobody looks. */
     void (*progress)(void *context, const struct render_totals *so_far);
     void *context;
 
-    /* Of a scene that is shown by exposures: called from the caller's thread after each of the
-     * eight drawings, 0..7, with the board as it is exposed; NULL: nobody looks. */
+    /* Where a scene is shown by exposures: called from the caller's thread after each of the eight
+     * drawings, 0..7. The board then shows that exposure. NULL: nobody looks. */
     void (*exposed)(void *exposed_context, unsigned exposure);
     void *exposed_context;
 };
 
 enum { RENDER_EXPOSURES = 8 };
 
-/* The dots of the screen along each side of a pixel, as the firmware draws them: 2 where a picture
- * of that size fits twice, else 1. */
+/* Returns how many dots of the screen the firmware draws along each side of a pixel. The number is
+ * 2 where a picture of that size fits twice, else 1. */
 unsigned render_dots(unsigned width, unsigned height);
 
-/* Renders. A scene that is shown by exposures is computed once and drawn eight times; where it is
- * stopped, what was computed by then is drawn so. Ends early if it is stopped or the bus fails
- * (bus_bound_status() says so); totals->rows says how far it came. False with *error filled if the
- * arithmetic can't hold the scene, or memory or threads are out. */
+/* Renders a job. A scene that is shown by exposures is computed once and drawn eight times. After a
+ * stop, the rows computed by then are drawn so. The render ends early if it is stopped or the bus
+ * fails, as bus_bound_status() says. totals->rows says how far the render came. Returns false with
+ * *error filled if the arithmetic can't hold the scene, or memory or threads are out. */
 bool render(const struct render_job *job, struct render_totals *totals, struct scene_error *error);
 
 #endif

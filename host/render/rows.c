@@ -11,7 +11,7 @@ void band_start(struct band *band, const struct arithmetic *arithmetic, const st
     band->block = NULL;
     band->memory = NULL;
     if (band->engine != NULL && band->engine->fits(scene)) {
-        /* Not cleared by hand: most of it is never touched, and so never there. */
+        /* calloc(), no memset(): most of the block is never touched, and so takes no memory. */
         band->block = calloc(1, band->engine->memory_bytes + STREAM_ALIGNMENT);
     }
     if (band->block == NULL) {

@@ -8,7 +8,7 @@
 
 enum { BAND_ROWS = STREAM_ROWS_MOST };
 
-/* One thread's means to render bands. */
+/* What one thread needs to render bands. */
 struct band {
     const struct image *image;
     const struct scene *scene;
@@ -16,8 +16,8 @@ struct band {
     void *block, *memory;               /* what was allocated, and the engine's part of it; NULL */
 };
 
-/* Prepares for a loaded scene, whose estimate has been learned if it is to be. Where memory for an
- * engine is lacking, rows are rendered one by one. */
+/* Prepares a band for a loaded scene; an estimate that is wanted must have been learned. Where
+ * memory for an engine is missing, rows are rendered one by one. */
 void band_start(struct band *band, const struct arithmetic *arithmetic, const struct scene *scene);
 
 /* Renders rows first .. first + rows - 1, 1 to BAND_ROWS of them, row_bytes each. */

@@ -14,10 +14,10 @@ static const char magic[] = "superframe signatures 1 ";
 
 /* ---- Making --------------------------------------------------------------------------------- */
 
-/* Where FNV-1a begins. */
+/* The number that FNV-1a begins with. */
 static const uint64_t no_hash = UINT64_C(0xCBF29CE484222325);
 
-/* FNV-1a, of the bytes of one number. */
+/* Adds the bytes of one number, the least one first, to an FNV-1a hash. */
 static void hash_number(uint64_t *hash, uint32_t number) {
     for (int i = 0; i < 4; i++) {
         *hash = (*hash ^ (number & 0xFF)) * UINT64_C(0x100000001B3);
@@ -35,7 +35,7 @@ static void sign_node(void *context, const struct observed_node *node) {
     hash_number(hash, (uint32_t)node->primitive << 16 | (uint32_t)node->face << 8 | node->leaving);
 }
 
-/* What ends a branch does not count: a threshold that is met by a hair changes nothing to see. */
+/* Ignores what ends a branch: a threshold that is met by a hair changes nothing to see. */
 static void pass_end(void *context, const struct observed_end *end) {
     (void)context;
     (void)end;
@@ -103,7 +103,7 @@ bool signatures_write(const struct signatures *signatures, FILE *file) {
     return ferror(file) == 0;
 }
 
-/* A number of one to five digits and the letter behind it. */
+/* Reads a side, a number of one to five digits from 1 to SIDE_MOST, and the letter behind it. */
 static bool read_side(const char **text, char end, unsigned *side) {
     unsigned digits = 0;
     *side = 0;
@@ -153,7 +153,8 @@ void signatures_free(struct signatures *signatures) {
 
 /* ---- Comparing ------------------------------------------------------------------------------ */
 
-/* The worst channel of one pixel of the two pictures, in its first dot. */
+/* Returns the largest difference of a channel between two pictures at one pixel, in its first
+ * dot. */
 static unsigned pixel_error(const uint8_t *a, const uint8_t *b, size_t at) {
     unsigned worst = 0;
     for (size_t i = at; i < at + 3; i++) {

@@ -11,7 +11,7 @@ struct builtin_scene {
     size_t length;    /* in bytes, without that NUL */
 };
 
-/* In the order in which the files were given to embed_scenes.sh. */
+/* The scenes stand in the order in which embed_scenes.sh was given their files. */
 extern const struct builtin_scene builtin_scenes[];
 extern const size_t builtin_scene_count;
 

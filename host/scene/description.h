@@ -8,14 +8,14 @@
 #include <stdint.h>
 
 /* Lengths are in the file's own unit, colours in levels (255 = white), angles in degrees. Every
- * number is finite. `line` is where the thing stands in its file, from 1, for later errors. */
+ * number is finite. `line` is a line number in the file, from 1, for later error messages. */
 
 enum {
     SCENE_DEPTH_MOST = 255,
-    SCENE_ERROR_DEPTH = 64,      /* the depth level where an accuracy is asked for and no depth */
+    SCENE_ERROR_DEPTH = 64,      /* the depth level if an accuracy is asked for, but no depth */
     SCENE_NESTING_MOST = 24,     /* levels of CSG nodes of an object, those of parts included */
     SCENE_NODES_MOST = 1024,     /* CSG nodes in the file */
-    SCENE_INSTANCES_MOST = 4096, /* the same, a part's nodes counted each time it is used */
+    SCENE_INSTANCES_MOST = 4096, /* CSG nodes, a part's own counted at each use of the part */
     SCENE_PLANES_MOST = 64,      /* half-spaces of a polyhedron */
     SCENE_MATERIALS_MOST = 63,
     SCENE_LIGHTS_MOST = 128,
@@ -66,7 +66,7 @@ struct solid_node {
     unsigned line;
     struct affine placement; /* scale, then rotate (about x, y, z), then translate, as given */
     int material;            /* index into materials, or -1: the parent's */
-    /* Leaves. Which members a kind uses is said above; the others are 0. */
+    /* Leaves. The list of kinds above names the members that each uses; the others are 0. */
     double a[3];     /* minimum, centre, from */
     double b[3];     /* maximum, radii, to */
     double radius;   /* radius, radius at from, waist, gap */
@@ -113,7 +113,7 @@ struct scene_light {
     unsigned line;
     bool parallel;
     double position[3];  /* of a point light */
-    double direction[3]; /* of a parallel light: the way the light goes, unit length */
+    double direction[3]; /* of a parallel light: where the light travels, unit length */
     double colour[3];    /* Ip */
 };
 
@@ -150,7 +150,7 @@ struct scene_description {
     double ambient[3]; /* Ia */
     bool has_attenuation;
     double attenuation_constant; /* C of C + D, >= 0 */
-    double weld; /* faces nearer than this are one; 0: only what rounding explains */
+    double weld; /* faces nearer than this count as one; 0: only where rounding explains the gap */
     struct scene_camera camera;
     struct scene_light *lights;
     size_t light_count;
@@ -162,13 +162,14 @@ struct scene_description {
     size_t object_count;
 };
 
-/* Why something was refused: "FILE:LINE: what is wrong, and what is allowed". line 0: no line. */
+/* Why something was refused: "FILE:LINE: what is wrong, and what is allowed". LINE is left out
+ * where no line is at fault. */
 struct scene_error {
     char text[512];
 };
 
-/* Reads a scene file's text (length bytes; path is for messages only). NULL with *error filled
- * where the text is no valid scene. The caller frees the result. */
+/* Reads a scene file's text (length bytes; path is for messages only). Returns NULL with
+ * *error filled where the text is no valid scene. The caller frees the result. */
 struct scene_description *scene_description_read(const char *path, const char *text, size_t length,
                                                  struct scene_error *error);
 

@@ -44,7 +44,7 @@ static bool read_ball(struct scene_reader *reader, const config_setting_t *group
            scope_number(&scope, "radius", REQUIRED, RANGE_LENGTH, &node->radius);
 }
 
-/* The ends of an axis, which have to differ. */
+/* Reads the two ends of an axis, which have to differ. */
 static bool read_axis(const struct scene_scope *scope, struct solid_node *node) {
     if (!scope_numbers(scope, "from", REQUIRED, RANGE_COORDINATE, 3, node->a) ||
         !scope_numbers(scope, "to", REQUIRED, RANGE_COORDINATE, 3, node->b)) {
@@ -114,7 +114,7 @@ static bool read_paraboloid(struct scene_reader *reader, const config_setting_t 
            scope_number(&scope, "radius", REQUIRED, RANGE_LENGTH, &node->radius_b);
 }
 
-/* A waist makes it one sheet, a gap two. */
+/* Reads a hyperboloid: of one sheet if `waist` is given, of two if `gap` is. */
 static bool read_hyperboloid(struct scene_reader *reader, const config_setting_t *group,
                              struct solid_node *node) {
     static const char *const keys[] = {"from", "to", "radius", "waist", "gap", NULL};
@@ -171,7 +171,7 @@ static bool read_quadric(struct scene_reader *reader, const config_setting_t *gr
     return true;
 }
 
-/* A plane by its normal, of any length, and an offset or a point that it goes through. */
+/* Reads a plane: its normal, of any length, and an offset or a point that the plane holds. */
 static bool read_plane(const struct scene_scope *scope, struct scene_plane *plane) {
     static const char *const keys[] = {"normal", "offset", "through", NULL};
     double through[3] = {0};

@@ -10,8 +10,8 @@
 
 #include "scene/builtin.h"
 
-/* What is read of a file: more than the reader takes, so that it is the one to say what is allowed,
- * but never all of an endless one. */
+/* The most that is read of a file. BYTES_MOST is more than the reader takes, so that the reader
+ * says what is allowed. The limit also ends the reading of an endless file. */
 enum { BYTES_MOST = 2 * 1024 * 1024, CHUNK = 65536 };
 
 static void *refuse(struct scene_error *error, const char *path, const char *reason) {
@@ -19,7 +19,7 @@ static void *refuse(struct scene_error *error, const char *path, const char *rea
     return NULL;
 }
 
-/* All of a file, at most BYTES_MOST; NULL with errno set on failure. */
+/* Reads all of a file, at most BYTES_MOST. Returns NULL with errno set on failure. */
 static char *read_all(FILE *file, size_t *length) {
     char *text = NULL;
     size_t used = 0, got;
@@ -43,7 +43,7 @@ static char *read_all(FILE *file, size_t *length) {
     return text;
 }
 
-/* "fig3, fig4b or a file", for messages. */
+/* Refuses a name that is no readable file, and lists the built-in scenes as what is allowed. */
 static void refuse_name(struct scene_error *error, const char *name, int error_number) {
     char names[256] = "";
     size_t used = 0;
@@ -82,7 +82,7 @@ static struct scene_description *load_file(const char *path, struct scene_error 
     return description;
 }
 
-/* NULL: there is none of that name. */
+/* Finds the built-in scene of a name. NULL: no built-in scene has that name. */
 static const struct builtin_scene *find_builtin(const char *name) {
     for (size_t i = 0; i < builtin_scene_count; i++) {
         if (strcmp(builtin_scenes[i].name, name) == 0) {

@@ -13,7 +13,7 @@ static const struct scene_range RANGE_ABSORPTION = {0, 1e9};
 static const struct scene_range RANGE_PATTERN_SIZE = {0, 1e9};
 static const struct scene_range RANGE_CAUCHY = {-10, 10};
 
-/* A number, or a table over the angle of incidence. */
+/* Reads `specular`: a number, or a table over the angle of incidence. */
 static bool read_specular(const struct scene_scope *scope, struct scene_material *material) {
     const config_setting_t *setting = config_setting_get_member(scope->group, "specular");
     if (!setting || !config_setting_is_aggregate(setting)) {
@@ -24,7 +24,7 @@ static bool read_specular(const struct scene_scope *scope, struct scene_material
                          material->specular_table);
 }
 
-/* Cauchy's n = A + B / wavelength^2 at each channel's wavelength. */
+/* Computes Cauchy's n = A + B / wavelength^2 at each channel's wavelength, in micrometres. */
 static bool read_cauchy(const struct scene_scope *scope, struct scene_material *material) {
     double coefficients[2] = {1, 0};
     if (!scope_numbers(scope, "cauchy", OPTIONAL, RANGE_CAUCHY, 2, coefficients)) {
@@ -45,7 +45,7 @@ static bool read_cauchy(const struct scene_scope *scope, struct scene_material *
     return true;
 }
 
-/* The members that only a transparent material has. */
+/* Reads the optical members of a transparent material, and whether the material casts a shadow. */
 static bool read_optics(const struct scene_scope *scope, struct scene_material *material) {
     if (scope_has(scope, "ior") && scope_has(scope, "cauchy")) {
         return scene_fail(scope->reader, scope_line(scope, "cauchy"),
@@ -57,7 +57,7 @@ static bool read_optics(const struct scene_scope *scope, struct scene_material *
     }
     material->ior = material->ior_by_channel[1];
     double amplitude = (material->ior - 1) / (material->ior + 1);
-    material->transmittance = 1 - amplitude * amplitude; /* what falls straight in and enters */
+    material->transmittance = 1 - amplitude * amplitude; /* what enters at normal incidence */
     return scope_number(scope, "transmittance", OPTIONAL, RANGE_SHARE, &material->transmittance) &&
            scope_three(scope, "reflectance_factors", OPTIONAL, RANGE_SHARE,
                        material->reflectance_by_channel) &&

@@ -5,7 +5,7 @@
 
 #include "scene/values.h"
 
-/* The nodes' table, as large as a file may need; the reader trims it in the end. */
+/* Allocates the nodes' table, as large as a file may need; trim_nodes() shortens the table. */
 static bool make_nodes(struct scene_reader *reader) {
     struct scene_description *scene = reader->scene;
     scene->nodes = scene_allocate(reader, SCENE_NODES_MOST, sizeof *scene->nodes);
@@ -103,7 +103,8 @@ static bool read_object(struct scene_reader *reader, const config_setting_t *gro
     return true;
 }
 
-/* The firmware's work grows with what the parts unfold to, over all objects together. */
+/* Checks the number of solids in all objects together, a part's counted at each use. The firmware's
+ * work grows with that number. */
 static bool check_instances(struct scene_reader *reader) {
     long sum = 0;
     for (size_t i = 0; i < reader->scene->object_count; i++) {

@@ -24,7 +24,7 @@ struct scene_overrides {
     uint32_t seed;
 };
 
-/* Puts them into the description. */
+/* Puts the overrides into the description. */
 void scene_override(struct scene_description *description, const struct scene_overrides *overrides);
 
 #endif

@@ -12,7 +12,7 @@
 
 enum { SCENE_VERSION = 1, WIDTH_MOST = 640, HEIGHT_MOST = 400 };
 
-/* Of a light: many times white, for scenes in which it fades with the distance. */
+/* A light may be many times white, for scenes in which light fades with the distance. */
 static const struct scene_range RANGE_LIGHT = {0, 32767};
 static const struct scene_range RANGE_FIELD_OF_VIEW = {1, 170};
 static const struct scene_range RANGE_WELD = {0, 1e9};
@@ -165,7 +165,7 @@ static bool read_attenuation(struct scene_reader *reader, const struct scene_sco
                                                            &reader->scene->attenuation_constant));
 }
 
-/* `colour`: full, bits:1 to bits:8, dither or exposures. */
+/* Reads `colour`: full, bits:1 to bits:8, dither or exposures. */
 static bool read_colour(const struct scene_scope *top) {
     static const char *const words[] = {"full",   "dither", "exposures", "bits:1",
                                         "bits:2", "bits:3", "bits:4",    "bits:5",
@@ -199,7 +199,7 @@ static bool read_size(const struct scene_scope *top) {
     return true;
 }
 
-/* The choices of the optical model, of highlights and of mixing. */
+/* Reads the choices of the optical model, of highlights and of mixing. */
 static bool read_choices(const struct scene_scope *top) {
     static const char *const models[] = {"simple", "fresnel", "wavelength", NULL};
     static const char *const highlights[] = {"phong", "blinn", NULL};
@@ -249,7 +249,8 @@ static bool read_all(struct scene_reader *reader, const config_setting_t *root) 
            scene_read_parts(reader, root) && scene_read_objects(reader, root);
 }
 
-/* The description with the defaults of whatever a file may leave out. */
+/* Makes a description with the defaults of depth, seed, threshold and wavelengths. Other defaults
+ * stand where their keys are read. */
 static struct scene_description *make_description(struct scene_reader *reader) {
     struct scene_description *scene = scene_allocate(reader, 1, sizeof *scene);
     if (scene) {

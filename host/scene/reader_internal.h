@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What the parts of the scene reader share; callers of the reader need scene_description.h only. */
+/* What the parts of the scene reader share; callers of the reader need scene/description.h only. */
 #ifndef SUPERFRAME_SCENE_READER_H
 #define SUPERFRAME_SCENE_READER_H
 
@@ -13,11 +13,11 @@ enum {
     SCENE_TEXT_MOST = 1024 * 1024, /* bytes of a scene file */
     SCENE_BRACKETS_MOST = 64,      /* { ( [ within each other: libconfig's parser recurses */
     SCENE_KEYS_MOST = 100,         /* keys of one group: libconfig searches them one by one */
-    SCENE_ELEMENTS_MOST = 1024,    /* of one list: libconfig enlarges them little by little */
+    SCENE_ELEMENTS_MOST = 1024,    /* of one list: libconfig enlarges lists little by little */
     SCENE_STRING_MOST = 200        /* bytes of a string */
 };
 
-/* A named solid, ready to be used by those after it. */
+/* A named solid, which the solids after it may use. */
 struct scene_part {
     const char *name; /* libconfig's */
     int node;
@@ -25,7 +25,7 @@ struct scene_part {
 
 /* What is known of a node beyond its description. */
 struct scene_node_facts {
-    int height;           /* levels, itself included; a part's are counted where it is used */
+    int height;           /* levels from the node down, its own and those of parts included */
     long instances;       /* nodes below it and itself, a part's counted at every use */
     int without_material; /* a leaf below it that no material reaches, or -1 */
 };
@@ -49,25 +49,28 @@ bool scene_fail(struct scene_reader *reader, unsigned line, const char *format, 
 #endif
     ;
 
-/* Memory for count things, zeroed, or NULL with the failure recorded. Never NULL for count 0. */
+/* Allocates zeroed memory for count things. Returns NULL with the failure recorded; a count of 0 is
+ * no failure. */
 void *scene_allocate(struct scene_reader *reader, size_t count, size_t size);
 
-/* A copy of a string, or NULL with the failure recorded. */
+/* Copies a string into new memory. Returns NULL with the failure recorded. */
 char *scene_copy(struct scene_reader *reader, const char *text);
 
-/* Checks the text by its letters and brackets and returns a copy, ended by NUL and with blanks for
- * comments, that libconfig reads as it is meant; or NULL with the failure recorded. */
+/* Checks the text by its letters and brackets. Returns a copy that libconfig reads as the text is
+ * meant: ended by NUL, with blanks for comments. Returns NULL with the failure recorded. The caller
+ * frees the copy. */
 char *scene_text_check(struct scene_reader *reader, const char *text, size_t length);
 
-/* Read the file's materials; its parts and objects. */
+/* Reads one section of the file: the materials, the parts or the objects. */
 bool scene_read_materials(struct scene_reader *reader, const config_setting_t *root);
 bool scene_read_parts(struct scene_reader *reader, const config_setting_t *root);
 bool scene_read_objects(struct scene_reader *reader, const config_setting_t *root);
 
-/* The index of the material that `key` names, or false with the failure recorded. */
+/* Finds the index of the material of that name. Returns false, with the failure recorded for that
+ * line, if there is none. */
 bool scene_find_material(struct scene_reader *reader, const char *name, unsigned line, int *index);
 
-/* Reads a solid of its group into the scene's nodes; *index is its place there. */
+/* Reads a solid from its group into the scene's nodes; *index is the solid's place there. */
 bool scene_read_solid(struct scene_reader *reader, const config_setting_t *group, int *index);
 
 /* Reads the members of a leaf of one kind from its group. */

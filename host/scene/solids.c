@@ -23,7 +23,8 @@ enum {
 static bool read_solid_at(struct scene_reader *reader, const config_setting_t *group, int level,
                           int *index);
 
-/* Sine and cosine of degrees, exact at right angles so that turned boxes stay in line. */
+/* Computes sine and cosine of an angle in degrees: exact at right angles, so that turned boxes stay
+ * aligned with the axes. */
 static void sine_and_cosine(double degrees, double *sine, double *cosine) {
     double turn = fmod(degrees, 360);
     double quarters = turn / 90;
@@ -51,7 +52,7 @@ static void turn_about(struct affine *placement, int axis, double degrees) {
     }
 }
 
-/* Scale, then rotate about x, y and z in turn, then translate. */
+/* Reads the placement: scale, then rotate about x, y and z in turn, then translate. */
 static bool read_placement(const struct scene_scope *scope, struct solid_node *node) {
     double scale[3] = {1, 1, 1}, rotate[3] = {0}, translate[3] = {0};
     if (!scope_three(scope, "scale", OPTIONAL, RANGE_SCALE, scale) ||
@@ -122,7 +123,7 @@ static bool read_children(const struct scene_scope *scope, const char *key, int 
     return sound;
 }
 
-/* A part is looked for among those read so far only: so no part can hold itself. */
+/* Looks for a part among those read so far only, so that no part can hold itself. */
 static bool read_part_use(const struct scene_scope *scope, struct solid_node *node) {
     struct scene_reader *reader = scope->reader;
     const char *name = "";
@@ -159,7 +160,8 @@ static bool read_part_use(const struct scene_scope *scope, struct solid_node *no
                       "unknown part '%.40s': it has to be the 'name' of one of 'parts'", name);
 }
 
-/* Which of its keys says what a solid is: an index into leaves, then node_keys. */
+/* Finds the one key that says what a solid is. *kind is the key's index in scene_leaves
+ * followed by node_keys. */
 static bool find_kind(struct scene_reader *reader, const config_setting_t *group, size_t *kind) {
     const char *keys[SOLID_KEYS_MOST + 1] = {NULL};
     size_t count = 0;
@@ -199,7 +201,8 @@ static bool find_kind(struct scene_reader *reader, const config_setting_t *group
     return true;
 }
 
-/* Whether a node with its children keeps the limits, and what is to be known of it later. */
+/* Checks that a node with its children keeps the limits, and records what is to be known of the
+ * node later. */
 static bool add_facts(struct scene_reader *reader, const struct solid_node *node, int index) {
     struct scene_node_facts facts = {1, 1, -1};
     for (size_t i = 0; i < node->child_count; i++) {
@@ -234,7 +237,7 @@ static bool add_facts(struct scene_reader *reader, const struct solid_node *node
     return true;
 }
 
-/* Reads what the kind needs, leaves' members or children, into the node. */
+/* Reads what a solid of that kind needs into the node: a leaf's members, or the children. */
 static bool read_body(const struct scene_scope *scope, size_t kind, int level,
                       struct solid_node *node) {
     if (kind < scene_leaf_count) {

@@ -187,7 +187,7 @@ static bool take_value(struct checker *checker, const struct token *token) {
     return true;
 }
 
-/* What stands where a key or a separator is wanted. */
+/* Refuses a token that stands where a key or a separator is wanted. */
 static bool missing_separator(struct checker *checker, const struct token *token) {
     const struct token *value = &checker->value;
     bool after_comma = checker->expectation == WANT_KEY && token_is(&checker->separator, ',');

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Cuts a scene's text into tokens as libconfig 1.5 does, and refuses what that misreads. */
+/* Cuts a scene's text into tokens as libconfig 1.5 does, and refuses what libconfig misreads. */
 #include "scene/tokens.h"
 
 #include <errno.h>
@@ -9,7 +9,8 @@
 
 enum { SHOWN_MOST = 40, NUMBER_LENGTH_MOST = 100 };
 
-/* Of our own: the library's depend on the locale. */
+/* Tells whether a letter is a digit. This test and the next two are our own: the library's depend
+ * on the locale. */
 static bool is_digit(char letter) {
     return letter >= '0' && letter <= '9';
 }
@@ -103,7 +104,8 @@ static bool skip_blanks(struct scanner *scanner) {
     return true;
 }
 
-/* Only what is the same in libconfig and on paper: no line breaks, no escapes but \" and \\. */
+/* Reads a string, if libconfig takes the string as it stands on paper: no line breaks, no escapes
+ * but \" and \\. */
 static bool scan_string(struct scanner *scanner, struct token *token) {
     size_t at = scanner->at + 1;
     for (;; at++) {
@@ -159,7 +161,7 @@ static bool scan_name(struct scanner *scanner, struct token *token) {
     return true;
 }
 
-/* The length of all that sticks together as one number, well-formed or not. */
+/* Returns the length of all that sticks together as one number, well-formed or not. */
 static size_t number_length(const char *start) {
     bool hex = start[0] == '0' && (start[1] == 'x' || start[1] == 'X');
     size_t length = 1;
@@ -185,7 +187,7 @@ static size_t count_digits(const char *text, bool (*belongs)(char)) {
     return count;
 }
 
-/* What the token is by its form alone; TOKEN_END if it is no number. */
+/* Tells what kind of number a text is by its form alone; TOKEN_END: no number. */
 static enum token_kind number_form(const char *text) {
     if (text[0] == '0' && (text[1] == 'x' || text[1] == 'X')) {
         size_t digits = count_digits(text + 2, is_hex_digit);
@@ -221,7 +223,8 @@ static enum token_kind number_form(const char *text) {
     return digits > 0 && *text == '\0' ? TOKEN_FLOAT : TOKEN_END;
 }
 
-/* Whether the number survives libconfig: 1.5 cuts integers to 32 bits and lets floats overflow. */
+/* Checks that a number survives libconfig 1.5, which cuts integers to 32 bits and lets floats
+ * overflow. */
 static bool check_magnitude(struct scanner *scanner, const struct token *token, const char *text) {
     errno = 0;
     if (token->kind == TOKEN_FLOAT) {

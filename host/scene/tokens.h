@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Cuts a scene's text into tokens as libconfig 1.5 does, and refuses what that misreads. */
+/* Cuts a scene's text into tokens as libconfig 1.5 does, and refuses what libconfig misreads. */
 #ifndef SUPERFRAME_SCENE_TOKENS_H
 #define SUPERFRAME_SCENE_TOKENS_H
 
@@ -31,18 +31,18 @@ struct scanner {
     unsigned line;
 };
 
-/* Reads the next token, or returns false with the failure recorded. */
+/* Reads the next token. Returns false with the failure recorded. */
 bool scanner_next(struct scanner *scanner, struct token *token);
 
-/* Whether the token is this mark. */
+/* Tells whether a token is this mark. */
 bool token_is(const struct token *token, char mark);
 
 bool token_is_number(const struct token *token);
 
-/* The number of its first bytes that an error message shows. */
+/* Returns how many of a token's first bytes an error message shows. */
 int token_shown(const struct token *token);
 
-/* Whether the text is a way to write infinity or not-a-number, with or without a sign. */
+/* Tells whether a token spells infinity or not-a-number, with or without a sign. */
 bool token_is_infinite_or_nan(const struct token *token);
 
 #endif

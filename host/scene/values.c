@@ -37,7 +37,7 @@ static bool fail_type(const struct scene_scope *scope, const char *key,
                       type_name(setting));
 }
 
-/* Finds a key; NULL in *setting is a success where it is optional. */
+/* Finds a key. NULL in *setting counts as a success where the key is optional. */
 static bool find(const struct scene_scope *scope, const char *key, enum scene_presence presence,
                  const config_setting_t **setting) {
     *setting = config_setting_get_member(scope->group, key);
@@ -64,7 +64,7 @@ static double number_of(const config_setting_t *setting) {
     }
 }
 
-/* The comparison is written so that not-a-number fails it. */
+/* Checks that a value is in range. The comparison is written so that not-a-number fails it. */
 static bool check_range(const struct scene_scope *scope, const char *key,
                         const config_setting_t *setting, struct scene_range range, double value) {
     if (value >= range.least && value <= range.most) {
@@ -272,7 +272,8 @@ unsigned scope_line(const struct scene_scope *scope, const char *key) {
     return config_setting_source_line(setting ? setting : scope->group);
 }
 
-/* The number of letters to insert, remove or change to make one word of the other. */
+/* Counts the letters to insert, remove or change to make one word of the other. Gives WORD_MOST if
+ * a word is longer than WORD_MOST. */
 static size_t distance(const char *a, const char *b) {
     size_t row[WORD_MOST + 1];
     size_t length_a = strlen(a), length_b = strlen(b);
@@ -297,7 +298,7 @@ static size_t distance(const char *a, const char *b) {
 
 const char *scene_nearest_word(const char *word, const char *const *words) {
     const char *nearest = NULL;
-    size_t least = strlen(word) / 2 + 1; /* half of it may be wrong */
+    size_t least = strlen(word) / 2 + 1; /* half of the word may be wrong */
     for (size_t i = 0; words[i]; i++) {
         size_t steps = distance(word, words[i]);
         if (steps < least) {

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* What operations cost, as it was measured, and the machines of the predictions. */
+/* The measured cost of operations, and the machines of the predictions. */
 #include "stats/cost_model.h"
 
 #include <stddef.h>
 
 /* Columns: add, test, product, dot, slope, over, root, quotient, normalise, refract, power,
- * transmit, cell. Made by `make cost-operations`. */
+ * transmit, cell. `make cost-operations` made the table. */
 /* clang-format off */
 const double cost_operations[COST_EVENTS][COST_KINDS] = {
     [COST_RAY] = {4.66, 8.98, 7.26, 0.14, 3.14, 1.33, 0.01, 0.00, 1.15, 0.00, 0.06, 0.00, 0.00},
@@ -18,9 +18,9 @@ const double cost_operations[COST_EVENTS][COST_KINDS] = {
     [COST_QUADRIC] = {5.57, 2.92, 5.07, 2.26, 0.14, 0.18, 0.10, 0.14, 0.11, 0.00, 0.01, 0.00, 0.00},
 };
 
-/* The instructions by `make cost-instructions`; the overhead is what tests/cost/whole.sh counted of
- * fig3, 8 x 5 pixels, less the operations: in one arithmetic of each target (m0, m3, i386: fx;
- * m4f, i387: f32), of x86_64 in each. */
+/* `make cost-instructions` printed the instructions. The overhead is what tests/cost/whole.sh
+ * counted of fig3, 8 x 5 pixels, less the operations. It was counted in one arithmetic of each
+ * target (m0, m3, i386: fx; m4f, i387: f32), for x86_64 in each. */
 const struct cost_code cost_codes[] = {
     {"m0", "fx", {18.0, 5.6, 83.0, 165.5, 202.2, 61.4, 303.1, 313.9, 656.9, 500.2, 393.9, 215.5, 40.6}, 181},
     {"m0", "f32", {63.6, 38.5, 195.9, 514.9, 456.4, 119.5, 300.9, 456.6, 1538.6, 946.4, 1266.5, 3107.0, 561.9}, 181},
@@ -41,8 +41,8 @@ const struct cost_code cost_codes[] = {
 /* clang-format on */
 
 /* Clocks an instruction: "assumed" is a mean over the manuals' timings of the instructions that
- * compilers make, for no machine was at hand; "scaled" is what 16-bit code takes for one
- * instruction of the 386's. */
+ * compilers make, as no machine was at hand. "scaled" is what 16-bit code takes for one instruction
+ * of the 386's. */
 const struct cost_target cost_targets[] = {
     {"8086", "PC-9801, 8086 at 5 MHz", 5,
      "scaled: 2.5 instructions of 12 clocks, and four MUL of 118-133 for one product in 12 "

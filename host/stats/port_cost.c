@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What the port accesses cost on machines of the time, for the statistics. */
+/* The cost of the port accesses on machines of the time, for the statistics. */
 #include "stats/port_cost.h"
 
 #include <math.h>
@@ -10,7 +10,7 @@
 
 const char *const cost_shown_machines[COST_SHOWN + 1] = {"VM2", "VX2", "RA2", NULL};
 
-/* The same machines in the cost model. */
+/* The names of cost_shown_machines in the cost model, in the same order. */
 static const char *const targets[COST_SHOWN] = {"v30", "286", "386"};
 
 static const struct cost_target *find_target(const char *name) {

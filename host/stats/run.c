@@ -8,10 +8,11 @@
 #include "base/stopwatch.h"
 #include "stats/port_cost.h"
 
-/* The bytes of the UTF-8 character that the text begins with; 0: it begins with none. */
+/* Returns the number of bytes of the UTF-8 character that the text begins with; 0: it begins with
+ * none. */
 static size_t utf8_length(const char *text) {
-    /* By its first byte, the range of the second one: no surrogates, nothing beyond 10FFFF, nothing
-     * that fewer bytes could say (RFC 3629). */
+    /* Kinds of characters by their first byte, with the range of the second one (RFC 3629).
+     * Surrogates, what is beyond 10FFFF, and what fewer bytes could say are left out. */
     static const struct {
         unsigned char first, last, low, high;
         size_t length;
@@ -26,7 +27,7 @@ static size_t utf8_length(const char *text) {
         }
         bool is_whole = bytes[1] >= kinds[i].low && bytes[1] <= kinds[i].high;
         for (size_t j = 2; j < kinds[i].length && is_whole; j++) {
-            is_whole = bytes[j] >= 0x80 && bytes[j] <= 0xBF; /* no NUL: no further than the end */
+            is_whole = bytes[j] >= 0x80 && bytes[j] <= 0xBF; /* no NUL, so none beyond the end */
         }
         return is_whole ? kinds[i].length : 0;
     }
@@ -39,7 +40,7 @@ void stats_write_string(FILE *out, const char *text) {
         size_t length = utf8_length(text);
         unsigned letter = (unsigned char)*text;
         if (length == 0) {
-            (void)fputs("\\ufffd", out); /* the mark of what is no character */
+            (void)fputs("\\ufffd", out); /* U+FFFD marks what is no character */
         } else if (letter < 0x20 || letter == '"' || letter == '\\') {
             (void)fprintf(out, "\\u%04x", letter);
         } else {
@@ -54,7 +55,7 @@ static void write_count(FILE *out, const char *key, uint64_t count) {
     (void)fprintf(out, "  \"%s\": %" PRIu64 ",\n", key, count);
 }
 
-/* What was reached, where cut branches are estimated. */
+/* Writes what the estimates of cut branches have learned and reached. */
 static void write_estimate(FILE *out, const struct run_stats *stats) {
     static const char *const names[WAYS + 1] = {
         [WAY_DOWN] = "tail_down", [WAY_UP] = "tail_up", [WAY_ANY] = "tail"};
@@ -98,8 +99,9 @@ static void write_render(FILE *out, const struct run_stats *stats) {
     }
 }
 
-/* 4.4 clocks an instruction are an average for the 80386, assumed: the mix here has more products
- * than most. The ports' own clocks come in port_cost. */
+/* Writes the instructions of an emulated CPU, and the seconds predicted for an RA2. The average of
+ * 4.4 clocks an instruction on the 80386 is assumed: the mix here has more products than most. The
+ * ports' own clocks are in port_cost. */
 static void write_processor(FILE *out, const struct run_stats *stats) {
     const double clocks = 4.4;
     const struct cost_machine *machine = cost_machine_by_name("RA2");

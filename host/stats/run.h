@@ -13,7 +13,7 @@
 #include "boot/cpu.h"
 #include "render/render.h"
 
-/* What there is to tell; NULL where there is none of it. */
+/* The parts of a run that the statistics tell of; NULL where there is no such part. */
 struct run_stats {
     const char *scene, *arithmetic;
     const struct compiled_scene *compiled;
@@ -28,11 +28,12 @@ struct run_stats {
     const uint8_t *photograph; /* of a multiple exposure, PICTURE_BYTES; NULL: none was taken */
 };
 
-/* Writes the object and a line's end. The keys are those that superframe(1) lists; frame_crc and
- * violations are null where no board was behind the ports. */
+/* Writes the JSON object and a line's end. The keys are those that superframe(1) lists. frame_crc
+ * and violations are null where no board was behind the ports. */
 void stats_write(FILE *out, const struct run_stats *stats);
 
-/* Writes a string in JSON's quotes. Bytes that are not ASCII go out as they are. */
+/* Writes a string in JSON's quotes and escapes. Other UTF-8 goes out as it is; each byte that is no
+ * part of a character becomes \ufffd. */
 void stats_write_string(FILE *out, const char *text);
 
 #endif

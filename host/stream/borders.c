@@ -25,8 +25,8 @@ static void set_odd_on_face(const struct pattern_face face, const uint32_t surfa
     }
 }
 
-/* Adds 1 where the pattern has its other colour: colour_at() of firmware/shade.c. is_behind: the
- * material with the pattern is behind the boundary. */
+/* Finds the lanes where the pattern has its other colour; `odd` is all 0 before. See colour_at() of
+ * firmware/shade.c. is_behind: the material with the pattern is behind the boundary. */
 static void find_cells(const struct scene *scene, const struct pattern *pattern,
                        const struct hit_lanes *hit, bool is_behind, uint32_t odd[LANES]) {
     const real_length *where[3] = {hit->where.x, hit->where.y, hit->where.z};
@@ -51,12 +51,12 @@ static void find_cells(const struct scene *scene, const struct pattern *pattern,
     }
 }
 
-/* What is the same wherever two objects meet. */
+/* What is the same wherever the same two objects meet. */
 struct meeting_place {
     struct colours own, own_ambient;     /* Ic and the ambient term */
     struct colours other, other_ambient; /* of the pattern's odd cells */
     const struct pattern *pattern;       /* NULL: none */
-    bool is_behind;                      /* the material that these are of */
+    bool is_behind;                      /* these are of the far side's material */
     real_energy diffuse, specular;
     uint32_t gloss;
     real_index eta, n;
@@ -93,7 +93,8 @@ static struct meeting_place meeting_place(const struct scene *scene, uint32_t be
     return place;
 }
 
-/* fresh: there is nothing yet, and the other lanes get 0. */
+/* Gives what a meeting place says to the lanes that are `here`. fresh: *border holds nothing yet,
+ * and the other lanes get 0. */
 static void apply_place(const struct meeting_place place, const uint32_t here[restrict LANES],
                         const uint32_t odd[restrict LANES], bool fresh,
                         struct border_lanes *restrict border) {

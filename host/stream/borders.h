@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What the two objects on the sides of each lane's boundary say of it. */
+/* What the two objects on both sides of each lane's boundary make of that boundary. */
 #ifndef SUPERFRAME_BORDERS_H
 #define SUPERFRAME_BORDERS_H
 

@@ -4,13 +4,15 @@
 
 #include "optics.h"
 
-/* A boundary's two ways on, for each lane. */
+/* The two rays that leave a boundary, for each lane: direction of the refracted one, both
+ * shares. */
 struct passage_lanes {
     struct direction_lanes refracted;
     real_energy reflectance[LANES], transmittance[LANES];
 };
 
-/* Snell's law: 1 in `passes` where light gets through, and the cosine of its angle then. */
+/* Applies Snell's law: sets `passes` to 1 where light gets through, and then the cosine of its
+ * angle. */
 static void find_cosines(const struct hit_lanes *restrict hit,
                          const struct border_lanes *restrict border,
                          real_unit refracted[restrict LANES], uint32_t passes[restrict LANES]) {
@@ -58,7 +60,8 @@ static void find_refracted(const struct direction_lanes *restrict direction,
     }
 }
 
-/* optics_passage() of firmware/optics.c. */
+/* Finds the refracted direction and the shares of both rays: optics_passage() of
+ * firmware/optics.c. */
 static void find_passages(const struct direction_lanes *direction, const struct hit_lanes *hit,
                           const struct border_lanes *border, struct passage_lanes *passage) {
     real_unit refracted[LANES];
@@ -68,15 +71,15 @@ static void find_passages(const struct direction_lanes *direction, const struct 
     find_refracted(direction, hit, border, refracted, &passage->refracted);
 }
 
-/* Whether a child of that weight, the largest of its three, is followed; each argument is a lane's.
- */
+/* Tells whether a child is followed, by the largest of its three weights. hit, path and largest are
+ * those of one lane. */
 static inline uint32_t is_followed(const struct scene *scene, uint32_t hit, uint32_t path,
                                    real_energy largest) {
     bool goes_on = (path_events(path) < scene->depth) & !energy_less(largest, scene->threshold);
     return ((hit != 0) & !energy_is_zero(largest) & goes_on) ? 1 : 0;
 }
 
-/* The weights of one kind of children, and which of them are followed. */
+/* Finds the weights of one kind of children, and which of the children are followed. */
 static void weigh(const struct scene *scene, const struct ray_lanes *restrict rays,
                   const struct hit_lanes *restrict hit, const real_energy share[restrict LANES],
                   struct energy_lanes *restrict child, uint32_t follow[restrict LANES]) {
@@ -102,7 +105,7 @@ static void weigh_grey(const struct scene *scene, const struct ray_lanes *restri
     }
 }
 
-/* What of the children belongs to no ray that is followed. */
+/* Sets the weights and the ways of the children that are not followed; the others weigh 0. */
 static void set_cut(const struct scene *scene, const struct ray_lanes *restrict rays,
                     const struct hit_lanes *restrict hit,
                     const struct direction_lanes *restrict direction,
@@ -123,14 +126,14 @@ static void set_cut(const struct scene *scene, const struct ray_lanes *restrict 
     }
 }
 
-/* One kind of children: where they go, and what share of the light. */
+/* One kind of children: where they go, and what share of the light they get. */
 struct kind_of_children {
     const struct direction_lanes *direction;
     const uint32_t *object, *inside;
     const real_energy *share;
 };
 
-/* What is the same for both kinds. */
+/* What is the same for both kinds of children. */
 struct start_lanes {
     real_length from[LANES];
     uint32_t events[LANES], target[LANES];

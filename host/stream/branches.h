@@ -7,14 +7,14 @@
 #include "stream/borders.h"
 #include "stream/queue.h"
 
-/* What is not followed, by lane: its weight, 0 where it is, and an enum estimate_way. */
+/* What is not followed, by lane: its weight, 0 where all is followed, and an enum estimate_way. */
 struct cut_lanes {
     struct energy_lanes weight;
     uint32_t way[LANES];
 };
 
-/* Puts the mirrored and the refracted rays that depth and threshold let through into the queue.
- * cut gets those that they do not, where the scene has an estimate of what they are worth. */
+/* Puts the mirrored and the refracted rays that depth and threshold let through into the queue. cut
+ * gets the other rays, where the scene has an estimate of what those are worth. */
 void children_grow(const struct scene *scene, const struct ray_lanes *rays,
                    const struct hit_lanes *hit, const struct border_lanes *border,
                    struct queue *queue, struct cut_lanes cut[2]);

@@ -5,7 +5,8 @@
 
 #include "stream/search.h"
 
-/* See struct hit; `is` is 1 in the lanes that have one, the others hold nothing of use. */
+/* See struct hit. `is` is 1 in the lanes that have a hit, else 0; the other lanes hold nothing of
+ * use. */
 struct hit_lanes {
     uint32_t is[LANES];
     real_length t[LANES];
@@ -19,7 +20,7 @@ struct hit_lanes {
     struct direction_lanes mirrored;
 };
 
-/* Describes the boundaries that `search` has found in the lanes where hit->is says so; the caller
+/* Describes the boundaries that `search` has found in the lanes where hit->is says so. The caller
  * has set is, inside_after, the objects and their materials. */
 void hits_describe(const struct search_lanes *search, struct hit_lanes *hit);
 

@@ -12,7 +12,7 @@ static inline uint32_t place_of(uint32_t surface, uint32_t face) {
     return surface << 8 | face;
 }
 
-/* See struct segment. */
+/* An interval of a ray inside a primitive: see struct segment. */
 struct stretch {
     real_length in, out;
     uint32_t in_place, out_place;
@@ -26,7 +26,7 @@ struct meeting {
     bool valid;
 };
 
-/* All of a ray; place is that of face 0. */
+/* Returns the interval that is all of a ray; place is that of face 0. */
 static inline struct stretch stretch_everything(uint32_t place) {
     const struct stretch all = {length_negate(LENGTH_FAR), LENGTH_FAR, place, place, true};
     return all;
@@ -46,13 +46,13 @@ static inline struct stretch stretch_left(struct stretch s, real_length t, uint3
     return s;
 }
 
-/* leaving_crossing() of firmware/ray.c for a single stretch. */
+/* Finds where a ray leaves a single interval: leaving_crossing() of firmware/ray.c. */
 static inline struct meeting meeting_leaving(struct stretch s, real_length from) {
     const struct meeting meeting = {length_less(from, s.out) ? s.out : from, s.out_place, true};
     return meeting;
 }
 
-/* entering_crossing() of firmware/ray.c for a single stretch. */
+/* Finds where a ray enters a single interval: entering_crossing() of firmware/ray.c. */
 static inline struct meeting meeting_entering(struct stretch s, real_length from,
                                               bool starts_there) {
     bool in_front = length_less(from, s.in);
@@ -62,13 +62,13 @@ static inline struct meeting meeting_entering(struct stretch s, real_length from
     return meeting;
 }
 
-/* inside is a constant at each call. */
+/* Finds where a ray leaves or enters an interval; inside is a constant at each call. */
 static inline struct meeting meeting_of(struct stretch s, real_length from, bool inside,
                                         bool starts_there) {
     return inside ? meeting_leaving(s, from) : meeting_entering(s, from, starts_there);
 }
 
-/* Of one stretch or two, in order: the ray leaves the one that it is in. */
+/* Finds where a ray leaves the interval that it is in. There is one interval, or two in order. */
 static inline struct meeting meeting_leaving_two(struct stretch a, struct stretch b, bool two,
                                                  real_length from) {
     bool second = two & !length_less(from, a.out) &
@@ -85,8 +85,8 @@ struct slab {
     uint32_t low_place, high_place;
 };
 
-/* inside and may_be_level are constants at each call: a ray that is inside is asked only where it
- * leaves, and mostly no ray of a chunk runs level. */
+/* Cuts an interval by a slab. inside and may_be_level are constants at each call. A ray that is
+ * inside is asked only where it leaves, and mostly no ray of a block runs level. */
 static inline struct stretch stretch_slab(struct stretch s, struct slab slab, real_length origin,
                                           real_slope slope, bool level, bool falling,
                                           uint32_t start, bool inside, bool may_be_level) {

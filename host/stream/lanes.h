@@ -5,15 +5,17 @@
 
 #include "scene.h"
 
-/* Loops over lanes all run from 0 to LANES: a constant that vectors of any width divide. Small
- * enough for what a step works on to stay in the nearest cache; and as many as a word has bits. */
+/* All loops over lanes run from 0 to LANES, a constant that vectors of any width divide. LANES is
+ * small enough for what a step works on to stay in the nearest cache. A word of 64 bits has a bit
+ * for each lane. */
 enum { LANES = 64 };
 
-/* The room of a quantity of rays: the queue puts whole vectors behind those that wait in a block,
- * and what counts of them ends with the last lane. */
+/* The room for a quantity of rays. The queue puts whole vectors behind the rays that wait in a
+ * block. Such a vector may reach beyond the last lane; what counts does not. */
 enum { LANES_ROOM = LANES + 16 };
 
-/* The sets of a stream's rays are single words: a scene of more primitives goes the other way. */
+/* The sets of a stream's rays are single words: a scene of more primitives is left to the image's
+ * row(). */
 enum { STREAM_PRIMITIVES_MOST = 32 };
 
 struct point_lanes {
@@ -24,8 +26,8 @@ struct direction_lanes {
     real_unit x[LANES_ROOM], y[LANES_ROOM], z[LANES_ROOM];
 };
 
-/* Where all of a scene's weights are grey, red stands for all three, and the others hold nothing.
- */
+/* Where all of a scene's weights are grey, red stands for all three; green and blue hold
+ * nothing. */
 struct energy_lanes {
     real_energy red[LANES_ROOM], green[LANES_ROOM], blue[LANES_ROOM];
 };
@@ -44,7 +46,7 @@ static inline struct direction direction_in(const struct direction_lanes *lanes,
     return direction;
 }
 
-/* Rays on their way; what each member means, struct branch and struct ray say. */
+/* Rays that are to be followed; struct branch and struct ray say what each member means. */
 struct ray_lanes {
     struct point_lanes origin;
     struct direction_lanes direction;
@@ -52,10 +54,11 @@ struct ray_lanes {
     real_length from[LANES_ROOM]; /* where the search for the next crossing begins */
     uint32_t inside[LANES_ROOM];  /* a set of primitives */
     uint32_t path[LANES_ROOM];   /* surface it starts on | object it runs in << 16 | events << 24 */
-    uint32_t target[LANES_ROOM]; /* the pixel that it is for, in the band | CONTINUED */
+    uint32_t target[LANES_ROOM]; /* the pixel that it is for, in the band | TARGET_CONTINUED */
 };
 
-/* The same of rays whose quantities lie apart: for each, where its lanes are. */
+/* Rays as in struct ray_lanes whose quantities lie apart: for each quantity, where its lanes
+ * are. */
 struct ray_columns {
     const struct point_lanes *origin;
     const struct direction_lanes *direction;
@@ -64,7 +67,7 @@ struct ray_columns {
     const uint32_t *inside, *path, *target;
 };
 
-/* Set for a ray behind a crossing where the material did not change: it has been counted. */
+/* Set for a ray behind a crossing where the material did not change: the ray has been counted. */
 #define TARGET_CONTINUED UINT32_C(0x80000000)
 
 static inline struct ray_columns columns_of(const struct ray_lanes *rays) {
@@ -73,7 +76,7 @@ static inline struct ray_columns columns_of(const struct ray_lanes *rays) {
     return columns;
 }
 
-/* Lanes alone: what a structure is copied with has their room as well. */
+/* Copies the lanes alone: an assignment would copy all of their room. */
 static inline void copy_points(struct point_lanes *restrict to,
                                const struct point_lanes *restrict from) {
     for (int i = 0; i < LANES; i++) {
@@ -92,7 +95,7 @@ static inline void copy_directions(struct direction_lanes *restrict to,
     }
 }
 
-/* The lanes that are 1 of those that are 0 or 1, a bit each. */
+/* Returns the set of the lanes that are 1, a bit for each lane; each is 0 or 1. */
 static inline uint64_t lanes_set(const uint32_t lanes[restrict LANES]) {
     uint32_t low = 0, high = 0;
     for (int i = 0; i < LANES / 2; i++) {
@@ -102,7 +105,7 @@ static inline uint64_t lanes_set(const uint32_t lanes[restrict LANES]) {
     return (uint64_t)high << 32 | low;
 }
 
-/* Whether any lane is not 0. */
+/* Tells whether any lane is not 0. */
 static inline bool lanes_any(const uint32_t lanes[restrict LANES]) {
     uint32_t any = 0;
     for (int i = 0; i < LANES; i++) {
@@ -111,7 +114,7 @@ static inline bool lanes_any(const uint32_t lanes[restrict LANES]) {
     return any != 0;
 }
 
-/* The number of the first lane in a set that is not empty. */
+/* Returns the number of the first lane in a set that is not empty. */
 static inline uint32_t lanes_first(uint64_t set) {
     return (uint32_t)__builtin_ctzll(set);
 }

@@ -5,7 +5,7 @@
 
 #include "solids.h"
 
-/* Puts a normal into one lane, if it is meant, turned where the primitive is left. */
+/* Puts a normal into lane i where `is` is true, turned round where the primitive is left. */
 static inline void set_normal(struct direction_lanes *normal, int i, bool is,
                               struct direction outward, bool leaving) {
     struct direction inward = direction_negate(outward);
@@ -17,7 +17,7 @@ static inline void set_normal(struct direction_lanes *normal, int i, bool is,
     normal->z[i] = is ? z : normal->z[i];
 }
 
-/* Of the flat faces of boxes, whose axes are those of a frame. */
+/* Sets the normals of the flat faces of boxes, whose axes are those of a frame. */
 static void set_flat(const struct search_lanes *restrict search,
                      const uint32_t here[restrict LANES], const struct frame frame,
                      struct direction_lanes *restrict normal) {
@@ -40,7 +40,7 @@ static void set_flat(const struct search_lanes *restrict search,
     }
 }
 
-/* Of flat faces across the world's axes, in all lanes. */
+/* Sets the normals of flat faces across the world's axes, in all lanes. */
 static void set_straight(const struct search_lanes *restrict search,
                          struct direction_lanes *restrict normal) {
     const real_unit none = REAL_UNIT(0.0), high = REAL_UNIT(1.0), low = REAL_UNIT(-1.0);
@@ -54,11 +54,11 @@ static void set_straight(const struct search_lanes *restrict search,
     }
 }
 
-/* Curved faces: all of a step's are brought to length 1 together. */
+/* The curved faces of a step: all of their normals are brought to length 1 together. */
 struct curved_lanes {
     struct point_lanes steepness; /* along the outward normal, in the solid's frame */
     uint32_t frame[LANES];
-    uint32_t is[LANES]; /* 1: such a face */
+    uint32_t is[LANES]; /* 1: a curved face */
 };
 
 static void set_ball(const uint32_t here[restrict LANES], const struct ball ball,
@@ -176,7 +176,8 @@ static struct frame frame_of(const struct scene *scene, uint8_t number) {
     return number == FRAME_WORLD ? world : scene->frames[number];
 }
 
-/* The lanes that have come to one primitive. */
+/* Sets the normals of the lanes that have come to one primitive; those of curved faces wait in
+ * *curved. */
 static void set_normals(const struct search_lanes *search, uint32_t index,
                         const uint32_t here[LANES], struct curved_lanes *curved,
                         struct hit_lanes *hit) {
@@ -198,7 +199,7 @@ static void set_normals(const struct search_lanes *search, uint32_t index,
     }
 }
 
-/* The boxes whose axes are the world's: all of their normals are set at once. */
+/* Returns the set of boxes whose axes are the world's: all of their normals are set at once. */
 static uint32_t straight_boxes(const struct scene *scene) {
     uint32_t set = 0;
     for (uint8_t i = 0; i < scene->primitive_count; i++) {

@@ -2,8 +2,8 @@
 /* Objects as Boolean functions of sets of primitives, for all lanes at once. */
 #include "stream/objects.h"
 
-/* Runs an object's program: 1 where it holds the lane's set. As in firmware/ray.c, each lane's
- * stack of Booleans is a word. */
+/* Runs an object's program: sets 1 where the object holds the lane's set. As in firmware/ray.c,
+ * each lane's stack of Booleans is a word. */
 static void object_holds(const struct scene *scene, const struct object *object,
                          const uint32_t inside[restrict LANES], uint32_t holds[restrict LANES]) {
     const uint8_t *program = &scene->programs[object->program];
@@ -28,7 +28,8 @@ static void object_holds(const struct scene *scene, const struct object *object,
     }
 }
 
-/* What any lane is inside of: an object holds no place that is in none of its primitives. */
+/* Returns the primitives that any lane is inside of: an object holds no place that is in none of
+ * its primitives. */
 static uint32_t union_of(const uint32_t sets[restrict LANES]) {
     uint32_t all = 0;
     for (int i = 0; i < LANES; i++) {

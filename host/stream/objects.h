@@ -5,14 +5,15 @@
 
 #include "stream/lanes.h"
 
-/* The last object of the table that holds each set of primitives: object_behind() of
- * firmware/ray.c. */
+/* Finds the last object of the table that holds each set of primitives: object_behind() of
+ * firmware/ray.c. OBJECT_AIR: none does. */
 void media_objects(const struct scene *scene, const uint32_t inside[LANES], uint32_t object[LANES]);
 
-/* Which lanes are inside of something that keeps light off: throws_shadow(), as 1 or 0. */
+/* Finds the lanes that are inside of something that keeps light off, as 1 or 0: throws_shadow() of
+ * firmware/ray.c. */
 void media_shadows(const struct scene *scene, const uint32_t inside[LANES], uint32_t shadow[LANES]);
 
-/* The number of each object's material. */
+/* Finds the number of each object's material. */
 void media_materials(const struct scene *scene, const uint32_t object[LANES],
                      uint32_t material[LANES]);
 

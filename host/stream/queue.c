@@ -28,7 +28,7 @@ void queue_clear(struct queue *queue, bool is_grey) {
     }
 }
 
-/* Puts the chosen lanes of a group behind the `at` rays of a block. */
+/* Appends the chosen lanes of a group to the `at` rays of a block. */
 static inline void append_group(struct ray_lanes *restrict block, uint32_t at,
                                 const struct ray_columns *rays, int group,
                                 const struct compact_order *order, bool is_grey) {
@@ -64,8 +64,9 @@ static uint64_t first_lanes(uint32_t count) {
     return count < LANES ? (UINT64_C(1) << count) - 1 : ~UINT64_C(0);
 }
 
-/* Makes a full block of `count` rays and of those that the bin has got last before them: rays that
- * have set out together go on together, and the first ones wait until the others are through. */
+/* Makes a full block of `count` rays and of those that the bin has got last before them. Rays that
+ * have set out together go on together; the first ones of a bin wait until the others are
+ * through. */
 static void fill_block(struct queue *queue, struct queue_bin *bin, const struct ray_columns *rays,
                        uint64_t lanes, uint32_t count) {
     uint32_t waiting = bin->count % LANES, taken = LANES - count;
@@ -111,8 +112,8 @@ void queue_push(struct queue *queue, const struct ray_columns *rays, const uint3
     }
 }
 
-/* An idle lane's numbers have to be some ray's: all after the first `count` become copies of them.
- */
+/* Fills the lanes after the first `count` with copies of those: an idle lane's numbers have to be
+ * some ray's. */
 static void fill_up(struct ray_lanes *block, uint32_t count) {
     const struct ray_lanes before = *block;
     const struct ray_columns rays = columns_of(&before);
@@ -146,7 +147,7 @@ uint32_t queue_take(struct queue *queue, uint32_t *block) {
     } else if (count > 0) {
         *block = bin->filling;
         fill_up(&queue->blocks[*block], count);
-        bin->filling = take_free(queue); /* no bin has a full one: most are free */
+        bin->filling = take_free(queue); /* no bin has a full block: most blocks are free */
     }
     return count;
 }

@@ -5,7 +5,7 @@
 
 static const struct sloping sloping_unknown = {0, 0};
 
-/* Slopes are made when a solid asks for them, on the axes that it is cut across. */
+/* Makes slopes when a solid asks for them, on the axes that the solid is cut across. */
 static void need_slopes(struct local_lanes *restrict local, struct sloping *sloping, uint8_t axes) {
     const real_unit *components[3] = {local->direction.x, local->direction.y, local->direction.z};
     for (int axis = 0; axis < 3; axis++) {
@@ -36,7 +36,8 @@ void search_begin(struct search_lanes *restrict search, const uint32_t touches[r
     }
 }
 
-/* What all active lanes are inside of, and what any is. */
+/* The primitives that all active lanes are inside of, and those that any active lane is inside
+ * of. */
 struct insides {
     uint32_t all, any;
 };
@@ -51,7 +52,8 @@ static struct insides find_insides(const struct search_lanes *restrict search) {
     return insides;
 }
 
-/* The primitive that one must be inside of for this one to be met, as a set. */
+/* Returns, as a set, the primitive that a ray must be inside of to meet this one; an empty set:
+ * none. */
 static uint32_t enclosure_of(const struct search_lanes *search, uint8_t index) {
     const struct scene *scene = search->scene;
     uint8_t enclosure = scene->primitives[index].enclosure;
@@ -59,7 +61,7 @@ static uint32_t enclosure_of(const struct search_lanes *search, uint8_t index) {
     return search->shadows ? set & scene->shadow_primitives.word[0] : set;
 }
 
-/* False where a primitive can be no lane's next, for a reason that they share. */
+/* Returns false where no lane can come to a primitive next, for a reason that all lanes share. */
 static bool may_be_met(const struct search_lanes *search, uint8_t index, struct insides insides) {
     const struct scene *scene = search->scene;
     bool is_left_out = search->shadows && !set_has(&scene->shadow_primitives, index);
@@ -68,8 +70,8 @@ static bool may_be_met(const struct search_lanes *search, uint8_t index, struct 
            (insides.any & enclosure) == enclosure;
 }
 
-/* may_be_next() of firmware/ray.c for all lanes: those that may leave a primitive, and those that
- * may enter it. */
+/* Chooses the lanes that may leave a primitive, and those that may enter it: may_be_next() of
+ * firmware/ray.c for all lanes. */
 static void choose_lanes(const struct search_lanes *restrict search, uint8_t index,
                          struct chosen_lanes *restrict chosen) {
     const struct scene *scene = search->scene;
@@ -94,7 +96,8 @@ static void choose_lanes(const struct search_lanes *restrict search, uint8_t ind
     chosen->entering = entering;
 }
 
-/* The rays in a primitive's frame, turned once for all of its primitives. */
+/* Returns the rays in a frame. The rays are turned once for all primitives of a frame, unless
+ * another frame takes their place in between. */
 static struct local_lanes *view_from(struct search_lanes *restrict search, uint8_t number) {
     if (number == FRAME_WORLD) {
         return &search->world;

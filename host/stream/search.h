@@ -6,8 +6,8 @@
 #include "stream/lanes.h"
 #include "stream/surface_sets.h"
 
-/* Of which axes the slopes are there, and on which a component is zero in some lane: bits 0, 1, 2.
- */
+/* The axes whose slopes are there, and those on which some lane's component is zero: bits 0, 1,
+ * 2. */
 struct sloping {
     uint8_t known, level;
 };
@@ -22,23 +22,23 @@ struct local_lanes {
 
 enum { SEARCH_VIEWS = 2, CROSSED_LEAVING = 256 };
 
-/* What the search goes by, and what it has found. */
+/* What a search goes by, and what the search has found. */
 struct search_lanes {
     struct local_lanes world;
     struct local_lanes views[SEARCH_VIEWS]; /* in the frames that were asked for last */
     uint32_t surface[LANES];                /* that the ray starts on, or SURFACE_NONE */
-    uint32_t touch[LANES];                  /* the primitives that it bounds */
+    uint32_t touch[LANES];                  /* the primitives that this surface bounds */
     uint32_t inside[LANES];                 /* the primitives that the ray is inside of */
     real_length from[LANES];
     uint32_t active[LANES]; /* 0: an idle lane, which finds nothing */
 
     /* The nearest crossing. */
     real_length t[LANES];
-    uint32_t place[LANES];   /* its surface and face (stretch.h), or PLACE_NONE */
+    uint32_t place[LANES];   /* its surface and face (interval.h), or PLACE_NONE */
     uint32_t crossed[LANES]; /* the primitive, + CROSSED_LEAVING where it is left, not entered */
     uint32_t toggled[LANES]; /* all primitives that are crossed there */
 
-    /* After the arrays, so that these begin where vectors like to. */
+    /* After the arrays, so that the arrays begin where vectors like to. */
     const struct scene *scene;
     bool shadows;                         /* only what can keep light off is looked at */
     uint8_t frames[SEARCH_VIEWS];         /* of the views; FRAME_WORLD: none yet */
@@ -54,11 +54,12 @@ static inline uint32_t crossed_primitive(uint32_t crossed) {
     return crossed % CROSSED_LEAVING;
 }
 
-/* Fills in what follows from the world's origins and directions and from `surface`; touches is the
+/* Fills in what follows from the world's origins and directions and from `surface`. touches is the
  * scene's table. */
 void search_begin(struct search_lanes *search, const uint32_t touches[TOUCHES]);
 
-/* Finds each active lane's nearest crossing at or after `from`. Adds to the number of tests. */
+/* Finds each active lane's nearest crossing at or after `from`. Adds the number of tests to
+ * *solid_tests. */
 void search_next(struct search_lanes *search, uint64_t *solid_tests);
 
 #endif

@@ -36,21 +36,21 @@ struct meeting_lanes {
     uint32_t place[LANES], valid[LANES];
 };
 
-/* The stretches of lanes in a quadric: the second one only where `two` is 1. */
+/* The intervals of lanes in a quadric: the second one only where `two` is 1. */
 struct quadric_stretches {
     real_length in[2][LANES], out[2][LANES];
     uint32_t in_place[2][LANES], out_place[2][LANES], hit[2][LANES];
     uint32_t two[LANES];
 };
 
-/* The forms of the lanes, and what their square roots come to: see struct form and form_segments()
- * of firmware/solids.c, which goes one ray through these steps. One short loop each, that they may
- * be vectors in every arithmetic. */
+/* The forms of the lanes, and what their square roots come to. See struct form, and form_segments()
+ * of firmware/solids.c, which takes one ray through these steps. Each step is a short loop of its
+ * own, so that it becomes vectors in every arithmetic. */
 struct root_lanes {
     real_unit a[LANES];
     real_length b[LANES];
     real_area c[LANES], square[LANES];
-    real_length q[LANES], divisor[LANES]; /* the same, but never 0 */
+    real_length q[LANES], divisor[LANES]; /* divisor: q, but never 0 */
     real_length near[LANES], far[LANES];
 };
 
@@ -99,7 +99,7 @@ static void find_roots(struct root_lanes *restrict roots) {
     }
 }
 
-/* Counted from where the ray is nearest to the centre. */
+/* Finds the near roots, counted from where the ray is nearest to the centre. */
 static void find_near(struct root_lanes *restrict roots) {
     for (int i = 0; i < LANES; i++) {
         roots->near[i] = length_quotient(roots->c[i], roots->divisor[i]);
@@ -121,7 +121,7 @@ static void find_far(const struct quadric_lanes *restrict lanes,
     }
 }
 
-/* Counts the near roots from the ray's start; that at which a ray starts is 0 for good. */
+/* Counts the near roots from the ray's start. The root at which a ray starts becomes exactly 0. */
 static void pin_starts(const struct quadric_lanes *restrict lanes,
                        const uint32_t start[restrict LANES], uint32_t surface,
                        struct root_lanes *restrict roots) {
@@ -156,7 +156,7 @@ static void set_stretches(const struct quadric_lanes *restrict lanes, uint32_t p
     }
 }
 
-/* The ends of the second stretches that are the same for all. */
+/* Sets what is the same for all second intervals: all but where they begin. */
 static void set_second(uint32_t place, struct quadric_stretches *restrict found) {
     for (int i = 0; i < LANES; i++) {
         found->out[1][i] = LENGTH_FAR;
@@ -178,8 +178,7 @@ static void find_stretches(const struct search_lanes *search, const struct quadr
     set_stretches(lanes, place_of(quadric->surface, QUADRIC_FACE), &roots, found);
 }
 
-/* What two faces of the quadric's box leave of the stretches: cut_segment() of firmware/solids.c.
- */
+/* Cuts the intervals by two faces of the quadric's box: cut_segment() of firmware/solids.c. */
 static void cut_stretches(const struct search_lanes *restrict search, uint32_t bit,
                           const struct slab slab, const real_length origin[restrict LANES],
                           const struct local_lanes *restrict local, int axis, int which,
@@ -236,7 +235,8 @@ static inline void set_meeting(struct meeting_lanes *meetings, int i, struct mee
     meetings->valid[i] = meeting.valid ? 1 : 0;
 }
 
-/* may_open is a constant at each call: false where no lane can have two stretches. */
+/* Finds where lanes leave a quadric. may_open is a constant at each call: false where no lane can
+ * have two intervals. */
 static inline void find_leaving(const struct search_lanes *restrict search, uint32_t place,
                                 const struct quadric_lanes *restrict lanes,
                                 const struct quadric_stretches *restrict found, bool may_open,
@@ -252,7 +252,7 @@ static inline void find_leaving(const struct search_lanes *restrict search, uint
     }
 }
 
-/* Of one of the two stretches. */
+/* Finds where lanes enter one of the two intervals. */
 static void find_entering(const struct search_lanes *restrict search, uint32_t bit,
                           const struct quadric_lanes *restrict lanes,
                           const struct quadric_stretches *restrict found, int which,
@@ -266,7 +266,7 @@ static void find_entering(const struct search_lanes *restrict search, uint32_t b
     }
 }
 
-/* Where two stretches are and the first is not ahead, the second is entered. */
+/* Takes the second interval's entry in lanes that have two intervals and the first not ahead. */
 static void prefer_first(const struct quadric_stretches *restrict found,
                          const struct meeting_lanes *restrict second,
                          struct meeting_lanes *restrict first) {

@@ -4,7 +4,8 @@
 
 #include "solids.h"
 
-/* Where one lane leaves or enters a box; inside and may_be_level are constants at each call. */
+/* Finds where one lane leaves or enters a box; inside and may_be_level are constants at each
+ * call. */
 static inline struct meeting box_meeting(const struct search_lanes *search, int i, uint32_t bit,
                                          const struct slabs *slabs, const struct local_lanes *local,
                                          bool inside, bool may_be_level) {
@@ -40,7 +41,7 @@ static void enter_box(struct search_lanes *restrict search, uint8_t index, const
     }
 }
 
-/* The same, where a ray may run along a face. */
+/* Enters a box as enter_box() does, where a ray may run along a face. */
 static void enter_box_level(struct search_lanes *restrict search, uint8_t index,
                             const struct slabs slabs, const struct local_lanes *restrict local,
                             const uint32_t chosen[restrict LANES]) {
@@ -68,10 +69,10 @@ void search_box(struct search_lanes *search, uint8_t index, const struct local_l
 /* ball_segment() of firmware/solids.h in two steps: the roots only where a lane comes to them. */
 struct ball_lanes {
     real_length middle[LANES]; /* where the ray is nearest to the centre */
-    real_area square[LANES];   /* of half the way inside; negative: it passes by */
+    real_area square[LANES];   /* of half the path inside; negative: the ray passes by */
 };
 
-/* False: of the chosen lanes all pass by. */
+/* Tells whether any chosen lane meets a ball; false: all pass by. */
 static bool ball_meets(const struct search_lanes *restrict search, const struct ball ball,
                        const struct chosen_lanes *restrict chosen,
                        struct ball_lanes *restrict lanes) {
@@ -135,7 +136,8 @@ void search_ball(struct search_lanes *search, uint8_t index, const struct chosen
     }
 }
 
-/* One plane of a polyhedron, for a lane: see polyhedron_segment(). */
+/* Cuts a lane's interval by one plane of a polyhedron: see polyhedron_segment() of
+ * firmware/solids.c. */
 static inline struct stretch stretch_plane(struct stretch s, const struct plane plane,
                                            uint32_t place, bool upper, struct point origin,
                                            struct direction direction, uint32_t start,

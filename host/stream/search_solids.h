@@ -6,22 +6,23 @@
 #include "stream/interval.h"
 #include "stream/search.h"
 
-/* The lanes that may leave a primitive and those that may enter it, as 1 or 0, and their numbers.
- * Rays of one object are mostly all on one side: each step knows one side alone. */
+/* The lanes that may leave a primitive and those that may enter it, as 1 or 0, and how many they
+ * are. Rays of one object are mostly all on one side: each step knows one side alone. */
 struct chosen_lanes {
     uint32_t leave[LANES], enter[LANES];
     uint32_t leaving, entering;
 };
 
-/* Each puts the crossings of the chosen lanes with primitive `index` beside the best so far. local
- * holds the rays in the primitive's frame. */
+/* Compares the chosen lanes' crossings with primitive `index` to the best so far, and keeps the
+ * better. local holds the rays in the primitive's frame. */
 void search_box(struct search_lanes *search, uint8_t index, const struct local_lanes *local,
                 bool any_level, const struct chosen_lanes *chosen);
 void search_ball(struct search_lanes *search, uint8_t index, const struct chosen_lanes *chosen);
 void search_polyhedron(struct search_lanes *search, uint8_t index,
                        const struct chosen_lanes *chosen);
 
-/* Where the lanes' rays are nearest to a quadric's centre, counted from it. */
+/* Where the lanes' rays are nearest to a quadric's centre: points from the centre, and distances
+ * along the rays. */
 struct quadric_lanes {
     struct point_lanes foot;
     real_length nearest[LANES];
@@ -29,7 +30,7 @@ struct quadric_lanes {
 };
 
 /* Fills in *quadric; false where the chosen lanes all pass by, from outside: nothing is to be done
- * then. Rays need not be turned into the quadric's frame for it. */
+ * then. Rays need not be turned into the quadric's frame first. */
 bool quadric_meets(const struct search_lanes *search, uint8_t index,
                    const struct chosen_lanes *chosen, struct quadric_lanes *quadric);
 void search_quadric(struct search_lanes *search, uint8_t index, const struct quadric_lanes *lanes,
@@ -49,8 +50,8 @@ static inline struct slabs slabs_of(const struct box *box) {
     return slabs;
 }
 
-/* Puts one lane's crossing with a primitive beside the best so far: what next_crossing() of
- * firmware/ray.c does. */
+/* Compares one lane's crossing with a primitive to the best so far, and keeps the better: what
+ * next_crossing() of firmware/ray.c does. */
 static inline void search_consider(struct search_lanes *restrict search, int i, uint32_t index,
                                    struct meeting found, bool leaving, bool chosen) {
     uint32_t bit = (uint32_t)1 << index;

@@ -6,7 +6,7 @@
 #include "stream/interval.h"
 #include "stream/objects.h"
 
-/* Way, cosine and distance from each lane's place to a light. */
+/* Direction, cosine and distance from each lane's place to a light. */
 struct way_lanes {
     struct direction_lanes towards;
     real_length distance[LANES];
@@ -41,7 +41,7 @@ static void find_ways(const struct light *source, const struct hit_lanes *restri
     }
 }
 
-/* One step of all shadow rays: false when none is on its way any more. */
+/* Ends the shadow rays that have come into shadow; false when no ray is left on its path. */
 static bool step_shadows(struct search_lanes *restrict search, struct way_lanes *restrict way,
                          const uint32_t shadowed[restrict LANES]) {
     uint32_t active = 0;
@@ -110,7 +110,7 @@ static void find_alpha(const struct hit_lanes *restrict hit, const struct way_la
     }
 }
 
-/* The cosine of the highlight's angle, raised to the gloss: highlight() of firmware/shade.c. */
+/* Raises the cosine of the highlight's angle to the gloss: highlight() of firmware/shade.c. */
 static void find_glints(const struct scene *scene, const struct direction_lanes *restrict direction,
                         const struct hit_lanes *restrict hit, const struct way_lanes *restrict way,
                         const struct border_lanes *restrict border,

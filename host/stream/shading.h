@@ -6,9 +6,9 @@
 #include "image.h"
 #include "stream/borders.h"
 
-/* The intensity that each boundary sends along its ray. scratch is a search to use for shadows,
- * whose content is lost: it may be the one that found the boundaries. touches is the scene's table.
- */
+/* Finds the intensity that each boundary sends along its ray. scratch is a search to use for
+ * shadows, whose content is lost: the search that found the boundaries will do. touches is the
+ * scene's table. */
 void shading_local(const struct scene *scene, const struct direction_lanes *direction,
                    const struct hit_lanes *hit, const struct border_lanes *border,
                    struct colour_lanes *local, struct search_lanes *scratch,

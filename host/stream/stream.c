@@ -17,8 +17,8 @@
 
 enum { BAND_PIXELS = STREAM_ROWS_MOST * FEATURE_WIDTH };
 
-/* A pixel's sums lie together, so that a ray's part is one sum of vectors: by primary, in steps of
- * 2^-16 level, and the number of its rays. */
+/* A pixel's sums lie together, so that a ray's part is one sum of vectors. The sums are one for
+ * each primary, in steps of 2^-16 level, and the number of rays. */
 enum { PRIMARIES = 3, SUM_OF_RAYS = PRIMARIES, SUMS = PRIMARIES + 1 };
 
 /* How many steps may pass until the pixels' numbers of rays are looked at again. */
@@ -29,14 +29,15 @@ struct stream {
     struct search_lanes search;
     const struct scene *scene;
     struct render_counts counts;
-    bool absorbs; /* a material of the scene does */
+    bool absorbs; /* a material of the scene absorbs */
     uint32_t touches[TOUCHES];
     struct queue queue;
     int64_t sums[BAND_PIXELS][SUMS];
     struct ray_lanes *rays; /* of a step: a block of the queue */
 };
 
-/* The rays of up to LANES pixels from `first` on, through the eye: see camera_ray(). */
+/* Starts the rays through the eye for `count` pixels, up to LANES, from `first` on: see
+ * camera_ray(). */
 static void start_eye_rays(struct stream *stream, uint16_t first_row, uint32_t first,
                            uint32_t count) {
     const struct scene *scene = stream->scene;
@@ -72,7 +73,8 @@ static void start_eye_rays(struct stream *stream, uint16_t first_row, uint32_t f
     queue_push(&stream->queue, &columns, wanted);
 }
 
-/* Adds what each lane sends to its pixel, times its weight, and whether its ray is counted. */
+/* Adds to each lane's pixel what the lane sends, times its weight, and 1 where its ray is
+ * counted. */
 static void add_intensities(struct stream *stream, const struct colour_lanes *restrict colour,
                             const struct energy_lanes *restrict weight,
                             const uint32_t counted[restrict LANES]) {
@@ -86,7 +88,8 @@ static void add_intensities(struct stream *stream, const struct colour_lanes *re
         steps[1][i] = colour_steps(colour_scaled(colour->green[i], green[i]));
         steps[2][i] = colour_steps(colour_scaled(colour->blue[i], blue[i]));
     }
-    /* A loop of its own: gcc puts four rows of words together by vectors, of sums it does not. */
+    /* A loop of its own: gcc puts four rows of words together by vectors, but not four rows of
+     * sums. */
     for (int i = 0; i < LANES; i++) {
         part[i][0] = steps[0][i];
         part[i][1] = steps[1][i];
@@ -101,7 +104,7 @@ static void add_intensities(struct stream *stream, const struct colour_lanes *re
     }
 }
 
-/* Sets the lanes whose rays are new ones. */
+/* Sets `counted` to 1 in the lanes whose rays are new ones, and counts these rays. */
 static void count_rays(struct stream *stream, uint32_t count, uint32_t counted[restrict LANES]) {
     const uint32_t *restrict target = stream->rays->target;
     uint32_t rays = 0;
@@ -130,7 +133,7 @@ static void find_crossings(struct stream *stream, uint32_t count) {
     search_next(search, &stream->counts.solid_tests);
 }
 
-/* Sends the rays on that have crossed no border of materials. */
+/* Sends the rays on that have crossed no boundary between materials. */
 static void go_on(struct stream *stream, const uint32_t continuing[LANES]) {
     const struct ray_lanes *restrict rays = stream->rays;
     struct ray_columns next = columns_of(rays);
@@ -147,7 +150,7 @@ static void go_on(struct stream *stream, const uint32_t continuing[LANES]) {
     queue_push(&stream->queue, &next, continuing);
 }
 
-/* Sorts the lanes: at a border of materials, on between borders, or out of the scene. */
+/* Sorts the lanes: at a boundary between materials, on between boundaries, or out of the scene. */
 static void sort_lanes(struct stream *stream, uint32_t continuing[LANES], uint32_t gone[LANES]) {
     struct hit_lanes *restrict hit = &stream->hit;
     const struct search_lanes *restrict search = &stream->search;
@@ -174,7 +177,8 @@ static void sort_lanes(struct stream *stream, uint32_t continuing[LANES], uint32
     stream->counts.leaked_rays += leaked;
 }
 
-/* Lambert-Bouguer on the way to the boundary: attenuated() of firmware/growth.c. */
+/* Attenuates one primary on the path to the boundary (Lambert-Bouguer): attenuated() of
+ * firmware/growth.c. */
 static void attenuate(const struct stream *stream, int primary, real_energy weight[LANES]) {
     for (int i = 0; i < LANES; i++) {
         const struct material *medium = &stream->scene->materials[stream->hit.material_before[i]];
@@ -193,7 +197,7 @@ static void absorb(struct stream *stream) {
     }
 }
 
-/* What the cut branches are worth: cut_worth() of firmware/growth.c. */
+/* Adds what the cut branches are worth: cut_worth() of firmware/growth.c. */
 static void add_estimate(struct stream *stream, const struct cut_lanes *cut) {
     const struct estimate_level *level = &stream->scene->estimate->level[0];
     const uint32_t uncounted[LANES] = {0};
@@ -213,7 +217,7 @@ static void set_black(struct colour_lanes *restrict colour) {
     }
 }
 
-/* What arrives from the scene's background, or from the boundary. */
+/* Adds what arrives from the scene's background, or from the boundary. */
 static void add_arrivals(struct stream *stream, const struct colour_lanes *local,
                          const uint32_t gone[LANES], const uint32_t counted[LANES]) {
     const struct colours background = stream->scene->background;
@@ -228,8 +232,8 @@ static void add_arrivals(struct stream *stream, const struct colour_lanes *local
     add_intensities(stream, &colour, &stream->rays->weight, counted);
 }
 
-/* What boundaries do to the rays that have come to one, and what they send: into *local. What the
- * search has found is lost to the shadows. */
+/* Absorbs, shades and splits the rays that have come to a boundary; *local gets what boundaries
+ * send. What the search has found is lost to the shadows. */
 static void meet_boundaries(struct stream *stream, struct colour_lanes *local) {
     struct border_lanes border;
     struct cut_lanes cut[2];
@@ -273,7 +277,7 @@ static bool scene_absorbs(const struct scene *scene) {
     return absorbs;
 }
 
-/* Whether every medium treats the primaries alike. */
+/* Tells whether every medium treats the primaries alike. */
 static bool scene_is_grey(const struct scene *scene) {
     bool is_grey = true;
     for (uint8_t i = 0; i < scene->object_count; i++) {
@@ -303,7 +307,7 @@ static void start_band(struct stream *stream, const struct scene *scene, uint32_
     memset(stream->sums, 0, pixels * sizeof stream->sums[0]);
 }
 
-/* Whether a pixel had more rays than it may have. */
+/* Tells whether a pixel had more rays than it may have. */
 static bool is_exhausted(const struct stream *stream, uint32_t pixels) {
     int64_t most = 0;
     for (uint32_t i = 0; i < pixels; i++) {
@@ -312,7 +316,7 @@ static bool is_exhausted(const struct stream *stream, uint32_t pixels) {
     return most > stream->scene->ray_budget;
 }
 
-/* Follows all rays of the band. False: the queue overflowed or a pixel's budget ended. */
+/* Follows all rays of the band; false where the queue overflowed or a pixel's budget ended. */
 static bool follow_rays(struct stream *stream, uint16_t first, uint32_t pixels) {
     uint32_t next = 0, unwatched = 0, block = 0;
     for (;;) {
@@ -335,8 +339,8 @@ static bool follow_rays(struct stream *stream, uint16_t first, uint32_t pixels) 
     }
 }
 
-/* colour_level() of a sum, without a branch: up to white every arithmetic holds all steps exactly.
- */
+/* Returns colour_level() of a sum, without a branch: up to white every arithmetic holds all steps
+ * exactly. */
 static inline uint8_t level_of(int64_t steps) {
     const int64_t white = INT64_C(255) << 16, half = INT64_C(1) << 15;
     int64_t above = steps > 0 ? steps : 0;
@@ -360,13 +364,15 @@ static bool stream_rows(void *memory, const struct scene *scene, uint16_t first,
     return true;
 }
 
-/* Filters, factors by wavelength, dispersion, w(theta), the simplified model and an accuracy that
- * is asked for are the image's alone. */
+/* Tells whether the engine knows a material: factors by wavelength, dispersion and w(theta) are the
+ * image's alone. */
 static bool material_fits(const struct material *material) {
     return !material->tints && !material->disperses &&
            material->specular_table == SPECULAR_CONSTANT;
 }
 
+/* Tells whether the engine knows a scene. Filters, the simplified model and an accuracy that is
+ * asked for are the image's alone. */
 static bool stream_fits(const struct scene *scene) {
     for (uint8_t i = 0; i < scene->object_count; i++) {
         if (!material_fits(&scene->materials[scene->objects[i].material])) {

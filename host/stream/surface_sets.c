@@ -40,7 +40,7 @@ static uint32_t last_of_primitive(const struct scene *scene, const struct primit
     }
 }
 
-/* The number of the scene's last surface. */
+/* Returns the number of the scene's last surface. */
 static uint32_t last_surface(const struct scene *scene) {
     uint32_t last = 0;
     for (uint8_t i = 0; i < scene->primitive_count; i++) {

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A trace in its other form: read access by access, and recorded again. */
+/* The conversion of a trace into its other form: accesses are read one by one, and recorded
+ * again. */
 #include "trace/convert.h"
 
 #include <stdlib.h>
@@ -10,7 +11,7 @@
 #include "trace/file.h"
 #include "trace_recorder.h"
 
-/* Stands behind the recorder and answers a read as the trace says it was answered. */
+/* A bus behind the recorder that answers each read with the value that the trace has for it. */
 struct answering_bus {
     struct bus bus; /* the first member */
     uint16_t answer;

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* A trace in its other form. */
+/* The conversion of a trace into its other form. */
 #ifndef SUPERFRAME_TRACE_CONVERT_H
 #define SUPERFRAME_TRACE_CONVERT_H
 
 #include "trace/file.h"
 
-/* Which trace becomes what. */
+/* The trace that is converted, and its new form. */
 struct trace_conversion {
     const char *path;   /* "-": standard input */
     const char *output; /* "-": standard output */
@@ -14,7 +14,8 @@ struct trace_conversion {
     struct trace_board board;
 };
 
-/* Writes a trace in a form. Returns an exit status; whatever is wrong is printed. */
+/* Writes a trace in the form that is asked for. Returns an exit status; whatever is wrong is
+ * printed. */
 int trace_convert(const struct trace_conversion *conversion);
 
 #endif

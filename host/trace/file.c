@@ -11,7 +11,8 @@ int trace_file_complain(const char *path, const struct trace_error *error) {
     char text[512];
     (void)trace_error_format(text, sizeof text, path, error);
     complain("%s", text);
-    /* What can't be read from its start is the wrong file; what stops half-way is a failure. */
+    /* A file that can't be read from its start is the wrong one; one that stops half-way is a
+     * failure. */
     bool has_failed =
         error->status == TRACE_BUS_FAILED || (error->status == TRACE_IO_ERROR && error->offset > 0);
     return has_failed ? STATUS_FAILED : STATUS_BAD_INPUT;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What `superframe trace` prints of a whole trace. */
+/* The output of `superframe trace` for a whole trace. */
 #include "trace/print.h"
 
 #include <inttypes.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What `superframe trace` prints of a whole trace: its statistics, and where two part. */
+/* The output of `superframe trace` for a whole trace: its statistics, and where two traces part. */
 #ifndef SUPERFRAME_TRACE_PRINT_H
 #define SUPERFRAME_TRACE_PRINT_H
 
@@ -10,13 +10,13 @@
 #include "trace_compare.h"
 #include "trace_statistics.h"
 
-/* Accesses by register, redundant writes, pixels by how often they were touched, and the seconds
- * that the accesses take on machines of the time. */
+/* Prints the accesses by register, redundant writes, and pixels by how often they were touched.
+ * Prints also the seconds that the accesses take on machines of the time. */
 void trace_print_statistics(FILE *out, const struct trace_statistics *statistics,
                             const struct cost_bus *cost, const struct board_options *options);
 
-/* The first difference, found before, as a diff: what both have, then - of the one named first and
- * + of the other. */
+/* Prints the first difference, found before, as a diff. What both traces have comes first, then -
+ * marks the one named first and + the other. */
 void trace_print_difference(FILE *out, const struct trace_difference *difference,
                             const char *const names[2]);
 

@@ -29,7 +29,7 @@ static const char *mode_words(unsigned mode) {
     }
 }
 
-/* A write to a register that has a meaning of its own; false: it has none. */
+/* Describes a write to a register that has a meaning of its own; false: the register has none. */
 static bool words_of_write(char *text, const struct board *before, unsigned number,
                            const struct trace_access *access) {
     unsigned value = access->value;

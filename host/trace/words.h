@@ -8,12 +8,12 @@
 
 enum { TRACE_WORDS_SIZE = 96 };
 
-/* Says what an access means to a board that is as `before` says: "X = 291", "red of (291, 5) = FF".
- * Returns text. */
+/* Says what an access means to a board in the state `before`: "X = 291", "red of (291, 5) = FF".
+ * Returns `text`. */
 const char *trace_words(char text[TRACE_WORDS_SIZE], const struct board *before,
                         const struct trace_access *access);
 
-/* "control 1", ... "mode" for the register at an offset 0..15 from the base. */
+/* Returns "control 1", ... "mode" for the register at an offset 0..15 from the base. */
 const char *trace_register_name(unsigned offset);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The validator: what the tables claim of primitives and surfaces, held against points of them. */
+/* The validator: checks what the tables claim of primitives and surfaces at points of these. */
 #include <math.h>
 #include <string.h>
 
@@ -7,10 +7,11 @@
 #include "compiler/extents.h"
 #include "validate/validate_internal.h"
 
-/* Faces of one surface may differ by this: COMPILE_SAME in each number, at the world's end. */
+/* The distance by which faces of one surface may differ: COMPILE_SAME in each number, at the
+ * world's end. */
 #define ONE_SURFACE 0x1p-26
 
-/* Faces that agree to this at a point, and in their directions there, are of one surface. */
+/* Faces that agree at a point to this, in distance and direction, are of one surface. */
 #define COINCIDENT 0x1p-41
 
 /* ---- How far things reach ------------------------------------------------------------------- */
@@ -27,8 +28,8 @@ static void check_along(struct validator *validator, int primitive, const double
     }
 }
 
-/* Chooses a direction that bounds are taken along: an axis of the world or of the primitive's
- * frame, a face's own, or any. */
+/* Chooses a direction along which bounds are checked: an axis of the world or the frame, a face's
+ * own, or any. */
 static void choose_direction(struct validator *validator, int primitive, const double point[3],
                              double direction[3]) {
     const struct table *table = &validator->table;
@@ -115,8 +116,8 @@ static bool are_parallel(const struct table_face *a, const struct table_face *b,
     return vector_length(cross) < COINCIDENT;
 }
 
-/* Holds a point of one face against all other faces: those of its surface go through it, and what
- * goes through it is of its surface. */
+/* Checks a point of one face against all other faces. Faces of its surface must go through the
+ * point; those that touch the face there must be of its surface. */
 static void check_surface(struct validator *validator, const struct sight_line *line,
                           const struct table_crossing *crossing) {
     const struct table *table = &validator->table;
@@ -178,8 +179,8 @@ static bool is_left_for_good(const struct compiled_scene *scene, int primitive,
                                     scene->quadrics[entry->index].left_for_good);
 }
 
-/* Holds a primitive with a face on the surface that a ray starts on: outside of it, the ray must
- * not come to it again. */
+/* Checks a primitive with a face on the surface that a ray starts on. Once outside of the
+ * primitive, the ray must not come back to it. */
 static void check_return(struct validator *validator, const struct sight_line *line,
                          const struct table_crossing *crossings, int count, int start,
                          int primitive) {
@@ -215,7 +216,8 @@ static void check_returns(struct validator *validator, const struct sight_line *
     }
 }
 
-/* Holds a point of a primitive's surface against those that hide it and the one around it. */
+/* Checks a point of a primitive's surface against the primitives that hide it and the one that
+ * encloses it. */
 static void check_order(struct validator *validator, const struct table_crossing *crossing) {
     const struct compiled_scene *scene = validator->scene;
     const int primitive = crossing->primitive;
@@ -257,7 +259,8 @@ void validate_crossings(struct validator *validator, const struct sight_line *li
 
 /* ---- The eye -------------------------------------------------------------------------------- */
 
-/* Tells how far a compiled place lies from where the file has it. */
+/* Returns how far a compiled place lies from where the file has it: the most over the axes. Along
+ * each axis, the distance is divided by 1 plus the scaled centre's magnitude. */
 static double displacement(const struct validator *validator, const double file[3],
                            const double scaled[3]) {
     const struct compiled_scene *scene = validator->scene;

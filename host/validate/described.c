@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The validator: which solids of a description a point lies in, straight from the description. */
+/* The validator: finds the solids that a point lies in, straight from the description. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -36,7 +36,7 @@ static void apply(const struct exact_map *map, const long double p[3], long doub
     }
 }
 
-/* Inverts by cofactors. */
+/* Inverts a map by cofactors. */
 static struct exact_map invert(const struct exact_map *map) {
     struct exact_map inverse;
     long double determinant = 0;
@@ -77,8 +77,8 @@ static long double dot(const long double a[3], const long double b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* Judges a function that is negative inside by its value, its gradient in the leaf's coordinates,
- * and the magnitude of its terms. */
+/* Judges by a leaf's function, negative inside, on which side a point lies. Given are the
+ * function's value, its gradient in the leaf's coordinates, and the magnitude of its terms. */
 static enum side side_of(const struct shape *leaf, long double value, const long double gradient[3],
                          long double terms) {
     long double square = 0;
@@ -97,7 +97,7 @@ static enum side least(enum side a, enum side b) {
     return a < b ? a : b;
 }
 
-/* The points with normal . q <= offset. */
+/* Judges a point against the plane normal . q <= offset. */
 static enum side plane_side(const struct shape *leaf, const long double normal[3],
                             long double offset, const long double q[3]) {
     return side_of(leaf, dot(normal, q) - offset, normal, 0);
@@ -123,7 +123,7 @@ static enum side planes_side(const struct shape *leaf, const long double q[3]) {
     return side;
 }
 
-/* The points with sum ((q - a) / radii)^2 <= 1. */
+/* Judges a point against the ellipsoid sum ((q - a) / radii)^2 <= 1. */
 static enum side ellipsoid_side(const struct shape *leaf, const long double radii[3],
                                 const long double q[3]) {
     long double gradient[3], value = -1;
@@ -135,7 +135,8 @@ static enum side ellipsoid_side(const struct shape *leaf, const long double radi
     return side_of(leaf, value, gradient, value + 2);
 }
 
-/* The square of the radius of a round solid at t, 0 .. length, along its axis, and how it grows. */
+/* Computes the square of a round solid's radius at t, 0 .. length, along its axis, and how the
+ * square grows with t. */
 static void round_radius(const struct solid_node *node, long double t, long double length,
                          long double *square, long double *growth) {
     const long double r = node->radius, end = node->radius_b, s = 2 * t / length - 1;
@@ -181,7 +182,7 @@ static enum side round_side(const struct shape *leaf, const long double q[3]) {
         from[i] -= t * axis[i];
         gradient[i] = 2 * from[i] - growth * axis[i];
     }
-    /* The form is worked out from one end: at a tip, that is what its rounding goes by. */
+    /* The form is worked out from one end: at a tip, its rounding goes by the radii at the ends. */
     const long double ends =
         (long double)node->radius * node->radius + (long double)node->radius_b * node->radius_b;
     const long double radial = dot(from, from);
@@ -255,7 +256,7 @@ static enum side shape_side(const struct described *described, int index, const 
         case SOLID_DIFFERENCE:
             side = least(side, (enum side)(SIDE_INSIDE - other));
             break;
-        default: /* an intersection: a part has one child */
+        default: /* an intersection; SOLID_PART has one child */
             side = least(side, other);
             break;
         }
@@ -287,7 +288,8 @@ int described_filler(const struct described *described, const double point[3]) {
 
 /* ---- Unfolding ------------------------------------------------------------------------------ */
 
-/* The place of a node: the maps of all around it, and that of magnitudes, for rounding. */
+/* The place of a node: the maps of all placements around it, and the map of magnitudes, for
+ * rounding. */
 struct stand {
     struct exact_map to_local, from_local, magnitudes;
 };
@@ -308,7 +310,8 @@ static struct stand stand_of(const struct stand *outer, const struct solid_node 
     return stand;
 }
 
-/* Computes how far from its own origin a leaf has something: for what rounding has done to it. */
+/* Returns the largest magnitude among a leaf's coordinates, radii and offsets, by which its
+ * rounding is judged. */
 static long double leaf_size(const struct solid_node *node) {
     long double size = fmax(node->radius, node->radius_b);
     for (int i = 0; i < 3; i++) {
@@ -333,7 +336,7 @@ static void set_slack(struct shape *leaf, const struct exact_map *magnitudes) {
 static int add_shape(struct described *described, int node, const struct stand *outer) {
     const int index = described->shape_count;
     if (index == SHAPES_MOST) {
-        return -1; /* the reader lets no more through */
+        return -1; /* the reader refuses more */
     }
     described->shape_count++;
     struct shape *shape = &described->shapes[index];
@@ -361,7 +364,7 @@ struct unfolding {
 };
 
 /* Returns the one material of the leaves that fill a node, or -2 where there are several. `known`
- * is that of the leaves before it, or -1. */
+ * is the material of the leaves before these, or -1. */
 static int sole_of(const struct scene_description *description, int index, int inherited,
                    int known) {
     const struct solid_node *node = &description->nodes[index];
@@ -376,7 +379,7 @@ static int sole_of(const struct scene_description *description, int index, int i
     return known;
 }
 
-/* Adds the parts of a node: one, or those of a union of several materials. */
+/* Adds the parts of a node: one, or those of several materials, with what cuts them. */
 static void add_parts(struct unfolding *unfolding, int index, const struct stand *outer,
                       int inherited, int trim) {
     struct described *described = unfolding->described;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The validator: points and rays where faults may be, drawn from the description alone. */
+/* The validator: draws points and rays where faults may be, from the description alone. */
 #include <math.h>
 
 #include "splitmix64.h"
@@ -75,7 +75,7 @@ static bool solve(long double row[3][3], const long double right[3], long double
     return true;
 }
 
-/* Checks a corner of three planes against all planes of its polyhedron. */
+/* Checks that the point where three planes meet is behind all planes of their polyhedron. */
 static bool is_corner(const struct solid_node *node, const long double q[3]) {
     for (size_t i = 0; i < node->plane_count; i++) {
         const struct scene_plane *plane = &node->planes[i];
@@ -119,7 +119,7 @@ static void measure_box(struct described *described, struct shape *leaf) {
     }
 }
 
-/* Bounds a leaf about one or both of its ends. */
+/* Includes in a leaf's bounds a box about one of its ends or its centre. */
 static void measure_about(struct shape *leaf, const double end[3], const double reach[3]) {
     for (int side = -1; side <= 1; side += 2) {
         long double q[3];
@@ -130,7 +130,8 @@ static void measure_about(struct shape *leaf, const double end[3], const double 
     }
 }
 
-/* Bounds a quadric that has a centre by what its form is there: only to draw samples about it. */
+/* Bounds a quadric that has a centre, by the form's value there: a guess, only to draw samples
+ * about the quadric. */
 static void measure_quadric(struct shape *leaf) {
     const double *f = leaf->node->form;
     long double row[3][3] = {
@@ -219,8 +220,8 @@ static void stray(struct dice *dice, double point[3]) {
     }
 }
 
-/* Finds a point of a leaf's surface between two points on either side of it; of no surface where
- * no such pair is found. */
+/* Finds a point of a leaf's surface between two points on either side of the surface. Where no such
+ * pair is found, the point is on no surface. */
 static void surface_point(const struct described *described, struct dice *dice, int leaf,
                           double point[3]) {
     const struct shape *shape = leaf_of(described, leaf);
@@ -246,7 +247,7 @@ static void surface_point(const struct described *described, struct dice *dice, 
     }
 }
 
-/* Finds a corner of a leaf, a point of its rim, or else of its surface. */
+/* Finds a corner of a leaf, or a point of its rim, or else a point of its surface. */
 static void corner_point(const struct described *described, struct dice *dice, int leaf,
                          double point[3]) {
     const struct shape *shape = leaf_of(described, leaf);

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* The validator: what stands between a surface and a light. */
+/* The validator: checks what stands between a surface and a light. */
 #include <math.h>
 #include <string.h>
 
 #include "validate/validate_internal.h"
 
-/* Places nearer together than this, along a way to a light, are not told apart. */
+/* Crossings nearer together than this, along a path to a light, count as one place. */
 #define SHORT_WAY 0x1p-16
 
-/* The distance before and behind a boundary at which its objects are asked for. */
+/* The distance before and behind a boundary at which the objects on its sides are looked up. */
 #define ASIDE 0x1p-18
 
 static double dot(const double a[3], const double b[3]) {
@@ -23,7 +23,7 @@ static void along(const struct sight_line *line, double t, double point[3]) {
 
 /* ---- The sets ------------------------------------------------------------------------------- */
 
-/* Checks which primitives each object uses, and which of them are tried for shadows. */
+/* Checks which primitives each object uses, and which primitives are tried for shadows. */
 void validate_shadow_sets(struct validator *validator) {
     const struct compiled_scene *scene = validator->scene;
     struct compiled_set tried;
@@ -51,7 +51,7 @@ void validate_shadow_sets(struct validator *validator) {
     }
 }
 
-/* ---- Ways to lights ------------------------------------------------------------------------- */
+/* ---- Paths to lights ------------------------------------------------------------------------ */
 
 /* Tells whether the tables' shadow test finds something at a point that keeps light off. */
 static bool test_finds(const struct validator *validator, const double point[3]) {
@@ -69,7 +69,8 @@ static bool test_finds(const struct validator *validator, const double point[3])
     return false;
 }
 
-/* Holds one place on the way: what is there by the description, and what the test finds. */
+/* Compares at one place on a path what the description has there with what the shadow test
+ * finds. */
 static void check_place(struct validator *validator, int light, const double point[3]) {
     const struct described *described = &validator->described;
     const int part = described_filler(described, point);
@@ -101,8 +102,8 @@ static void check_way(struct validator *validator, int light, const struct sight
     }
 }
 
-/* Sets out from a boundary towards a light, on the side that `normal` points to; no way where the
- * light is behind it. */
+/* Checks the path from a boundary to a light, on the side that `normal` points to. There is none if
+ * the light is behind the boundary. */
 static void check_light(struct validator *validator, int light, const double from[3],
                         const double normal[3]) {
     const struct compiled_scene *scene = validator->scene;

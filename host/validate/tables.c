@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The validator: what the tables say, read once more: faces, programs, crossings of a line. */
+/* The validator: reads the tables a second time: faces, programs, crossings of a line. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -28,7 +28,7 @@ static struct table_face *new_face(struct table *table, uint16_t surface) {
     return face;
 }
 
-/* Adds the faces of a box across those axes. */
+/* Adds the faces of a box across `axes`: bit i stands for axis i. */
 static void read_box(struct table *table, const struct compiled_primitive *primitive,
                      const struct compiled_box *box, unsigned axes) {
     double axis[3][3];
@@ -204,8 +204,8 @@ bool table_object_holds(const struct table *table, int object, const bool inside
 
 /* ---- Crossings ------------------------------------------------------------------------------ */
 
-/* Finds the two places where a line crosses a face, infinite where there is none. The function
- * along the line is a t^2 + 2 b t + c. */
+/* Finds the two places where a line crosses a face, infinite where there is none. The face's
+ * function along the line is a t^2 + 2 b t + c. */
 static void face_roots(const struct table_face *face, const struct sight_line *line,
                        double roots[2]) {
     double steepness[3], a = 0, b = 0;
@@ -228,7 +228,8 @@ static void face_roots(const struct table_face *face, const struct sight_line *l
     }
 }
 
-/* Moves a crossing by Newton's method onto its face, and tells how it lies there. */
+/* Moves a crossing by Newton's method onto its face, and sets whether the crossing is clean.
+ * Returns false if it lies outside of another face of the primitive. */
 static bool settle(const struct table *table, const struct sight_line *line,
                    struct table_crossing *crossing) {
     const struct table_face *face = crossing->face;
@@ -301,7 +302,7 @@ static bool primitive_is_whole(const struct compiled_scene *scene, int index) {
            (quadric->cuts < 8 && quadric->box < scene->box_count);
 }
 
-/* Checks that a program leaves one value and takes none that is not there. */
+/* Checks that a program leaves one value, and takes no value that is not there. */
 static bool program_is_whole(const struct compiled_scene *scene,
                              const struct compiled_object *object) {
     int depth = 0;

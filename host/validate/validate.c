@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The validator: one step of the scene compiler held against the description. */
+/* The validator: checks one step of the scene compiler against the description. */
 #include "validate/validate.h"
 
 #include <math.h>
@@ -9,7 +9,8 @@
 
 #include "validate/validate_internal.h"
 
-/* The numbers of points and of lines that are drawn: fewer where there is more to ask of each. */
+/* The numbers of points and of lines that are drawn: fewer where there is more to check for
+ * each. */
 enum { POINTS_MOST = 2048, POINTS_LEAST = 512, LINES_MOST = 1024, LINES_LEAST = 128 };
 enum { LEAVES_ASKED = 500000, FACES_ASKED = 100000 };
 
@@ -62,7 +63,7 @@ static void fault_of_part(struct validator *validator, int part, const double po
                    object->name, object->line, description->materials[entry->material].name, what);
 }
 
-/* Holds the bounds of an object against a point of it. */
+/* Checks that a point of an object lies within its bounds. */
 static void check_bounds(struct validator *validator, int part, int object, const double point[3]) {
     const struct compiled_object *entry = &validator->scene->objects[object];
     for (int i = 0; i < 3; i++) {
@@ -122,7 +123,7 @@ static void check_points(struct validator *validator) {
 
 /* ---- Lines ---------------------------------------------------------------------------------- */
 
-/* Holds the points on both sides of a crossing, as near to it or as far from it as any. */
+/* Checks a point on either side of a crossing, at a random distance of any size. */
 static void check_sides(struct validator *validator, const struct sight_line *line,
                         const struct table_crossing *crossing) {
     const double distance =
@@ -162,7 +163,8 @@ static void check_lines(struct validator *validator) {
 
 /* ---- A step --------------------------------------------------------------------------------- */
 
-/* Checks an object of the tables against the part that it says it is: its material, its name. */
+/* Checks that an object of the tables has the material and the name of the part that it says it
+ * is. */
 static bool is_part(const struct validator *validator, int object, int part) {
     const struct compiled_scene *scene = validator->scene;
     const struct described *described = &validator->described;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Shared by the parts of the validator. */
+/* Declarations that the parts of the validator share. */
 #ifndef SUPERFRAME_VALIDATE_INTERNAL_H
 #define SUPERFRAME_VALIDATE_INTERNAL_H
 
@@ -8,8 +8,8 @@
 #include "compiler/tables.h"
 #include "validate/validate.h"
 
-/* Nothing here calls the code that is validated: places, forms, bounds and roots are worked out
- * anew, and in long double where the description is read. Coordinates are scaled ones. */
+/* The validator works out places, forms, bounds and roots anew, without the code that it checks.
+ * Where it reads the description, it does so in long double. Coordinates are scaled ones. */
 
 /* Faces nearer than this, in scaled units, are one place to the validator. */
 #define VALIDATE_NEAR 0x1p-26
@@ -17,7 +17,7 @@
 /* The least distance between solids that are strictly within one another, or apart. */
 #define VALIDATE_STRICTLY 0x1p-32
 
-/* Samples stay within this: the world ends at 1024, whatever has no end goes on to there. */
+/* Samples stay within this: the world ends at 1024, and whatever has no end is cut off there. */
 #define VALIDATE_WORLD 1020.0
 
 static inline bool validate_is_in_world(const double point[3]) {
@@ -50,14 +50,14 @@ struct exact_map {
 struct shape {
     const struct solid_node *node;
     struct exact_map to_local, from_local; /* between scaled and the node's own coordinates */
-    long double slack;                     /* of a leaf: nearer than this is near */
-    int child, sibling;                    /* -1: none */
-    bool finite; /* a leaf with the bounds below, in its own coordinates */
+    long double slack;  /* of a leaf: points nearer to its surface than this are near */
+    int child, sibling; /* -1: none */
+    bool finite;        /* a leaf with the bounds below, in its own coordinates */
     long double low[3], high[3];
     int corner, corners; /* of a box or polyhedron: its corners, in its own coordinates */
 };
 
-/* A solid that is cut off a part, or that the part is restricted to. */
+/* A solid that is cut off a part, or to which the part is restricted. */
 struct trim {
     bool outside;
     int shape, next; /* -1: none */
@@ -83,8 +83,8 @@ struct described {
     int shape_count, trim_count, part_count, leaf_count, corner_count;
 };
 
-/* Unfolds a description as seen through a scaling; false for lack of memory. described_free() is
- * called in either case. */
+/* Unfolds a description as seen through a scaling; false if memory is out. Call described_free() in
+ * either case. */
 bool described_unfold(struct described *described, const struct scene_description *description,
                       const double centre[3], int exponent);
 void described_free(struct described *described);
@@ -93,8 +93,8 @@ void described_free(struct described *described);
 enum side part_side(const struct described *described, int part, const double point[3]);
 enum side leaf_side(const struct shape *leaf, const double point[3]);
 
-/* Finds the part that fills a point, of those that are in the tables: -1 for the air, -2 if the
- * point lies too near to a face. */
+/* Finds the part that fills a point, of those that are in the tables. Returns -1 for the air, -2 if
+ * the point lies too near to a face. */
 int described_filler(const struct described *described, const double point[3]);
 
 /* Maps a point of a leaf's own coordinates to scaled ones. */
@@ -102,11 +102,11 @@ void leaf_place(const struct shape *leaf, const long double local[3], double poi
 
 /* ---- Samples -------------------------------------------------------------------------------- */
 
-/* Finds bounds and corners of all leaves, which the samples are made by. */
+/* Finds bounds and corners of all leaves; samples and rays are drawn from these. */
 void described_measure(struct described *described);
 
-/* Makes the sample of that number: all over the scene, near each leaf, on both sides of its faces,
- * near corners and edges, far away, along the axes. */
+/* Makes the sample of that number. Samples lie all over the scene, near each leaf, on both sides of
+ * its faces, near corners and edges. Some lie far away, or along the axes. */
 void described_sample(const struct described *described, struct dice *dice, unsigned number,
                       double point[3]);
 
@@ -115,13 +115,13 @@ struct sight_line {
     bool random; /* no face can lie across it in a special place */
 };
 
-/* Makes the ray of that number: a line through some leaf. */
+/* Makes the ray of that number: a line through a point in or about some leaf. */
 void described_ray(const struct described *described, struct dice *dice, unsigned number,
                    struct sight_line *ray);
 
 /* ---- The tables ----------------------------------------------------------------------------- */
 
-/* One face of a primitive: negative inside. A plane has no square. */
+/* One face of a primitive, as a function that is negative inside. A plane has no square. */
 struct table_face {
     bool curved;
     double normal[3], offset;
@@ -137,15 +137,16 @@ struct table {
     bool used[COMPILED_DRAFTS_MOST];                              /* some program names it */
 };
 
-/* Reads the faces of all primitives; false for lack of memory. */
+/* Reads the faces of all primitives that programs name; false if memory is out. */
 bool table_read(struct table *table, const struct compiled_scene *scene);
 void table_free(struct table *table);
 
-/* Describes what is wrong with the tables' indices, counts and programs, for text[]; true if
- * nothing is. Only then may the tables be read. */
+/* Returns true if nothing is wrong with the tables' indices, counts and programs; else text[] says
+ * what is. Only whole tables may be read. */
 bool table_is_whole(const struct compiled_scene *scene, char text[200]);
 
-/* Estimates how far a point lies outside of a face, or of a primitive: below 0 inside. */
+/* Estimates how far a point lies outside of a face, or of a primitive; the distance is below 0
+ * inside. */
 double face_distance(const struct table_face *face, const double point[3]);
 double table_distance(const struct table *table, int primitive, const double point[3]);
 
@@ -167,7 +168,7 @@ struct table_crossing {
 
 enum { TABLE_CROSSINGS_MOST = 1024 };
 
-/* Finds the crossings of a line from a distance on, in order: their number. */
+/* Finds the crossings of a line beyond the distance `from`, in order. Returns their number. */
 int table_crossings(const struct table *table, const struct sight_line *line, double from,
                     struct table_crossing crossings[TABLE_CROSSINGS_MOST]);
 
@@ -193,22 +194,23 @@ void validate_fault(struct validator *validator, const double place[3], const ch
 /* Returns the line of the file that a primitive comes from; 0 where there is no such primitive. */
 unsigned validate_line(const struct validator *validator, int primitive);
 
-/* Holds one point against description and tables. */
+/* Compares one point in the description and the tables. */
 void validate_point(struct validator *validator, const double point[3]);
 
-/* Holds the tables' claims against the crossings of one ray. */
+/* Checks the tables' claims at the crossings of one ray. */
 void validate_crossings(struct validator *validator, const struct sight_line *ray,
                         const struct table_crossing *crossings, int count);
 
-/* Holds a primitive's bounds, and its reach along so many directions, against a point of it. */
+/* Checks a primitive's bounds, and its reach along so many directions, at a point of the
+ * primitive. */
 void validate_reach(struct validator *validator, int primitive, const double point[3],
                     int directions);
 
-/* Holds what the tables say as a whole: the sets of surfaces, the eye, the lights. */
+/* Checks what the tables say as a whole: the sets of surfaces, the eye. */
 void validate_surface_sets(struct validator *validator);
 void validate_eye(struct validator *validator);
 
-/* Holds the way from a crossing to some light against the description. */
+/* Checks the path from a crossing to some light, or which primitives the shadow test uses. */
 void validate_shadow(struct validator *validator, const struct sight_line *ray,
                      const struct table_crossing *crossing);
 void validate_shadow_sets(struct validator *validator);

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* What an image of the firmware holds: here everything. The include path chooses. */
+/* The features that an image of the firmware holds: here all. The include path chooses the file. */
 #ifndef SUPERFRAME_FEATURE_SET_H
 #define SUPERFRAME_FEATURE_SET_H
 
-/* `superframe compile --minimal` writes such a page with what one scene requires; the compiler then
+/* `superframe compile --minimal` writes such a file with what one scene requires. The compiler then
  * drops the rest. Each constant is used in plain conditions and array sizes, never by #if. */
 enum {
     FEATURE_DEPTH = 255,         /* the largest depth level; the ray stack has room for it */
     FEATURE_WIDTH = 640,         /* the widest picture: a row is kept while it is sent */
     FEATURE_PRIMITIVE_WORDS = 2, /* 32 primitives a word */
-    FEATURE_BOX = 1,             /* named by scenes that hold one; no code hangs on it */
+    FEATURE_BOX = 1,             /* named by scenes that hold one; no code depends on it */
     FEATURE_BALL = 1,
     FEATURE_POLYHEDRON = 1,
     FEATURE_QUADRIC = 1,
@@ -31,8 +31,8 @@ enum {
     FEATURE_TINT = 1,           /* Table 1 (c): reflectance and transmittance by wavelength */
     FEATURE_FILTER = 1,         /* mixing by filters */
     FEATURE_SPECULAR_TABLE = 1, /* w(theta) */
-    FEATURE_OBSERVER = 1,       /* somebody may look on while a tree is grown */
-    FEATURE_SHOW = 1            /* colours shown otherwise than in full */
+    FEATURE_OBSERVER = 1,       /* an observer may follow the growth of a tree */
+    FEATURE_SHOW = 1            /* ways to show colours other than in full */
 };
 
 #endif

@@ -16,7 +16,7 @@ static inline floating floating_root(floating x) {
 /* 16 units in the last place at 512. */
 #define LENGTH_NOISE ((floating)0x1p-39)
 
-/* Where on a ray its first crossing may lie: at 0, because rays snap to surfaces. */
+/* The smallest t of a ray's first crossing: 0, because rays snap to surfaces. */
 #define LENGTH_EPSILON REAL_LENGTH(0.0)
 
 #include "../floating.h"

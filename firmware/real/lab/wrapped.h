@@ -1,14 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* Every operation of real.h in double, each result handed through a hook; strict/real.h is the
+/* Every operation of real.h in double. Each result goes through a hook; strict/real.h is the
  * contract. */
 
-/* Included by count/real.h and q16/real.h, which have defined
+/* Included by count/real.h and q16/q16.h. Both define before:
  *
- *   WRAP_VALUE(kind, x)  what becomes of a result of 32 bits in fx, WRAP_AREA(kind, x) of an area,
- *   WRAP_PLAIN(kind, x)  of anything else, of a test's answer too; kind is an enum wrap_kind
- *   wrap_power(base, exponent)
+ *   WRAP_VALUE(kind, x)         what becomes of a result of 32 bits in fx.
+ *   WRAP_AREA(kind, x)          what becomes of an area.
+ *   WRAP_PLAIN(kind, x)         what becomes of anything else, of a test's answer too.
+ *   wrap_power(base, exponent)  base^exponent, before the hook.
  *
- * For tests and measurements only: no image that is shipped is built from this page. */
+ * `kind` is an enum wrap_kind. For tests and measurements only: no image that is shipped is built
+ * from this file. */
 
 #include "../floating.h"
 

@@ -13,7 +13,7 @@ enum { EXPOSURES = 8 };
 extern const struct image TARGET_IMAGE;
 extern const struct scene TARGET_SCENE;
 
-/* A multiple exposure is drawn eight times, whole: there is no memory for a picture to repeat. */
+/* Draws a multiple exposure eight times, whole: there is no memory for a picture to repeat. */
 void frame_draw(void) {
     uint8_t drawings = TARGET_SCENE.show == SHOW_EXPOSURES ? EXPOSURES : 1;
     for (uint8_t i = 0; i < drawings; i++) {

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* What a compiler calls by itself for copies of structs: byte by byte, for it is small. */
+/* What a compiler calls by itself for copies of structs: byte by byte, to keep the code small. */
 #include <stddef.h>
 #include <stdint.h>
 
-/* Declared here: a freestanding compiler has no string.h. The file is compiled with
- * -fno-builtin -fno-tree-loop-distribute-patterns, or a loop would be turned into a call of itself.
- */
+/* Replaces string.h, which a freestanding compiler does not have. The file is compiled with
+ * -fno-builtin -fno-tree-loop-distribute-patterns. Else the compiler would turn each loop into a
+ * call of the loop's own function. */
 void *memcpy(void *to, const void *from, size_t count);
 void *memmove(void *to, const void *from, size_t count);
 void *memset(void *to, int value, size_t count);

@@ -37,7 +37,7 @@ void outpw(uint16_t port, uint16_t value) {
     record(port, 2, value);
 }
 
-/* Nobody answers. */
+/* Returns FFh, because nobody answers. */
 uint8_t inp(uint16_t port) {
     (void)port;
     return 0xFF;

@@ -4,7 +4,7 @@
 #define SUPERFRAME_TARGETS_PORT_RECORDS_H
 
 /* A record is what the trace hash takes of a write: port (16 bits), width in bytes (8), value (16),
- * little-endian. tests/targets/records.sh makes a trace of them. */
+ * little-endian. tests/targets/records.sh makes a trace of the records. */
 
 /* Hands on what is buffered. */
 void port_records_flush(void);

@@ -8,7 +8,8 @@
 /* Arm's numbers; RISC-V has taken them over. */
 enum { SEMIHOSTING_OPEN = 0x01, SEMIHOSTING_WRITE = 0x05, SEMIHOSTING_EXIT = 0x18 };
 
-/* The argument is a number, or the address of a block of them. Each CPU has its own trap. */
+/* Asks for a service. The argument is a number, or the address of a block of numbers. Each CPU has
+ * its own trap. */
 int32_t semihosting_call(uint32_t operation, uintptr_t argument);
 
 #endif

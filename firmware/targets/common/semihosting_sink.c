@@ -20,7 +20,7 @@ void sink_open(void) {
     }
 }
 
-/* The call says how many bytes it has not written. */
+/* Writes the bytes, or ends the run as failed. The call returns how many bytes were not written. */
 void sink_write(const uint8_t *bytes, uint16_t count) {
     const uintptr_t block[3] = {(uintptr_t)handle, (uintptr_t)bytes, count};
     if (semihosting_call(SEMIHOSTING_WRITE, (uintptr_t)block) != 0) {

@@ -5,10 +5,10 @@
 
 #include <stdint.h>
 
-/* Opens the way out. Called once, before anything else. */
+/* Opens the sink. Called once, before anything else. */
 void sink_open(void);
 
-/* Hands on bytes; they arrive in this order, all of them, or the sink ends the run as failed. */
+/* Hands on bytes. All bytes arrive in this order, or the sink ends the run as failed. */
 void sink_write(const uint8_t *bytes, uint16_t count);
 
 /* Ends the run; 0: all is well. */

@@ -11,8 +11,10 @@ union float_bits {
     uint32_t bits;
 };
 
-/* x = m 2^(e - 23), 2^23 <= m < 2^24. With an even exponent left over, the root of m 2^25 or m 2^26
- * has 25 bits: one more than a float, and a remainder cannot make a tie. */
+/* Returns the root of x = m 2^(e - 23), 2^23 <= m < 2^24. m 2^25 or m 2^26, whichever leaves an
+ * even exponent over, has a root of 25 bits. The root has one bit more than a float, and a
+ * remainder cannot make a tie. An x that is 0, negative, infinite or no number is returned as it
+ * is. */
 float sqrtf(float x) {
     union float_bits number = {x};
     if (!(x > 0) || number.bits >= UINT32_C(0x7F800000)) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Cortex-M: the vectors, and the way from reset to the frame. */
+/* Cortex-M: the vectors, and the path from reset to the frame. */
 #include "coprocessor.h"
 #include "frame.h"
 #include "sink.h"
@@ -15,7 +15,8 @@ static void fault(void) {
     sink_exit(1);
 }
 
-/* There is no .data: the linker script sees to it. */
+/* Clears .bss, draws the frame and ends the run. The linker script sees to it that there is no
+ * .data to copy. */
 void reset(void) {
     for (uint32_t *word = bss_start; word != bss_end; word++) {
         *word = 0;

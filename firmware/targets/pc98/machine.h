@@ -11,14 +11,14 @@ enum { TEXT_COLUMNS = 80, TEXT_ROWS = 25 };
 /* Makes the whole text screen blank. */
 void text_clear(void);
 
-/* Writes ASCII in row 0..24, from column 0..79 on; returns the column after it. What is past the
- * line's end is lost. */
+/* Writes ASCII in row 0..24, from column 0..79 on; returns the column after the text. What is past
+ * the line's end is lost. */
 uint8_t text_put(uint8_t row, uint8_t column, const char *text);
 
-/* The same with a number, 0..65535. */
+/* Writes a number, 0..65535, as text_put() writes text. */
 uint8_t text_put_number(uint8_t row, uint8_t column, uint16_t number);
 
-/* Whether Esc was pressed since the last time. Reads at most a few waiting keys. */
+/* Tells whether Esc was pressed since the last call. Reads at most a few waiting keys. */
 bool escape_pressed(void);
 
 #endif

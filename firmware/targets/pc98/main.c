@@ -26,9 +26,9 @@ struct run {
     uint8_t last[3];    /* the dot that was drawn last */
 };
 
-/* The presence test is the board's own picture: what was drawn last must be read back. Reads leave
- * the trace of the writes as it is on every other target. An empty slot reads FFh: a white dot
- * tells nothing. */
+/* Looks for the board by its own picture: what was drawn last must be read back. Reads leave the
+ * trace of the writes as it is on every other target. An empty slot reads FFh, so a white dot tells
+ * nothing. */
 static void look_for_board(struct run *run) {
     uint16_t drawn = (uint16_t)(run->last[0] + run->last[1] + run->last[2]);
     if (run->answer != ANSWER_UNKNOWN || drawn == 3 * 0xFF) {
@@ -44,7 +44,8 @@ static void look_for_board(struct run *run) {
     }
 }
 
-/* What the last dot of a line will be: the picture's last pixel, or the black right of it. */
+/* Notes the last dot of a line: the picture's last pixel, or the black to the right of the picture.
+ */
 static void note_last_dot(struct run *run, const uint8_t *rgb) {
     uint16_t width = TARGET_SCENE.width;
     bool is_full = width == BOARD_WIDTH || (2 * width == BOARD_WIDTH && TARGET_SCENE.height <= 200);

@@ -17,7 +17,8 @@
 
 /* ---- Points --------------------------------------------------------------------------------- */
 
-/* One rendering that is measured. The key is what it was asked for; the rest is what it gave. */
+/* One rendering that is measured. Its key, the members before is_done, is what was asked for; the
+ * rest is what the rendering gave. */
 struct measure_point {
     char scene[32]; /* short name */
     char arithmetic[16], colour[16], model[16], tail[16];
@@ -37,19 +38,19 @@ struct measure_point {
 
 enum { MEASURE_KEY_SIZE = 160 };
 
-/* The key as text: what a point's line begins with. */
+/* Writes a point's key as text, with which the point's line in points.csv begins. */
 void measure_key(const struct measure_point *point, char key[MEASURE_KEY_SIZE]);
 
-/* A list that grows. All zero: empty. */
+/* A list that grows. All zero: the list is empty. */
 struct measure_list {
     struct measure_point *points;
     size_t count, room;
 };
 
-/* False: memory is out. */
+/* Appends a copy of a point. Returns false where memory is out. */
 bool measure_list_add(struct measure_list *list, const struct measure_point *point);
 
-/* The point of that key; NULL: there is none. */
+/* Finds the point whose key is that of `like`; NULL: there is none. */
 struct measure_point *measure_list_find(const struct measure_list *list,
                                         const struct measure_point *like);
 
@@ -77,8 +78,8 @@ struct measure_settings {
 
 enum { MEASURE_SCENES_MOST = 32, MEASURE_SHOWN = 4 };
 
-/* Against which all is measured: double, with nothing cut that could be seen. What is cut there
- * counts as the mean: as black it would make fig4a darker by up to 2 levels. */
+/* The reference for all measurements: double, with nothing cut that could be seen. Light that is
+ * cut there counts as the mean: as black, such light would make fig4a darker by up to 2 levels. */
 #define MEASURE_CONVERGED_THRESHOLD (1.0 / 262144)
 enum { MEASURE_CONVERGED_DEPTH = 255 };
 
@@ -104,7 +105,8 @@ struct measure {
     bool has_plots;
 };
 
-/* These return an exit status; what is not STATUS_DONE has been complained about. */
+/* Functions below that return an int return an exit status. Where that is not STATUS_DONE, the
+ * reason has been printed. */
 
 /* Fills the list of points with all that are to be measured. */
 int measure_plan(struct measure *measure);
@@ -112,42 +114,45 @@ int measure_plan(struct measure *measure);
 /* Takes over what points.csv in the folder holds already. */
 int measure_resume(struct measure *measure);
 
-/* Measures the points that are lacking; each is written to points.csv as soon as it is done. */
+/* Measures the points that are missing; each is written to points.csv as soon as it is done. */
 int measure_run(struct measure *measure);
 
 /* Writes a finished point as one line, with the digest of its scene. */
 void measure_write_point(const struct measure *measure, FILE *file,
                          const struct measure_point *point);
 
-/* The scene of that name; NULL: there is none. */
+/* Finds the scene of that name; NULL: there is none. */
 const struct measure_scene *measure_scene_of(const struct measure *measure, const char *name);
 
-/* Where a point is one of the MEASURE_SHOWN that the report shows, writes the picture beside its
- * difference from the reference, both `dots` large; else nothing. */
+/* Writes the picture beside its difference from the reference, for the MEASURE_SHOWN points that
+ * the report shows; else nothing. width and height are in dots. Both are enlarged by a whole
+ * factor, as long as each is at most 320 dots wide. */
 int measure_show(const struct measure *measure, const struct measure_point *point,
                  const uint8_t *reference, const uint8_t *picture, unsigned width, unsigned height);
 
-/* How a points.csv begins: with the line of column names; with nothing or a part of it, where its
- * writing was cut off; or otherwise. */
+/* How a points.csv begins. MEASURE_BEGUN: with the line of column names. MEASURE_EMPTY: with
+ * nothing or a part of that line, whose writing was cut off. MEASURE_FOREIGN: otherwise. */
 enum measure_beginning { MEASURE_BEGUN, MEASURE_EMPTY, MEASURE_FOREIGN };
 
-/* Reads that line. */
+/* Reads the line of column names, or what stands in its place, and tells how the file begins. */
 enum measure_beginning measure_read_head(FILE *file);
 
-/* Writes it and hands it on. False: it can't be written. */
+/* Writes the line of column names and flushes the file. Returns false where that failed. */
 bool measure_write_head(FILE *file);
 
 /* Gathers the points of the grid by setting; the caller frees settings. False: memory is out. */
 bool measure_settings(const struct measure *measure, struct measure_settings *settings);
 
-/* Whether a point is of the grid: of its scene's first size, colours and model. */
+/* Tells whether a point is of the grid: of its scene's first size, colours and model. */
 bool measure_is_of_grid(const struct measure *measure, const struct measure_point *point);
 
-/* The cheapest setting for a machine whose scenes are on average at most that wrong; NULL: none. */
+/* Finds the cheapest setting on a machine with a mean over the scenes of at most wrong_most per
+ * cent wrong; NULL: none. */
 const struct measure_setting *measure_cheapest(const struct measure_settings *settings,
                                                size_t target, double wrong_most);
 
-/* Whether no setting of an arithmetic that has an entry is both cheaper and less wrong. */
+/* Tells whether no other setting is at least as good in time and error, and better in one of them.
+ * Settings without an entry in the cost table are passed over, and are not on the front. */
 bool measure_is_on_front(const struct measure_settings *settings, size_t i, size_t target);
 
 /* Writes the plots' script and, with gnuplot, the plots. */
@@ -156,7 +161,7 @@ int measure_plot(struct measure *measure);
 /* Writes table.csv, report.md and report.html. */
 int measure_report(struct measure *measure);
 
-/* A file of the folder, on its way to its place. */
+/* A file of the report's folder while it is written. */
 struct measure_file {
     struct output output;
     char *path;
@@ -165,22 +170,23 @@ struct measure_file {
 /* Opens FOLDER/name for writing. False, with the reason printed, on failure. */
 bool measure_create(struct measure_file *file, const struct measure *measure, const char *name);
 
-/* Puts it into its place, or leaves there what was there before and prints the reason. */
+/* Puts a file into its place. On failure prints the reason and leaves there what was there
+ * before. */
 int measure_close(struct measure_file *file);
 
-/* Gives it up. */
+/* Frees a file, and gives it up where it was not put into its place. */
 void measure_discard(struct measure_file *file);
 
-/* What is predicted for a point on a machine, seconds; NaN where the cost table has no entry. */
+/* Predicts the seconds that a point takes on a machine; NaN where the cost table has no entry. */
 double measure_predict(const struct measure *measure, const struct measure_point *point,
                        const struct cost_target *target);
 
-/* Renders a point onto the emulated board; rgb gets width x height pixels of `dots` x `dots`
- * dots. measure_picture.c. */
+/* Renders a point onto the emulated board. *rgb gets width x height pixels of *dots x *dots dots;
+ * the caller frees it. Stands in picture.c. */
 int measure_shoot(struct measure *measure, const char *operand, struct measure_point *point,
                   uint8_t **rgb, unsigned *dots);
 
-/* The dots along each side of a pixel of a picture. */
+/* Returns the number of dots along each side of a pixel of a picture. */
 unsigned measure_dots(const struct measure_point *point);
 
 #endif

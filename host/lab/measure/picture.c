@@ -46,7 +46,7 @@ static struct scene_overrides overrides_of(const struct measure *measure,
     return overrides;
 }
 
-/* Adds up the renders that are done and the one at work. */
+/* Adds up the finished renders and the one at work, and shows the sum. */
 static void show_progress(void *context, const struct render_totals *so_far) {
     struct measure *measure = context;
     measure->now.rays = measure->before.rays + so_far->rays;
@@ -56,7 +56,7 @@ static void show_progress(void *context, const struct render_totals *so_far) {
     progress_show(&measure->progress, &measure->now);
 }
 
-/* The part of the screen that was rendered. */
+/* Copies the part of the screen that was rendered; the caller frees it. NULL: memory is out. */
 static uint8_t *cut_out(const uint8_t *screen, unsigned width, unsigned height) {
     uint8_t *rgb = malloc((size_t)width * height * 3);
     for (unsigned y = 0; rgb != NULL && y < height; y++) {

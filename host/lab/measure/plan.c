@@ -40,8 +40,9 @@ static int vary(struct measure *measure, const struct measure_point *point) {
     return can_be_shown(point) ? add(measure, point) : STATUS_DONE;
 }
 
-/* Arithmetic by depth by threshold. Without a threshold a tree doubles with each level: only as far
- * as the paper goes. The finest threshold says nothing new where the depth ends the tree. */
+/* Adds the grid: arithmetic by depth by threshold. Without a threshold a tree doubles with each
+ * level, so that depths end where the paper ends. The finest threshold says nothing new where the
+ * depth ends the tree. */
 static int plan_grid(struct measure *measure, struct measure_point point) {
     static const char *const arithmetics[] = {"fx", "f32", "f64", "q16", "q16_epsilon"};
     static const unsigned depths[] = {1, 2, 4, 7, 10, 16, 32, 64};
@@ -69,7 +70,7 @@ static int plan_grid(struct measure *measure, struct measure_point point) {
     return STATUS_DONE;
 }
 
-/* What an estimated tail gains, where there is room for it. */
+/* Adds points that show what an estimated tail gains, at a depth with room for a tail. */
 static int plan_tails(struct measure *measure, struct measure_point point) {
     static const char *const arithmetics[] = {"fx", "f32", "f64"};
     static const double thresholds[] = {1.0 / 256,  1.0 / 1024,  1.0 / 2048,
@@ -90,7 +91,7 @@ static int plan_tails(struct measure *measure, struct measure_point point) {
     return STATUS_DONE;
 }
 
-/* An accuracy asked for instead of a threshold; the tail is estimated then. */
+/* Adds points with an accuracy asked for instead of a threshold; their tail is estimated. */
 static int plan_errors(struct measure *measure, struct measure_point point) {
     static const char *const arithmetics[] = {"fx", "f32", "f64"};
     static const double errors[] = {4, 2, 1, 0.5};
@@ -112,7 +113,7 @@ static int plan_errors(struct measure *measure, struct measure_point point) {
     return STATUS_DONE;
 }
 
-/* One setting varied, the others as in the middle of the grid. */
+/* Adds points with one setting varied, the others as in the middle of the grid. */
 static int plan_star(struct measure *measure, struct measure_point point) {
     static const unsigned sizes[][2] = {{80, 50}, {320, 200}, {640, 400}};
     static const char *const colours[] = {"bits:6", "bits:4", "bits:2", "bits:1", "dither"};
@@ -141,8 +142,9 @@ static int plan_star(struct measure *measure, struct measure_point point) {
     return status;
 }
 
-/* The scene as all its points have it: with the options that no column tells, so that points with
- * another value of theirs count as points of another scene. */
+/* Loads a scene with the options that no column of points.csv tells: highlight and seed. Points
+ * with another value of such an option count as points of another scene. NULL with *error filled on
+ * failure. */
 static struct scene_description *load_as_measured(const struct measure_scene *scene,
                                                   const struct scene_overrides *options,
                                                   struct scene_error *error) {
@@ -159,7 +161,8 @@ static struct scene_description *load_as_measured(const struct measure_scene *sc
     return description;
 }
 
-/* What is known of a scene before it is rendered, and where its settings begin. */
+/* Fills in what is known of a scene before rendering, and the point at which its settings begin.
+ * Returns an exit status. */
 static int look_at_scene(struct measure_scene *scene, const struct scene_overrides *overrides,
                          struct measure_point *point) {
     struct scene_error error;

@@ -9,12 +9,12 @@
 #include "base/interrupt.h"
 #include "lab/measure/measure.h"
 
-/* Nothing wrong at all is shown at the foot of the logarithmic scale. */
+/* Per cent. Smaller values, 0 too, are shown at the foot of the logarithmic scale. */
 static const double least_shown = 0.001;
 
 static const char *const arithmetics[] = {"fx", "f32", "f64", "q16", "q16_epsilon", NULL};
 
-/* Of an arithmetic, and of a curve. */
+/* The colour of each arithmetic, and of each curve. */
 static const char *const colours[] = {"#7b1fa2", "#00897b", "#1e88e5", "#ef6c00", "#c62828"};
 
 static double shown(double wrong) {
@@ -25,8 +25,8 @@ static double shown(double wrong) {
 static const double thresholds[] = {0, 1.0 / 256, 1.0 / 1024, 1.0 / 4096, 1.0 / 16384};
 enum { CURVES = sizeof thresholds / sizeof thresholds[0], CURVE_DEPTH = 64 };
 
-/* The curves against depth are of the first setting's arithmetic and tail, one for each threshold.
- */
+/* Tells whether a setting is on the curve of a threshold against depth. Such curves are of the
+ * first setting's arithmetic and tail. */
 static bool is_on_depth_curve(const struct measure_settings *settings,
                               const struct measure_setting *setting, double threshold) {
     const struct measure_setting *first = &settings->settings[0];
@@ -48,7 +48,8 @@ static void write_depth_curves(FILE *file, const struct measure_settings *settin
     }
 }
 
-/* Wrong against threshold at one depth, for each arithmetic. */
+/* Writes per cent wrong against threshold at depth CURVE_DEPTH with one tail, for each
+ * arithmetic. */
 static void write_threshold_curves(FILE *file, const struct measure_settings *settings,
                                    const char *tail) {
     for (int a = 0; arithmetics[a] != NULL; a++) {
@@ -74,8 +75,8 @@ static bool has_end(const struct measure_setting *setting, int end) {
                     : !(setting->error > 0) && strcmp(setting->tail, ends[end]) == 0;
 }
 
-/* The settings of an arithmetic and one way to end a branch: depth, threshold, per cent wrong,
- * seconds by machine. */
+/* Writes the settings of an arithmetic and one way to end a branch. Columns: depth, threshold, per
+ * cent wrong, seconds by machine. */
 static void write_marks(FILE *file, const struct measure_settings *settings, int arithmetic,
                         int end) {
     (void)fprintf(file, "# [%s-%d]\n", arithmetics[arithmetic], end);
@@ -94,7 +95,7 @@ static void write_marks(FILE *file, const struct measure_settings *settings, int
     (void)fputs("\n\n", file);
 }
 
-/* Blocks that gnuplot finds by name: the marks, the curves, for each machine its front (seconds,
+/* Writes blocks that gnuplot finds by name: the marks, the curves, each machine's front (seconds,
  * per cent wrong). */
 static int write_data(const struct measure *measure, const struct measure_settings *settings) {
     struct measure_file data;
@@ -133,11 +134,12 @@ static bool has(const struct measure_settings *settings, int arithmetic, int end
     return false;
 }
 
-/* The powers of ten between which a machine's seconds lie; false: it has none. */
+/* Finds the powers of ten between which a machine's seconds lie. Returns false where the machine
+ * has none. */
 static bool find_decades(const struct measure_settings *settings, size_t target, int decades[2]) {
     double least = INFINITY, most = 0;
     for (size_t i = 0; i < settings->count; i++) {
-        least = fmin(least, settings->settings[i].seconds[target]); /* of NaN and another, that */
+        least = fmin(least, settings->settings[i].seconds[target]); /* fmin() passes over NaN */
         most = fmax(most, settings->settings[i].seconds[target]);
     }
     if (!(least > 0 && least <= most)) {
@@ -148,7 +150,8 @@ static bool find_decades(const struct measure_settings *settings, size_t target,
     return true;
 }
 
-/* A colour for each arithmetic, a shape for each way to end a branch. */
+/* Writes the plots of time against error, one for each machine. Each arithmetic has a colour, each
+ * way to end a branch a shape. */
 static void write_fronts(FILE *file, const struct measure_settings *settings) {
     static const int shapes[ENDS] = {7, 9, 5};
     static const char *const words[ENDS] = {"tail black", "tail estimate", "--error"};
@@ -201,7 +204,7 @@ static bool is_deep(const struct measure_settings *settings, const char *arithme
     return false;
 }
 
-/* Of one arithmetic against depth, one for each threshold. */
+/* Writes the plot against depth for one arithmetic, with a curve for each threshold. */
 static void write_curves_by_depth(FILE *file, const struct measure_settings *settings) {
     static const char *const names[CURVES] = {"none", "1/256", "1/1024", "1/4096", "1/16384"};
     (void)fprintf(file,
@@ -220,7 +223,8 @@ static void write_curves_by_depth(FILE *file, const struct measure_settings *set
     (void)fputs("    2000 notitle\n", file);
 }
 
-/* Of all arithmetics against threshold, at one depth; nothing where that was not measured. */
+/* Writes the plot against threshold for all arithmetics, at one depth; nothing where that depth was
+ * not measured. */
 static void write_curves_by_threshold(FILE *file, const struct measure_settings *settings) {
     static const char *const tails[] = {"black", "estimate"};
     bool has_begun = false;
@@ -248,7 +252,7 @@ static void write_curves_by_threshold(FILE *file, const struct measure_settings 
     (void)fputs(has_begun ? "    2000 notitle\n" : "", file);
 }
 
-/* Where the scale of errors ends below. */
+/* Returns the lower end of the scale of errors, per cent. */
 static double lowest_shown(const struct measure_settings *settings) {
     double lowest = 1;
     for (size_t i = 0; i < settings->count; i++) {

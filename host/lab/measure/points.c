@@ -91,7 +91,7 @@ void measure_write_point(const struct measure *measure, FILE *file,
                   point->colour_mean, point->colour_high, scene != NULL ? scene->digest : "");
 }
 
-/* Reads what stands behind the key. */
+/* Reads what stands behind the key. Returns false where the line is not whole. */
 static bool read_results(const char *text, struct measure_point *point,
                          char digest[SCENE_DIGEST_SIZE]) {
     char end;
@@ -105,8 +105,9 @@ static bool read_results(const char *text, struct measure_point *point,
            end == '\n';
 }
 
-/* A line that was cut off, or of a point that is not asked for any more, is passed over. NULL, or
- * the name of the line's scene where that is another one by now. */
+/* Takes over one line of points.csv. A line that was cut off, or of a point not asked for any more,
+ * is passed over. Returns NULL, or the name of the line's scene where its digest has changed
+ * since. */
 static const char *take_line(struct measure *measure, const char *line) {
     char key[MEASURE_KEY_SIZE], digest[SCENE_DIGEST_SIZE];
     for (size_t i = 0; i < measure->points.count; i++) {

@@ -102,7 +102,8 @@ static void write_words(const struct report *report) {
     page_end_table(report);
 }
 
-/* The same work in each arithmetic: the plan's own at N = 64. */
+/* Compares the times of the same work in each arithmetic: that of the plan with N = 64 and a
+ * threshold of 1/4096. */
 static void write_choice_of_arithmetic(const struct report *report) {
     static const char *const names[] = {"fx", "f32", "f64"};
     static const double threshold = 1.0 / 4096;
@@ -214,7 +215,7 @@ static void write_paper(const struct report *report) {
                  "and f64 lie on each other.");
 }
 
-/* The two ways to count what a branch would have brought that is cut, side by side. */
+/* Writes side by side the two ways to count the light of a branch that is cut. */
 static void write_tails(const struct report *report) {
     bool has_any = false;
     for (size_t i = 0; i < report->settings->count; i++) {
@@ -248,7 +249,7 @@ static void write_tails(const struct report *report) {
     }
 }
 
-/* What was asked for, and what came. */
+/* Writes the accuracies that were asked for, and the errors that came. */
 static void write_errors(const struct report *report) {
     bool has_any = false;
     for (size_t i = 0; i < report->settings->count; i++) {
@@ -308,7 +309,7 @@ static void write_arithmetics(const struct report *report) {
                  "Q16.16 with an absolute epsilon, N = 64, threshold 1/65536, first scene.");
 }
 
-/* What was varied one at a time. */
+/* Writes the points beside the grid, in which one setting at a time was varied. */
 static void write_others(const struct report *report) {
     const struct measure *measure = report->measure;
     bool has_any = false;

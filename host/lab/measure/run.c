@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Measures the points that are lacking, one rendering after the other, against one picture each. */
+/* Measures the points that are missing, one rendering after the other, against one picture each. */
 #include <errno.h>
 #include <math.h>
 #include <stdlib.h>
@@ -22,7 +22,7 @@ struct dots_picture {
     unsigned width, height;
 };
 
-/* Two points that are measured against the same picture. */
+/* Tells whether two points are measured against the same picture. */
 static bool share_reference(const struct measure_point *a, const struct measure_point *b) {
     return strcmp(a->scene, b->scene) == 0 && strcmp(a->model, b->model) == 0 &&
            a->width == b->width && a->height == b->height;
@@ -80,7 +80,8 @@ static void free_twins(struct twins *twins) {
     free(twins);
 }
 
-/* Double's picture with the settings of a point: one that is kept, or a new one. */
+/* Finds double's picture with the settings of a point, or renders that picture. Where all places
+ * are taken, the last picture gives way. Returns an exit status. */
 static int find_twin(struct measure *measure, const struct measure_scene *scene,
                      const struct measure_point *like, struct twins *twins, size_t *found) {
     struct measure_point point = *like;
@@ -165,7 +166,7 @@ static int measure_point(struct measure *measure, const struct measure_scene *sc
     return STATUS_DONE;
 }
 
-/* All points that share the reference of the given one, which is the first of them. */
+/* Measures all points that share the reference of the given one, which is the first of them. */
 static int measure_group(struct measure *measure, const struct measure_scene *scene, size_t first,
                          FILE *log) {
     struct measure_point like = measure->points.points[first];
@@ -193,7 +194,7 @@ static int measure_group(struct measure *measure, const struct measure_scene *sc
     return status;
 }
 
-/* Whether no point before it has the same twin. */
+/* Tells whether no unfinished point before point i has the same twin. */
 static bool is_first_of_twins(const struct measure *measure, size_t i) {
     struct measure_point one = measure->points.points[i];
     char wanted[MEASURE_KEY_SIZE], key[MEASURE_KEY_SIZE];
@@ -210,7 +211,7 @@ static bool is_first_of_twins(const struct measure *measure, size_t i) {
     return true;
 }
 
-/* Rows that are still to be rendered, for the progress bar. */
+/* Counts the rows that are still to be rendered, for the progress bar. */
 static unsigned count_rows(const struct measure *measure) {
     unsigned rows = (unsigned)measure->scene_count * 2 * ORACLE_HEIGHT;
     for (size_t i = 0; i < measure->points.count; i++) {
@@ -227,8 +228,8 @@ static unsigned count_rows(const struct measure *measure) {
     return rows;
 }
 
-/* Makes points.csv ready to be written on: its head is there already or is written anew; a line
- * that was cut off is ended. */
+/* Makes points.csv ready for further lines. A head that is missing or cut off is written anew; a
+ * line that was cut off is ended. */
 static bool begin_log(FILE *file) {
     if (measure_read_head(file) != MEASURE_BEGUN) {
         return ftruncate(fileno(file), 0) == 0 && fseek(file, 0, SEEK_END) == 0 &&

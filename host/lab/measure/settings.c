@@ -6,7 +6,8 @@
 
 #include "lab/measure/measure.h"
 
-/* Points of the grid have the size, colours and model of their scene's first point. */
+/* Tells whether a point has the size, colours and model of its scene's first point, as all of the
+ * grid have. */
 bool measure_is_of_grid(const struct measure *measure, const struct measure_point *point) {
     for (size_t i = 0; i < measure->points.count; i++) {
         const struct measure_point *first = &measure->points.points[i];
@@ -37,7 +38,7 @@ static bool is_gathered(const struct measure_settings *settings,
     return false;
 }
 
-/* The means over the scenes. */
+/* Fills in a setting's means over the scenes, and the error of its worst scene. */
 static void gather(const struct measure *measure, struct measure_setting *setting) {
     double scenes = 0;
     for (size_t i = 0; i < measure->points.count; i++) {

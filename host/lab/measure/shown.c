@@ -14,8 +14,9 @@ static const char *const files[MEASURE_SHOWN] = {"difference-paper.png",
                                                  "difference-q16-epsilon.png", "difference-fx.png",
                                                  "difference-error.png"};
 
-/* Of the first scene: the paper's setting, the example that is to be avoided, the most exact fx of
- * the plan, and fx where an accuracy of 1 LSB is asked for. -1: none of them. */
+/* Returns the place of a point's picture among the files, or -1: the point is not shown. All shown
+ * are of the first scene. Place 0 is the paper's setting, 1 the example that is to be avoided.
+ * Place 2 is the most exact fx of the plan, 3 fx where an accuracy of 1 LSB is asked for. */
 static int shown_place(const struct measure *measure, const struct measure_point *point) {
     bool is_deep = point->depth == 64 && point->threshold > 0 && point->threshold < 1e-4 / 2;
     bool is_fx = strcmp(point->arithmetic, "fx") == 0;

@@ -12,13 +12,13 @@ enum paper_verdict { PAPER_NOT_MEASURED, PAPER_HOLDS, PAPER_HOLDS_IN_PART, PAPER
 
 /* One row of the table. */
 struct paper_claim {
-    const char *title, *says;       /* what it is about; what the paper says */
+    const char *title, *says;       /* the claim's subject; what the paper says */
     char measured[PAPER_TEXT_SIZE]; /* what was measured, with the criterion */
-    char why[PAPER_TEXT_SIZE];      /* why it holds or not */
+    char why[PAPER_TEXT_SIZE];      /* why the claim holds or not */
     enum paper_verdict verdict;
 };
 
-/* In words. */
+/* Returns a verdict in words. */
 const char *paper_verdict_text(enum paper_verdict verdict);
 
 #if defined(__GNUC__)
@@ -30,10 +30,10 @@ const char *paper_verdict_text(enum paper_verdict verdict);
 /* Appends to one of a claim's texts, which are PAPER_TEXT_SIZE long. */
 void paper_say(char text[PAPER_TEXT_SIZE], const char *format, ...) PAPER_FORMAT;
 
-/* Whether a part of it holds, in a word. */
+/* Tells in a word whether a part of a claim holds. */
 const char *paper_yes(bool part);
 
-/* The verdict on several parts: all of them, some or none hold. */
+/* Returns the verdict on a claim of several parts: all of them hold, some or none. */
 enum paper_verdict paper_judge(const bool *parts, size_t count);
 
 #endif

@@ -5,8 +5,9 @@
 
 #include "lab/paper/paper.h"
 
-/* Each fills in what was measured, the verdict and why; returns an exit status. While planning all
- * numbers are 0, and what is written is thrown away. The criteria were set before measuring. */
+/* Fills in what was measured, the verdict and why, for the claim of that number. Returns an exit
+ * status. While planning all numbers are 0, and what is written is thrown away. The criteria were
+ * set before measuring. */
 int paper_claim_depth(struct paper *paper, struct paper_claim *claim);      /* 1 */
 int paper_claim_nested(struct paper *paper, struct paper_claim *claim);     /* 2 */
 int paper_claim_cover(struct paper *paper, struct paper_claim *claim);      /* 3 */
@@ -17,7 +18,8 @@ int paper_claim_bands(struct paper *paper, struct paper_claim *claim);      /* 7
 int paper_claim_threshold(struct paper *paper, struct paper_claim *claim);  /* 8 */
 int paper_claim_exposures(struct paper *paper, struct paper_claim *claim);  /* 9 */
 
-/* False, and the claim says so, if one of the scenes is not built in; ended by NULL. */
+/* Checks that scenes, a list ended by NULL, are built in. Returns false where one is not, and the
+ * claim says so. */
 bool paper_claim_has_scenes(struct paper_claim *claim, const char *const *scenes);
 
 #endif

@@ -95,7 +95,7 @@ int paper_claim_cover(struct paper *paper, struct paper_claim *claim) {
 
 static const char *const reading_names[PAPER_READINGS] = {"(i)", "(ii)"};
 
-/* From how many of N = 1..16 on the curves lie in the paper's order. */
+/* Counts at how many of N = 1..16 the curves lie in the paper's order. */
 static int ordered_depths(const struct paper *paper, enum paper_cost cost) {
     int ordered = 0;
     for (int depth = 1; depth < PAPER_DEPTHS; depth++) {
@@ -110,7 +110,7 @@ static int ordered_depths(const struct paper *paper, enum paper_cost cost) {
     return ordered;
 }
 
-/* Writes down one reading's fits of one cost; returns the least R^2. */
+/* Writes down one reading's fits of one cost; returns the least R^2 of all curves. */
 static double say_fits(const struct paper *paper, struct paper_claim *claim, enum paper_cost cost,
                        enum paper_reading reading) {
     double least = 1;

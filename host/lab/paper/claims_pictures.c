@@ -6,8 +6,9 @@
 #include "lab/paper/claims.h"
 #include "lab/paper/measure.h"
 
-/* How much of the mask in scratch[0] shows the board: scene as `shown`, and once more with the
- * board's two colours swapped. Uses scratch[1] and, if shown is NULL, scratch[2]. */
+/* Measures how much of the mask in scratch[0] shows the board. Compares `shown`, the shot's photo,
+ * with another whose board has its two colours swapped. shown may be NULL: the shot is rendered for
+ * it. Uses scratch[1] and, if shown is NULL, scratch[2]. */
 static int board_contrast(struct paper *paper, const struct paper_shot *shot,
                           const struct paper_photo *shown, struct paper_contrast *contrast) {
     struct paper_shot other = *shot;
@@ -97,7 +98,7 @@ int paper_claim_depth(struct paper *paper, struct paper_claim *claim) {
 
 enum { SHARES = 13 };
 
-/* Of the pixels of the glass, those that show the board at N = 0..12, and at N = 24. */
+/* The share of the glass's pixels that show the board, at N = 0..12 and at N = 24. */
 struct visibility {
     double share[SHARES], final;
 };

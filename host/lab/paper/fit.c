@@ -18,7 +18,7 @@ static double square_error(int c1, int c2, const double *depths, const double *v
     return sum;
 }
 
-/* Around their mean. */
+/* Sums the squares of the differences of values from their mean. */
 static double square_spread(const double *values, size_t count) {
     double mean = 0, sum = 0;
     for (size_t i = 0; i < count; i++) {

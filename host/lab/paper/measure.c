@@ -69,7 +69,7 @@ double paper_chroma(const struct paper_mean *mean) {
     return most > 0 ? (most - least) / most : 0;
 }
 
-/* The mask's widest row; *first and *end are its pixels. */
+/* Finds the mask's widest row. Its pixels are *first .. *end - 1, none where the mask is empty. */
 static unsigned widest_row(const struct paper_photo *mask, unsigned *first, unsigned *end) {
     unsigned row = 0;
     *first = *end = 0;
@@ -90,7 +90,7 @@ static unsigned widest_row(const struct paper_photo *mask, unsigned *first, unsi
     return row;
 }
 
-/* Finds stretches of one level in the line and what lies between those that touch. */
+/* Finds intervals of one level in the line, and the steps between those that touch. */
 static void find_terraces(const uint8_t *line, unsigned length, struct paper_profile *profile) {
     bool was_terrace = false;
     for (unsigned start = 0, end; start < length; start = end) {

@@ -15,7 +15,7 @@ struct paper_contrast {
     double share;         /* of the pixels, 0..1, that differ by PAPER_SEEN or more */
 };
 
-/* A difference that counts as seen: 5 of 255 levels are 2 % of the screen's range, about the
+/* A difference that counts as seen. 5 of 255 levels are 2 % of the screen's range, about the
  * smallest contrast that an eye tells. Chosen before anything was measured. */
 enum { PAPER_SEEN = 5 };
 
@@ -30,22 +30,22 @@ struct paper_mean {
 struct paper_mean paper_mean(const struct paper_photo *mask, const struct paper_photo *hole,
                              const struct paper_photo *photo);
 
-/* (largest - smallest) / largest of the three: 0 is grey, 1 a pure colour; 0 for black. */
+/* Returns (largest - smallest) / largest of the three: 0 is grey, 1 a pure colour; 0 for black. */
 double paper_chroma(const struct paper_mean *mean);
 
 /* A line of pixels across a smoothly shaded surface. */
 struct paper_profile {
     unsigned length;   /* pixels */
-    unsigned levels;   /* different ones of the primary */
+    unsigned levels;   /* different levels of the primary */
     unsigned largest;  /* step between neighbours, levels */
-    unsigned terraces; /* stretches of 3 pixels or more of one level */
+    unsigned terraces; /* intervals of 3 pixels or more of one level */
     unsigned cliff;    /* largest step between two terraces that touch */
 };
 
 enum { PAPER_TERRACE = 3 };
 
-/* The red profile along the row on which the mask is widest, PAPER_TERRACE pixels away from its
- * ends: there the eye sees the edge of the object. */
+/* Measures the red profile along the row on which the mask is widest. PAPER_TERRACE pixels at each
+ * end are left out: there the eye sees the edge of the object. All 0 where no pixel is left. */
 struct paper_profile paper_profile(const struct paper_photo *mask, const struct paper_photo *photo);
 
 #endif

@@ -28,7 +28,7 @@ struct paper_photo {
     uint8_t rgb[PICTURE_BYTES];  /* the screen; of a multiple exposure the camera's picture */
 };
 
-/* R, G, B of a pixel. */
+/* Returns the R, G and B of a pixel. */
 const uint8_t *paper_pixel(const struct paper_photo *photo, unsigned x, unsigned y);
 
 /* What is done to a scene before it is rendered. */
@@ -38,7 +38,7 @@ enum paper_change {
     PAPER_BARE,          /* transparent objects are left out */
     PAPER_BARE_SWAPPED,  /* both */
     PAPER_OUTLINE,       /* white where the line of sight meets one object, black elsewhere */
-    PAPER_GLASS_OUTLINE, /* the same for all transparent objects */
+    PAPER_GLASS_OUTLINE, /* likewise for all transparent objects */
 };
 
 /* One render. */
@@ -91,16 +91,17 @@ struct paper {
     struct progress progress;
     struct timespec began;
     struct render_totals before; /* of the renders that are done */
-    struct render_totals now;    /* the same with the one at work */
+    struct render_totals now;    /* of those and the one at work */
 
     struct paper_photo *figures[PAPER_FIGURES_MOST]; /* by paper_figures; NULL: not made */
-    struct paper_photo *scratch[PAPER_SCRATCH];      /* for whoever is at work */
+    struct paper_photo *scratch[PAPER_SCRATCH];      /* for the work at hand */
     struct paper_curve curves[PAPER_CURVES];
     struct paper_claim claims[PAPER_CLAIMS];
     bool has_plots;
 };
 
-/* These return an exit status; what is not STATUS_DONE has been complained about. */
+/* Functions below that return an int return an exit status. Where that is not STATUS_DONE, the
+ * reason has been printed. */
 
 /* Renders a shot. While planning, only counts its rows and leaves an empty picture. */
 int paper_shoot(struct paper *paper, const struct paper_shot *shot, struct paper_photo *photo);
@@ -109,24 +110,26 @@ int paper_make_figures(struct paper *paper);
 int paper_make_curves(struct paper *paper);
 int paper_make_claims(struct paper *paper);
 
-/* Writes fig7.csv and fig7.gp, and by gnuplot the plots. Without gnuplot it says what to install
- * and goes on. */
+/* Writes fig7.csv and fig7.gp, and by gnuplot the plots. Where gnuplot is missing, says what to
+ * install and goes on. */
 int paper_write_plots(struct paper *paper);
 
-/* Writes the pictures and the contact sheet, then index.html and claims.md. */
+/* Writes the pictures and the contact sheet. */
 int paper_write_pictures(const struct paper *paper);
+
+/* Writes claims.md and index.html. */
 int paper_write_report(const struct paper *paper);
 
-/* The photo of a figure by its file's name; NULL: it was not made. */
+/* Finds the photo of a figure by its file's name; NULL: the figure was not made. */
 const struct paper_photo *paper_photo_of(const struct paper *paper, const char *file);
 
-/* Opens a new file of the folder. NULL, with the reason printed, on failure. */
+/* Opens a new file of the folder. Returns NULL, with the reason printed, on failure. */
 FILE *paper_create(const struct paper *paper, const char *name);
 
-/* Closes it: STATUS_DONE if all was written. */
+/* Closes a file of the folder; STATUS_DONE if all was written. */
 int paper_close(FILE *file, const char *name);
 
-/* Makes all in a folder that does not appear before it is whole; an exit status. */
+/* Makes figures, claims and report in a folder that does not appear before all are done. */
 int paper_run(const struct options *options);
 
 #endif

@@ -63,7 +63,7 @@ enum {
     PAPER_WHITE = 0xF0
 };
 
-/* The photo at half its size: the mean of 2 x 2 dots. */
+/* Puts a photo into a cell of the sheet at half its size: each dot is the mean of 2 x 2. */
 static void put_cell(uint8_t *sheet, unsigned cell, const struct paper_photo *photo) {
     size_t left = GAP + cell % COLUMNS * (CELL_WIDTH + GAP);
     size_t top = GAP + cell / COLUMNS * (CELL_HEIGHT + GAP);

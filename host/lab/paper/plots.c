@@ -10,7 +10,7 @@
 static const char data_name[] = "fig7.csv", script_name[] = "fig7.gp";
 static const char *const plot_names[PAPER_COSTS] = {"fig7-rays.png", "fig7-tests.png"};
 
-/* N and, for each curve and each cost, the counts. */
+/* Writes a table of N and, for each curve and each cost, the counts. */
 static int write_data(const struct paper *paper) {
     FILE *file = paper_create(paper, data_name);
     if (file == NULL) {

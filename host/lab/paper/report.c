@@ -5,8 +5,8 @@
 #include "base/complain.h"
 #include "lab/paper/paper.h"
 
-/* How a text is written in a format: what stands for a letter that means something else there;
- * NULL: the letter itself. */
+/* Returns what stands for a letter that means something else in a format; NULL: the letter
+ * itself. */
 typedef const char *escape(char letter);
 
 static const char *html_escape(char letter) {

@@ -17,7 +17,8 @@ static int render_all(struct paper *paper) {
     return status == STATUS_DONE ? paper_make_claims(paper) : status;
 }
 
-/* The same work twice: first only to count rows, so that one bar shows how far all of it is. */
+/* Does all the work twice: first only to count rows, so that one bar shows the progress of the
+ * whole. */
 static int plan_and_render(struct paper *paper, bool quiet) {
     paper->is_planning = true;
     int status = render_all(paper);

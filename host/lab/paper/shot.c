@@ -26,8 +26,8 @@ static void swap_pattern(struct scene_material *material) {
     }
 }
 
-/* The material that a solid is made of, or -1: that of its first part that names one. Children have
- * lower numbers than their parents, so the walk ends. */
+/* Returns the material of a solid's first part that names one; -1: none does. Children have lower
+ * numbers than their parents, so the walk ends. */
 static int material_of(const struct scene_description *scene, int node) {
     int material = scene->nodes[node].material;
     while (material < 0 && scene->nodes[node].child_count > 0) {
@@ -43,7 +43,7 @@ static bool is_transparent(const struct scene_description *scene,
     return material >= 0 && scene->materials[material].transparent;
 }
 
-/* Whether the change leaves an object in the scene. */
+/* Tells whether the change leaves an object in the scene. */
 static bool stays(const struct paper_shot *shot, const struct scene_description *scene,
                   const struct scene_object *object) {
     switch (shot->change) {
@@ -72,7 +72,7 @@ static size_t keep_objects(const struct paper_shot *shot, struct scene_descripti
     return kept;
 }
 
-/* White without any light, and nothing behind it to be seen. */
+/* Makes a material white without any light, and opaque: nothing behind it is to be seen. */
 static void make_silhouette(struct scene_material *material) {
     material->transparent = false;
     material->ambient = 1;
@@ -103,7 +103,7 @@ static void change_scene(const struct paper_shot *shot, struct scene_description
     }
 }
 
-/* The shot's scene, changed and compiled. */
+/* Loads the shot's scene, changes and compiles it. NULL with *error filled on failure. */
 static struct compiled_scene *compile_shot(const struct paper *paper, const struct paper_shot *shot,
                                            struct scene_error *error) {
     struct scene_description *scene = load_scene(shot->scene, error);
@@ -124,7 +124,7 @@ static struct compiled_scene *compile_shot(const struct paper *paper, const stru
 
 /* ---- Rendering ------------------------------------------------------------------------------ */
 
-/* Adds up the renders that are done and the one at work. */
+/* Adds up the finished renders and the one at work, and shows the sum. */
 static void show_progress(void *context, const struct render_totals *so_far) {
     struct paper *paper = context;
     const struct render_totals *before = &paper->before;
@@ -135,7 +135,8 @@ static void show_progress(void *context, const struct render_totals *so_far) {
     progress_show(&paper->progress, &paper->now);
 }
 
-/* Of this process, all its threads: what else the machine does hardly shows. */
+/* Returns the processor time of this process with all its threads, in which the load of other
+ * processes hardly shows. */
 static double processor_seconds(void) {
     struct timespec used = {0, 0};
     (void)clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used);

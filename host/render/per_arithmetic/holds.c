@@ -28,8 +28,8 @@ static bool same_unit(double a, double b) {
     return !unit_less(left, right) && !unit_less(right, left);
 }
 
-/* A plane face in scaled world coordinates; the first component of its normal that is not 0 in this
- * arithmetic is positive, so that both sides of a wall look alike. */
+/* A plane face in scaled world coordinates. The normal's first component that is not 0 in this
+ * arithmetic is positive: both sides of a wall look alike. */
 struct face {
     double normal[3], offset;
     uint16_t surface;
@@ -82,8 +82,8 @@ static bool same_balls(const struct compiled_ball *a, const struct compiled_ball
            same_length(a->centre[1], b->centre[1]) && same_length(a->centre[2], b->centre[2]);
 }
 
-/* How far a quadric reaches along an axis of its own, as a signed length; what has no constant term
- * is told by its square alone. */
+/* Returns how far a quadric reaches along an axis of its own, as a length with the sign of the
+ * square. Quadrics without a constant term are told apart by their squares alone. */
 static double reach(const struct compiled_quadric *quadric, int axis) {
     double square = quadric->square[axis];
     if (same_unit(square, 0)) {
@@ -127,8 +127,8 @@ static bool curves_are_distinct(const struct compiled_scene *scene, struct scene
     return true;
 }
 
-/* A distance along a ray is uncertain by the noise: what is not a few times as large has no shape.
- */
+/* Tells whether a radius is less than a few times the noise. Distances along a ray are uncertain by
+ * that noise: what is so small has no shape. */
 static bool is_too_small(double radius) {
     return radius < 4 * LENGTH_VALUE(LENGTH_NOISE);
 }
@@ -147,7 +147,7 @@ static double least_radius(const struct compiled_quadric *quadric) {
     return least;
 }
 
-/* Moves a quadric's numbers to those that this arithmetic has. */
+/* Moves a quadric's squares, centre and linear term to numbers that this arithmetic has. */
 static struct compiled_quadric rounded(const struct compiled_quadric *quadric) {
     struct compiled_quadric moved = *quadric;
     for (int i = 0; i < 3; i++) {
@@ -158,8 +158,9 @@ static struct compiled_quadric rounded(const struct compiled_quadric *quadric) {
     return moved;
 }
 
-/* A quadric may move by so many scaled units, of the 1,024 of a scene: less than half a pixel. Its
- * proportions may change by so much: a cone that is nearly flat opens wider without moving far. */
+/* A quadric may move by STRAY_MOST scaled units, of the 1,024 of a scene: less than half a pixel. A
+ * square may change by SQUARE_STRAY_MOST of itself: a cone that is nearly flat opens wider without
+ * moving far. */
 #define STRAY_MOST        0.5
 #define SQUARE_STRAY_MOST (1.0 / 64)
 
@@ -196,10 +197,11 @@ static bool curves_keep_shape(const struct compiled_scene *scene, struct scene_e
     return true;
 }
 
-/* The borders of cells may stray by this much of a cell at the end of what is bounded. */
+/* The boundaries of cells may stray by this share of a cell at the end of what is bounded. */
 #define CELL_STRAY_MOST (1.0 / 64)
 
-/* Cells of no size have no number; those whose size is rounded add up to borders elsewhere. */
+/* Checks that cells keep size and place. Cells of no size have no number; rounded sizes add up to
+ * boundaries elsewhere. */
 static bool cells_keep_place(const struct compiled_scene *scene, struct scene_error *error) {
     for (int i = 0; i < scene->pattern_count; i++) {
         const struct compiled_pattern *pattern = &scene->patterns[i];

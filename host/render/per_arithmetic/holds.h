@@ -5,9 +5,9 @@
 
 #include "compiler/tables.h"
 
-/* Checks what the tables become in this arithmetic. False, with *error filled, where two surfaces
- * become one, a wall that light never sees; where a solid is too small, or moves visibly; and where
- * a pattern's cells do. */
+/* Checks what the tables become in this arithmetic. Returns false, with *error filled, where two
+ * surfaces become one: light never sees such a wall. Returns false as well where a solid or a
+ * pattern's cell is too small, or moves visibly. */
 bool arithmetic_holds(const struct compiled_scene *scene, struct scene_error *error);
 
 #endif

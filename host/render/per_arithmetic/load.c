@@ -10,7 +10,7 @@
 #include "render/per_arithmetic/observe.h"
 #include "scene.h"
 
-/* What compiled_scene.h says again of scene.h. */
+/* What compiler/tables.h repeats of scene.h. */
 typedef char compiled_scene_matches_scene
     [(int)KIND_BOX == (int)PRIMITIVE_BOX && (int)KIND_BALL == (int)PRIMITIVE_BALL &&
              (int)KIND_POLYHEDRON == (int)PRIMITIVE_POLYHEDRON &&

@@ -6,7 +6,7 @@
 #include "image.h"
 #include "render/observed.h"
 
-/* What arithmetic.h's pixel() says. */
+/* Renders one pixel and tells its tree, as pixel() of render/arithmetic.h says. */
 void observe_pixel(const struct scene *scene, uint16_t x, uint16_t y, double intensity[3],
                    struct render_counts *counts, const struct pixel_observer *observer);
 

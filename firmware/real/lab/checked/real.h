@@ -15,16 +15,17 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* What one operation has done since the start. `largest` is the greatest magnitude that a result
- * had before it was saturated, in LSB of the result (of Q23.40 for areas, which come saturated). */
+/* What one operation has done since the start. `largest` is the greatest magnitude of a result
+ * before saturation, in LSB of the result. For areas, which come saturated, the LSB is that of
+ * Q23.40. */
 struct fixed_record {
     uint32_t calls; /* stops at its end, as saturations does */
     uint32_t saturations;
     uint64_t largest;
 };
 
-/* By operation; defined in record.c. Not for several threads: this image runs in one. Writable, and
- * so a test may clear it. */
+/* The table is indexed by operation, and defined in record.c. Not for several threads: this image
+ * runs in one. The table is writable, so that a test may clear it. */
 extern struct fixed_record fixed_records[FIXED_OPERATION_COUNT];
 
 /* The names of the operations, as in strict/real.h. */

@@ -19,8 +19,8 @@ static inline floating floating_root(floating x) {
 
 #define LENGTH_NOISE ((floating)0x1p-39)
 
-/* By enum wrap_kind, and one for WRAP_PART; defined by the program that counts. Not for several
- * threads. */
+/* Indexed by enum wrap_kind, with one more for WRAP_PART. Defined by the program that counts. Not
+ * for several threads. */
 extern uint64_t count_operations[WRAP_KINDS + 1];
 
 #define WRAP_VALUE(kind, x) (count_operations[kind]++, (x))
@@ -28,7 +28,7 @@ extern uint64_t count_operations[WRAP_KINDS + 1];
 #define WRAP_PLAIN          WRAP_VALUE
 #define wrap_power          energy_power
 
-/* Where on a ray its first crossing may lie: at 0, because rays snap to surfaces. */
+/* The smallest t of a ray's first crossing: 0, because rays snap to surfaces. */
 #define LENGTH_EPSILON REAL_LENGTH(0.0)
 
 #include "../wrapped.h"

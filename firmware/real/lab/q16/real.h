@@ -5,7 +5,7 @@
 
 #define REAL_NAME q16
 
-/* Where on a ray its first crossing may lie: at 0, because rays snap to surfaces. */
+/* The smallest t of a ray's first crossing: 0, because rays snap to surfaces. */
 #define LENGTH_EPSILON REAL_LENGTH(0.0)
 
 #include "q16.h"

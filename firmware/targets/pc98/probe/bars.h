@@ -5,8 +5,8 @@
 
 #include <stdint.h>
 
-/* Eight bars of 80 dots in the upper half, white to black; below them red, green, blue and grey
- * from 0 at the left to 255 at the right, 50 lines each. */
+/* Draws eight bars of 80 dots in the upper half, white to black. Below lie red, green, blue and
+ * grey, 50 lines each, from 0 at the left to 255 at the right. */
 void bars_draw(void);
 
 /* A setting of the board to look at, and what is expected to be seen. */
@@ -19,7 +19,7 @@ struct view {
 enum { VIEWS = 6 };
 extern const struct view views[VIEWS];
 
-/* Sets the board so. */
+/* Sets the board as a view says. */
 void view_show(const struct view *view);
 
 #endif

@@ -4,8 +4,8 @@
 #include "outp.h"
 #include "registers.h"
 
-/* Indices whose data the initialisation has set, and two that it leaves alone: a 6845's cursor
- * address, which every chip of that family gives back. */
+/* Indices whose data the initialisation has set, the status, and one that the initialisation leaves
+ * alone. That one is a 6845's cursor address, which every chip of that family gives back. */
 enum {
     INDEX_1B = 0x1B,
     INDEX_1E = 0x1E,
@@ -36,7 +36,8 @@ uint32_t index_by_word(void) {
     return inp(CONTROL_2);
 }
 
-/* All but 1Fh, the status. */
+/* Tells by a bit each which registers have kept the initialisation's data: all registers but 1Fh,
+ * the status. */
 uint32_t registers_kept(void) {
     static const uint8_t set[14][2] = {{0x00, 0x6B}, {0x01, 0x50}, {0x02, 0x5B}, {0x03, 0x0E},
                                        {0x04, 0x1A}, {0x05, 0x02}, {0x06, 0x19}, {0x07, 0x19},
@@ -54,7 +55,7 @@ uint32_t data_by_word(void) {
     return inpw(CONTROL_2);
 }
 
-/* A 6845 keeps six bits. */
+/* Returns what the cursor's address keeps of FFh. A 6845 keeps six bits. */
 uint32_t cursor_register(void) {
     controller_write(INDEX_CURSOR_HIGH, 0xFF);
     uint32_t kept = controller_read(INDEX_CURSOR_HIGH);
@@ -71,7 +72,8 @@ uint32_t index_width(void) {
     return kept;
 }
 
-/* Longer than a frame of the screen: 26 ms at 0.4 us an access. */
+/* Returns the status bits that were ever 1, then those that always were. The reads take longer than
+ * a frame of the screen: 26 ms at 0.4 us an access. */
 uint32_t status_bits(void) {
     uint8_t any = 0x00;
     uint8_t all = 0xFF;
@@ -84,7 +86,8 @@ uint32_t status_bits(void) {
     return (uint32_t)any << 8 | all;
 }
 
-/* Reads the status until its blanking bit is as wanted; the number of reads, or 0 for never. */
+/* Reads the status until its blanking bit is as wanted. Returns the number of reads, or 0 for
+ * never. */
 static uint32_t reads_until(uint8_t wanted) {
     enum { READS_MOST = 400000 };
     for (uint32_t reads = 1; reads <= READS_MOST; reads++) {
@@ -95,7 +98,8 @@ static uint32_t reads_until(uint8_t wanted) {
     return 0;
 }
 
-/* From the first read in one blanking to the first in the next. */
+/* Counts the reads from the first one in a blanking to the first one in the next. Returns 0 if the
+ * blanking never changes. */
 uint32_t frame_accesses(void) {
     outp(CONTROL_1, INDEX_STATUS);
     if (reads_until(0) == 0 || reads_until(STATUS_BLANK) == 0) {
@@ -120,7 +124,7 @@ uint32_t control_2_odd_write(void) {
     return kept;
 }
 
-/* Four odd ports in a row, the first in the highest byte. */
+/* Reads four odd ports in a row. The first port's value is in the highest byte. */
 static uint32_t odd_reads(uint16_t port) {
     uint32_t values = 0;
     for (uint8_t i = 0; i < 4; i++) {
@@ -151,7 +155,7 @@ uint32_t write_only_words(void) {
     return x << 16 | inpw(MODE);
 }
 
-/* Red by ports that differ from its own in one upper address bit. */
+/* Reads red by ports that differ from red's own in one upper address bit. */
 uint32_t aliases(void) {
     dot_write(BENCH_X, BENCH_Y, BENCH_COLOUR);
     uint32_t low = inp(RED | 0x0100);

@@ -4,7 +4,7 @@
 #include "outp.h"
 #include "registers.h"
 
-/* Of every 64th dot, from the corner on: how many primaries are not 0. Then the screen is cleared
+/* Returns how many primaries of every 64th dot, from the corner on, are not 0. Clears the screen
  * for what follows. */
 uint32_t memory_at_first(void) {
     uint32_t lit = 0;
@@ -73,7 +73,7 @@ uint32_t primaries_by_odd_byte(void) {
     return rgb;
 }
 
-/* The upper bytes alone: the lower ones are known. */
+/* Returns the primaries' upper bytes alone: the lower ones are known. */
 uint32_t primary_words_read(void) {
     dot_write(BENCH_X, BENCH_Y, BENCH_COLOUR);
     uint32_t red = inpw(RED) >> 8;
@@ -113,7 +113,7 @@ uint32_t fill_at_3(void) {
     return word_changes(3, RED, 0);
 }
 
-/* A dot's colour after a word to a primary at BENCH_X. */
+/* Returns the colour of a dot after a word to a primary at BENCH_X. */
 static uint32_t dot_after_word(uint16_t offset, uint16_t port) {
     bench_prepare();
     dot_select(BENCH_X, BENCH_Y);
@@ -131,7 +131,7 @@ uint32_t fill_second_dot(void) {
     return dot_after_word(1, RED);
 }
 
-/* The dots that changed, then the primary's value at the dot itself. */
+/* Returns the dots that changed, then the primary's value at the dot itself. */
 uint32_t green_by_word(void) {
     return word_changes(0, GREEN, 0xA55A) << 8 | (dot_after_word(0, GREEN) >> 8 & 0xFF);
 }
@@ -143,7 +143,8 @@ uint32_t blue_by_word(void) {
 /* ---- Outside the screen ------------------------------------------------------------------------
  */
 
-/* Red read back there, then where on the screen the marker is. */
+/* Writes a marker to a place outside. Returns red read back there, then where on the screen the
+ * marker is. */
 static uint32_t outside(uint16_t x, uint16_t y) {
     dot_select(x, y);
     outp(RED, MARKER);

@@ -19,7 +19,8 @@ struct experiment {
 enum { EXPERIMENTS = 50, EXPERIMENTS_BEFORE = 3 };
 extern const struct experiment experiments[EXPERIMENTS];
 
-/* control_experiments.c: control 1 and 2, their controller, ports that should answer nothing. */
+/* Asks about control 1 and 2, their controller, ports that should answer nothing
+ * (control_experiments.c). */
 uint32_t control_1_read(void);
 uint32_t control_1_read_after_write(void);
 uint32_t control_1_read_bytes(void);
@@ -38,10 +39,10 @@ uint32_t write_only_bytes(void);
 uint32_t write_only_words(void);
 uint32_t aliases(void);
 
-/* memory_test.c: every primary of every dot, twice. */
+/* Tests every primary of every dot, twice (memory_test.c). */
 uint32_t memory_errors(void);
 
-/* dot_experiments.c: positions, primaries, fills, what lies outside the screen. */
+/* Asks about positions, primaries, fills, what lies outside the screen (dot_experiments.c). */
 uint32_t memory_at_first(void);
 uint32_t x_by_byte(void);
 uint32_t y_by_byte(void);
@@ -66,7 +67,7 @@ uint32_t hidden_right(void);
 uint32_t hidden_lower(void);
 uint32_t below_memory(void);
 
-/* mode_experiments.c: what bits of the mode register do that drivers do not use. */
+/* Asks what bits of the mode register do that drivers do not use (mode_experiments.c). */
 uint32_t steps_after_writes(void);
 uint32_t steps_after_reads(void);
 uint32_t steps_after_odd_mode(void);

@@ -61,7 +61,7 @@ static void run_experiment(uint8_t index, struct findings *findings) {
     (void)put_hexadecimal(row, (uint8_t)(column + 16), answer, experiment->digits);
 }
 
-/* Runs some of them; false: Esc was pressed. */
+/* Runs the experiments first..last-1, from 0. Returns false if Esc was pressed. */
 static bool run_experiments(uint8_t first, uint8_t last, struct findings *findings) {
     for (uint8_t i = first; i < last; i++) {
         if (escape_pressed()) {
@@ -80,7 +80,7 @@ static void sum_up(const struct findings *findings) {
         "Write it down, with the digits of each x. 1 1987, L later, B both, x neither.");
 }
 
-/* Shows the bars in all ways, again and again, until Esc. */
+/* Shows the bars in all views, again and again, until Esc. */
 static void show_views(void) {
     for (uint8_t i = 0;; i = (uint8_t)((i + 1) % VIEWS)) {
         view_show(&views[i]);
@@ -97,7 +97,7 @@ static void show_views(void) {
     }
 }
 
-/* From the board's initialisation on. */
+/* Runs what follows the board's initialisation: experiments, summary and bars. */
 static void probe_board(struct findings *findings) {
     say(STATE_ROW, "A board answers at 00D0h. The experiments take a minute.");
     if (!run_experiments(EXPERIMENTS_BEFORE, EXPERIMENTS, findings)) {

@@ -4,8 +4,8 @@
 #include "outp.h"
 #include "registers.h"
 
-/* Different for dots that differ in one bit of X or Y, and for the primaries of a dot, so that a
- * stuck or crossed line of the address shows. */
+/* Returns a colour that is different for dots that differ in one bit of X or Y. The primaries of a
+ * dot are different too. So a stuck or crossed line of the address shows. */
 static uint32_t pattern(uint16_t x, uint16_t y) {
     uint32_t mixed = ((uint32_t)y * SCREEN_WIDTH + x + 1) * UINT32_C(0x9E3779B1);
     return mixed >> 8;
@@ -39,7 +39,7 @@ static void read_all(uint32_t inverted, struct tally *tally) {
     }
 }
 
-/* The number of wrong dots, FFh for that and more, then the first one's place. */
+/* Returns the number of wrong dots, FFh for 255 and more, then the first one's place. */
 uint32_t memory_errors(void) {
     struct tally tally = {0, NOWHERE};
     write_all(0);

@@ -6,7 +6,8 @@
 
 enum { MODE_STEP = 0x40, MODE_STEAL = 0x80 };
 
-/* How far X has gone, found by a marker: one write of red goes to where X points by then. */
+/* Finds by a marker how far X has gone: one write of red goes to where X points by then. Returns
+ * FFh if the marker is not in the next 15 dots. */
 static uint32_t steps_since(void) {
     uint32_t steps = 0xFF;
     outp(RED, MARKER);
@@ -26,7 +27,7 @@ static void stepping_begin(void) {
     dot_select(BENCH_X, BENCH_Y);
 }
 
-/* Once after a write of each primary. */
+/* Returns the steps after a write of each primary, a byte each, red first. */
 uint32_t steps_after_writes(void) {
     uint32_t steps = 0;
     for (uint16_t port = RED; port <= BLUE; port += 2) {
@@ -47,7 +48,7 @@ uint32_t steps_after_reads(void) {
     return steps;
 }
 
-/* Is the odd port of mode taken for the mode? */
+/* Checks whether the odd port of mode is taken for the mode: X then steps. */
 uint32_t steps_after_odd_mode(void) {
     outp(MODE, MODE_BOTH);
     outp(MODE + 1, MODE_STEP | MODE_BOTH);
@@ -56,7 +57,8 @@ uint32_t steps_after_odd_mode(void) {
     return steps_since();
 }
 
-/* A dot written and read with the bit set; then how many of its primaries differ without it. */
+/* Writes and reads a dot with the bit set. Returns the dot's colour, then how many of its primaries
+ * differ without the bit. */
 static uint32_t with_mode_bit(uint8_t bit) {
     outp(MODE, bit | MODE_BOTH);
     dot_write(BENCH_X, BENCH_Y, BENCH_COLOUR);
@@ -87,9 +89,9 @@ uint32_t mode_bit_80(void) {
     return with_mode_bit(MODE_STEAL);
 }
 
-/* STEALWR may mean that the board takes the writes to the PC-9801's own graphics memory: eight dots
- * of its blue plane are lit with the bit set. The board's colour of the first of them, then what
- * the plane gives back. */
+/* Lights eight dots of the PC-9801's own blue plane with STEALWR set. The bit may mean that the
+ * board takes the writes to that graphics memory. Returns the board's colour of the first of the
+ * dots, then what the plane gives back. */
 uint32_t steal(void) {
     volatile uint8_t *plane = (volatile uint8_t *)(UINT32_C(0xA8000) + 80 * BENCH_Y + BENCH_X / 8);
     dot_write(BENCH_X, BENCH_Y, BENCH_COLOUR);

@@ -27,7 +27,7 @@ uint8_t primaries_lit(uint32_t rgb) {
     return (uint8_t)((rgb >> 16 != 0) + ((rgb & 0xFF00) != 0) + ((rgb & 0xFF) != 0));
 }
 
-/* These two go over the whole screen: Y is set once a row. */
+/* Goes over the whole screen, as dot_find() does: Y is set once a row. */
 void screen_clear(void) {
     for (uint16_t y = 0; y < SCREEN_HEIGHT; y++) {
         outpw(Y_AXIS, y);

@@ -9,14 +9,14 @@
 
 enum { COMPACT_GROUP = 8 };
 
-/* Where the lanes of a group come from: as words, and as the low and the high half of numbers that
- * take two words. */
+/* Where the lanes of a group come from. words is for words; low and high are for the halves of a
+ * group of numbers that take two words each. */
 struct compact_order {
     uint32_t count, low_count;
     __m256i words, low, high;
 };
 
-/* The lanes that half a group's bits choose, a byte each, from the lowest on. */
+/* Returns the lanes that half a group's bits choose, a byte each, from the lowest on. */
 static inline uint32_t compact_half(uint32_t chosen) {
     static const uint32_t lanes[16] = {0,      0,        1,        0x0100,    2,      0x0200,
                                        0x0201, 0x020100, 3,        0x0300,    0x0301, 0x030100,
@@ -24,14 +24,15 @@ static inline uint32_t compact_half(uint32_t chosen) {
     return lanes[chosen];
 }
 
-/* Of two words each, those of the numbers that the low four bytes name. */
+/* Returns the places of the words of the numbers that the low four bytes name; a number has two
+ * words. */
 static inline __m256i compact_pairs(uint32_t lanes) {
     __m256i first = _mm256_slli_epi64(_mm256_cvtepu8_epi64(_mm_cvtsi32_si128((int)lanes)), 1);
     return _mm256_or_si256(first,
                            _mm256_slli_epi64(_mm256_add_epi64(first, _mm256_set1_epi64x(1)), 32));
 }
 
-/* See sets/plain/compact.h. */
+/* Finds the chosen lanes of a group: see sets/plain/compact.h. */
 static inline struct compact_order compact_order_of(uint64_t lanes) {
     uint32_t low = (uint32_t)lanes & 15, high = (uint32_t)lanes >> 4 & 15;
     struct compact_order order;

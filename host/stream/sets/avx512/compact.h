@@ -9,14 +9,14 @@
 
 enum { COMPACT_GROUP = 16 };
 
-/* The chosen lanes of a group, and how many there are; of the low half as well, for numbers that
- * take two words. */
+/* The chosen lanes of a group, and how many there are. The low half's are counted too, for numbers
+ * that take two words. */
 struct compact_order {
     __mmask16 chosen;
     uint32_t count, low_count;
 };
 
-/* See sets/plain/compact.h. */
+/* Finds the chosen lanes of a group: see sets/plain/compact.h. */
 static inline struct compact_order compact_order_of(uint64_t lanes) {
     const struct compact_order order = {(__mmask16)(lanes & 0xFFFF),
                                         (uint32_t)__builtin_popcountll(lanes & 0xFFFF),

@@ -13,7 +13,8 @@ struct compact_order {
     uint8_t lane[COMPACT_GROUP];
 };
 
-/* Of the group that the low bits of `lanes` choose from. */
+/* Finds the chosen lanes of a group: those whose bits are set among the low COMPACT_GROUP of
+ * `lanes`. */
 static inline struct compact_order compact_order_of(uint64_t lanes) {
     struct compact_order order;
     order.count = 0;
@@ -23,7 +24,8 @@ static inline struct compact_order compact_order_of(uint64_t lanes) {
     return order;
 }
 
-/* Writes a group's chosen numbers to to[0] on. Up to to[COMPACT_GROUP - 1] is overwritten. */
+/* Writes a group's chosen numbers to to[0] on. With vectors, all up to to[COMPACT_GROUP - 1] is
+ * overwritten. */
 static inline void compact_numbers(real_length *restrict to, const real_length *restrict from,
                                    const struct compact_order *order) {
     for (uint32_t i = 0; i < order->count; i++) {
@@ -31,7 +33,7 @@ static inline void compact_numbers(real_length *restrict to, const real_length *
     }
 }
 
-/* The same with words. */
+/* Writes a group's chosen words to to[0] on, as compact_numbers() does numbers. */
 static inline void compact_words(uint32_t *restrict to, const uint32_t *restrict from,
                                  const struct compact_order *order) {
     for (uint32_t i = 0; i < order->count; i++) {
