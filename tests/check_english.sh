@@ -1,15 +1,16 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Holds comments to two rules of docs/changing.md, which a script can see: check_english.sh [FILE...]
+# Holds comments and pages to two rules of docs/changing.md, which a script can see: check_english.sh [FILE...]
 #
 # 1. What stands before a function begins with a verb in the third person: "Returns", "Appends".
-# 2. A sentence has at most 22 words.
+# 2. A sentence has at most 22 words. Of a page, tables and code are left out.
 #
-# Without arguments, of all source files. Exit status: 0 all hold, 1 one does not, 2 no file was found.
+# Without arguments, of all source files and pages; docs/bench.md and docs/usb-bytes.md are made by programs. Exit status: 0 all hold, 1 one does not, 2 no file was found.
 set -u
 cd "$(dirname "$0")/.." || exit 2
 # shellcheck disable=SC2046 # names without blanks
-[ $# -gt 0 ] || set -- $(find hal emulator firmware host -name '*.[ch]' | sort)
+[ $# -gt 0 ] || set -- $(find hal emulator firmware host -name '*.[ch]' | sort) \
+    README.md $(find docs -maxdepth 1 -name '*.md' ! -name bench.md ! -name usb-bytes.md | sort)
 [ $# -gt 0 ] || exit 2
 
 awk '
@@ -59,9 +60,31 @@ function check_function(text, line, first) {
     }
 }
 
+# Ends a paragraph of a page, or an item of a list.
+function end_block() {
+    if (block != "") {
+        check_sentences(block, block_line)
+    }
+    block = ""
+}
+
 FNR == 1 {
-    in_comment = 0
+    end_block()
+    in_comment = is_fenced = 0
     before = ""
+}
+FILENAME ~ /\.md$/ {
+    if ($0 ~ /^[ \t]*([-*]|[0-9]+\.)[ \t]/) {
+        end_block()
+    }
+    is_fenced = $0 ~ /^```/ ? !is_fenced : is_fenced
+    if (is_fenced || $0 ~ /^([ \t]*$|[ \t]*\||#|<!--|```)/ || (block == "" && $0 ~ /^    /)) {
+        end_block()
+    } else {
+        block_line = block == "" ? FNR : block_line
+        block = block " " $0
+    }
+    next
 }
 {
     line = $0
@@ -105,6 +128,7 @@ FNR == 1 {
     }
 }
 END {
+    end_block()
     printf "english: %d wrong\n", failures
     exit failures > 0
 }' "$@"
