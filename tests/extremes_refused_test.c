@@ -320,6 +320,29 @@ static void a_refusal_says_where_and_what_and_nothing_else(void **state) {
     }
 }
 
+/* Boxes without a face in common: six surfaces each, of which there may be 768. */
+static void the_limit_of_surfaces_is_named(void **state) {
+    static char text[1 << 15];
+    size_t used = 0;
+    (void)state;
+    used += (size_t)snprintf(text, sizeof text,
+                             "version = 1; camera = { eye = (0, -900, 0); look_at = (0, 0, 0); };\n"
+                             "materials = { m = { colour = (9, 9, 9); }; };\nobjects = (\n");
+    for (int i = 0; i < 150; i++) {
+        double low = i + 0.25;
+        used += (size_t)snprintf(text + used, sizeof text - used,
+                                 "%s{ box = { min = (%g, %g, %g); max = (%g, %g, %g); }; }%s",
+                                 i % 50 == 0 ? "{ material = \"m\"; solid = { union = ( " : "", low,
+                                 low, low, low + 0.5, low + 0.5, low + 0.5,
+                                 i % 50 < 49 ? ",\n"
+                                 : i < 149   ? " ); }; },\n"
+                                             : " ); }; }\n);\n");
+    }
+    assert_true(used < sizeof text);
+    assert_string_equal(refusal_of(text, "f64"),
+                        "test.scene:132: more than 768 different surfaces");
+}
+
 /* A solid of two lines, which differs with its place. Those that the compiler makes one primitive
  * of have that one's line, which is the first. */
 static const struct two_lines {
@@ -367,6 +390,7 @@ int main(void) {
         cmocka_unit_test(unbounded_glass_is_refused),
         cmocka_unit_test(a_floor_beyond_the_world_is_refused),
         cmocka_unit_test(a_refusal_says_where_and_what_and_nothing_else),
+        cmocka_unit_test(the_limit_of_surfaces_is_named),
         cmocka_unit_test(the_line_of_a_solid_too_many_is_its_own),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
