@@ -303,8 +303,8 @@ paper: $(BUILD)/superframe ## Make every figure of the paper, and measure its cl
 	@echo "The page is $(BUILD)/paper/index.html"
 
 include firmware/targets/targets.mk
-include tests/tests.mk
 include tests/measures.mk
+include tests/tests.mk
 
 # ---- The machine --------------------------------------------------------------------------------
 
