@@ -98,7 +98,6 @@ CFLAGS_sanitized := -O1 $(DEBUG) -fsanitize=address,undefined -fno-sanitize-reco
 CFLAGS_fuzzed    := $(CFLAGS_sanitized) -fsanitize=fuzzer-no-link,float-cast-overflow
 LDFLAGS_sanitized := -fsanitize=address,undefined
 LDFLAGS_fuzzed    := -fsanitize=fuzzer,address,undefined
-LDFLAGS_coverage  := --coverage
 
 # say WORD: names what is made, where the command itself is not shown.
 say = @$(if $(V),:,printf '  %-4s %s\n' '$(1)' '$(@:$(BUILD)/%=%)')

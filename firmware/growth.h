@@ -18,8 +18,8 @@ struct losses {
     int64_t squares;         /* of the largest of those, in steps of 2^-52 */
     int64_t ended[3];        /* that the depth level cut, in steps of 2^-30 */
 
-    /* Of the branches in `weight`: the largest weight, in steps of 2^-30, times the events that the
-     * branch could still have met. */
+    /* A sum over the branches in `weight`, in steps of 2^-30. Each adds its largest weight times
+     * the events that it could still have met. */
     int64_t depth;
 };
 

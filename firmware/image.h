@@ -29,8 +29,8 @@ struct render_counts {
     uint32_t proved_error;     /* in levels: what was cut, at its brightest, to the depth level */
 };
 
-/* Which way a branch was going when it was cut. What is above and what is below the objects differs
- * more than anything else that is known of the branch by then. */
+/* The way that a branch was going when it was cut. What is above and what is below the objects
+ * differs more than anything else that is known of the branch by then. */
 enum estimate_way { WAY_DOWN, WAY_UP, WAYS, WAY_ANY = WAYS };
 
 /* What branches are worth that one threshold cuts; intensities in steps of 2^-16 level. */
@@ -52,8 +52,8 @@ enum { ESTIMATE_LEVELS = 20 };
  * depth level, up to level 255. An image needs room for these events. */
 enum { ESTIMATE_EVENTS = 16 };
 
-/* What is learned of a scene. Level 0 is of the scene's own threshold, each next level of half the
- * threshold before. All levels but level 0 are for an accuracy that is asked for. */
+/* The lesson that is learned of a scene. Level 0 is of the scene's own threshold, each next level
+ * of half the threshold before. All levels but level 0 are for an accuracy that is asked for. */
 struct estimate {
     struct estimate_level level[ESTIMATE_LEVELS];
     uint8_t first;   /* the level where pixels begin */

@@ -6,9 +6,9 @@
 #include "image.h"
 #include "scene.h"
 
-/* What a ray carries from one boundary to the next. The set of primitives that the ray is inside of
- * decides where it may enter and leave. The sign of a distance does not decide, for rounding has
- * touched distances. */
+/* The state that a ray carries from one boundary to the next. The set of primitives that the ray is
+ * inside of decides where it may enter and leave. The sign of a distance does not decide, for
+ * rounding has touched distances. */
 struct ray {
     struct point origin;
     struct direction direction;

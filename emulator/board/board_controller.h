@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What is known of the mode register's bits and the CRT controller's registers. */
+/* The known bits of the mode register, and the known registers of the CRT controller. */
 #ifndef SUPERFRAME_BOARD_CONTROLLER_H
 #define SUPERFRAME_BOARD_CONTROLLER_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What the board's source files share. */
+/* Declarations that the board's source files share. */
 #ifndef SUPERFRAME_EMULATOR_BOARD_INTERNAL_H
 #define SUPERFRAME_EMULATOR_BOARD_INTERNAL_H
 

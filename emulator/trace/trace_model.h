@@ -31,7 +31,7 @@ enum {
 /* As in PNG: a byte that no text has, the name, and line ends that a text transfer would change. */
 static const uint8_t trace_magic[TRACE_MAGIC_SIZE] = {0x89, 'S', 'F', 'T', 0x0D, 0x0A, 0x1A, 0x0A};
 
-/* What the next access is expected to be. Its kind is the one that followed the last access the
+/* The access that is expected next. Its kind is the one that followed the last access the
  * last time. A byte is expected to have the same value as before, a word the same step as
  * before. */
 struct trace_model {

@@ -276,8 +276,8 @@ static inline struct fixed_slope fixed_slope_of_norm(uint64_t norm, uint32_t *le
 static inline int32_t fixed_narrowed(int64_t a, unsigned shift) {
     if (shift > 0) {
         a = fixed_rounded(a, shift);
-        /* What was rounded up to 2^31 goes back to 2^31 - 1. That costs 1 LSB at most, as little as
-         * any other error. */
+        /* A result that was rounded up to 2^31 goes back to 2^31 - 1. That costs 1 LSB at most, as
+         * little as any other error. */
         a = a > FIXED_MOST ? FIXED_MOST : a < -FIXED_MOST ? -FIXED_MOST : a;
     }
     return (int32_t)a;

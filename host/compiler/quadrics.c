@@ -138,17 +138,15 @@ static void form_range(const struct quadric_axes *axes, double *least, double *m
     }
 }
 
-/* Compiles a form whose surface stays outside of the world as a half-space that holds all of the
- * world, or nothing. Returns -2 where the surface may come near, or where the form holds no
- * point. */
-static int compile_beyond(struct compiler *compiler, const struct quadric_axes *axes) {
+/* Finds the half-space that stands for a form whose surface stays outside of the world. The plane
+ * holds all of the world, or nothing. Returns false where the surface may come near. */
+static bool stays_beyond(const struct quadric_axes *axes, struct scene_plane *plane) {
+    const struct scene_plane up = {{0, 0, 1}, COMPILE_WORLD};
     double least, most;
     form_range(axes, &least, &most);
-    if (holds_no_point(axes) || (least <= 0 && most >= 0)) {
-        return -2;
-    }
-    const struct scene_plane plane = {{0, 0, 1}, most < 0 ? COMPILE_WORLD : -2 * COMPILE_WORLD};
-    return compile_placed_half_space(compiler, &plane);
+    *plane = up;
+    plane->offset *= most < 0 ? 1 : -2;
+    return least > 0 || most < 0;
 }
 
 /* Moves a centre that lies out of the scene to the scene's middle, along the axes that leave the
@@ -207,11 +205,11 @@ int compile_quadric(struct compiler *compiler, const struct solid_node *leaf,
     }
     centre_form(&axes);
     const char *fault = fault_of(&axes);
+    struct scene_plane plane;
+    if (fault && !holds_no_point(&axes) && stays_beyond(&axes, &plane)) {
+        return compile_placed_half_space(compiler, &plane);
+    }
     if (fault) {
-        int all_or_nothing = compile_beyond(compiler, &axes);
-        if (all_or_nothing != -2) {
-            return all_or_nothing;
-        }
         compile_fail(compiler, compiler->line, "%s", fault);
         return -1;
     }

@@ -170,13 +170,6 @@ make_program() {
     esac
 }
 
-# Prints what runs a program, if it does not run by itself.
-interpreter() {
-    case $1 in
-    *.sh) echo sh ;;
-    esac
-}
-
 # Runs a program of the copy for at most some seconds. Notes that it can be green, and what it took.
 run_program() {
     run_began=$(date +%s)
@@ -188,14 +181,17 @@ run_program() {
         IFS=,
         # shellcheck disable=SC2086 # the program and its arguments
         set -- $1
-        case $1 in
-        *.sh) program=$1 ;;
-        *) program=build/$1 ;;
-        esac
-        shift
         unset IFS
+        case $1 in
+        *.sh) set -- sh "$@" ;;
+        *)
+            program=build/$1
+            shift
+            set -- "$program" "$@"
+            ;;
+        esac
         BUILD=build SUPERFRAME=build/$superframe ASAN_OPTIONS=hard_rss_limit_mb=3000 \
-            exec timeout -k 5 "$patience" $(interpreter "$program") "$program" "$@"
+            exec timeout -k 5 "$patience" "$@"
     ) > "$work/run.log" 2>&1 || return
     printf '%s %s\n' "$1" $(($(date +%s) - run_began)) >> "$costs"
     printf '%s\n' "$1" >> "$work/green"

@@ -92,6 +92,7 @@ bool rewrite_light(struct syntax *scene, uint64_t *random);
 bool rewrite_child_order(struct syntax *scene, uint64_t *random);
 bool rewrite_de_morgan(struct syntax *scene, uint64_t *random);
 bool rewrite_split(struct syntax *scene, uint64_t *random);
+bool rewrite_beyond(struct syntax *scene, uint64_t *random);
 bool rewrite_alone(struct syntax *scene, uint64_t *random);
 bool rewrite_cutter(struct syntax *scene, uint64_t *random);
 bool prepare_cutter(struct syntax *scene, uint64_t *random);

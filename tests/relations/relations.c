@@ -23,6 +23,7 @@ const struct relation relations[] = {
     {"halves", IN_F64, MAP_SAME, NULL, NULL, rewrite_halves, false, false, 1},
     {"cutter", IN_F64, MAP_SAME, NULL, prepare_cutter, rewrite_cutter, false, false, 1},
     {"alone", IN_ALL, MAP_SAME, NULL, NULL, rewrite_alone, false, false, 1},
+    {"beyond", IN_ALL, MAP_SAME, NULL, NULL, rewrite_beyond, false, false, 1},
     {"empty", IN_ALL, MAP_SAME, NULL, NULL, rewrite_empty, false, false, 1},
     {"ghost", IN_ALL, MAP_SAME, NULL, NULL, rewrite_ghost, true, false, 1},
     {"as-part", IN_ALL, MAP_SAME, NULL, NULL, rewrite_as_part, false, false, 1},

@@ -208,3 +208,26 @@ bool rewrite_alone(struct syntax *scene, uint64_t *random) {
     }
     return true;
 }
+
+/* Cuts objects by curves whose surfaces are far from the scene: intersects with what holds all of
+ * the scene, and takes away what holds nothing. */
+bool rewrite_beyond(struct syntax *scene, uint64_t *random) {
+    static const double radii[] = {500, 1e4, 1e6};
+    if (syntax_has_endless(scene)) {
+        return false; /* with an end, the scene's own end would be elsewhere */
+    }
+    for (int i = 0; i < scene->object_count && !scene->is_full; i++) {
+        int solid = scene->objects[i].solid;
+        double radius = radii[chance_pick(random, 3)];
+        bool holds_all = chance_is(random, 50);
+        double away = holds_all ? radius / 4 : 3 * radius;
+        int below =
+            syntax_push_down(scene, solid, holds_all ? SYNTAX_INTERSECTION : SYNTAX_DIFFERENCE);
+        int curve = chance_is(random, 50) ? generate_ball(scene, away, 0, 0, radius)
+                                          : generate_upright(scene, SYNTAX_CYLINDER, away, 0,
+                                                             -radius, radius, radius);
+        syntax_adopt(scene, solid, below);
+        syntax_adopt(scene, solid, curve);
+    }
+    return true;
+}
