@@ -103,7 +103,7 @@ objects_of() {
 # Prints the objects of a list, and those that they are linked into: images and streams.
 with_images() {
     sed -n -e 'p' -e 's|^\([a-z]*\)/stream/\([a-z0-9_]*\)/.*|\1/stream_\2.o|p' \
-        -e 's|^\([a-z]*\)/\([a-z0-9_]*\)/\(firmware\|host\)/.*|\1/image_\2.o|p' "$1" | sort -u
+        -e 's#^\([a-z]*\)/\([a-z0-9_]*\)/\(firmware\|host\)/.*#\1/image_\2.o#p' "$1" | sort -u
 }
 
 # Notes which file makes a difference to which program, by what their objects need of each other.
