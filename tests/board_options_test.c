@@ -97,13 +97,13 @@ static void what_a_trace_is_asked_for(void **state) {
     struct options options;
     struct options_error error;
     assert_true(parse(COMMAND_TRACE, "trace a", &options, &error));
-    assert_false(options.has_profile || options.has_base || options.tracing.lists);
+    assert_false(options.board.has_profile || options.board.has_base || options.tracing.lists);
     assert_true(parse(COMMAND_TRACE,
                       "trace a --list --statistics --violations --stop 9 -o b.png "
                       "--profile later --base 02D0",
                       &options, &error));
     assert_true(options.tracing.lists && options.tracing.counts && options.tracing.judges);
-    assert_true(options.has_profile && options.has_base && options.board.stop == 9);
+    assert_true(options.board.has_profile && options.board.has_base && options.board.stop == 9);
     assert_true(parse(COMMAND_TRACE, "trace a --to text -o -", &options, &error));
     assert_true(options.tracing.converts && options.tracing.to == TRACE_TEXT);
     assert_true(parse(COMMAND_TRACE, "trace a --to binary", &options, &error));

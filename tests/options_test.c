@@ -12,13 +12,13 @@ static void defaults(void **state) {
     assert_string_equal(options.operands[0], "fig3");
     assert_string_equal(options.arithmetic, "fx");
     assert_int_equal(options.bus, BUS_CHOICE_EMULATOR);
-    assert_int_equal(options.profile, BOARD_1987);
-    assert_int_equal(options.base, 0x00D0);
+    assert_int_equal(options.board.profile, BOARD_1987);
+    assert_int_equal(options.board.base, 0x00D0);
     assert_int_equal(options.jobs, 1);
     assert_null(options.output);
     assert_null(options.stats);
     assert_null(options.trace);
-    assert_false(options.strict || options.quiet || options.has_rows || options.json);
+    assert_false(options.board.strict || options.quiet || options.has_rows || options.json);
     assert_false(options.overrides.has_depth || options.overrides.has_threshold ||
                  options.overrides.has_size || options.overrides.has_model ||
                  options.overrides.has_highlight || options.overrides.has_colour);
@@ -44,10 +44,10 @@ static void all_options_of_render(void **state) {
     assert_int_equal(options.first_row, 0);
     assert_int_equal(options.last_row, 200);
     assert_int_equal(options.jobs, 2);
-    assert_int_equal(options.base, 0x0CD0);
-    assert_int_equal(options.profile, BOARD_LATER);
-    assert_true(options.strict && options.has_strict_grade && options.quiet);
-    assert_int_equal(options.strict_grade, GRADE_ASSUMED);
+    assert_int_equal(options.board.base, 0x0CD0);
+    assert_int_equal(options.board.profile, BOARD_LATER);
+    assert_true(options.board.strict && options.board.has_strict_grade && options.quiet);
+    assert_int_equal(options.board.strict_grade, GRADE_ASSUMED);
     assert_true(parse(COMMAND_RENDER, "render fig3 --highlight blinn --arith f64 --tail black",
                       &options, &error));
     assert_int_equal(options.overrides.highlight, HIGHLIGHT_BLINN);
@@ -67,7 +67,7 @@ static void all_options_of_render(void **state) {
     assert_int_equal(options.overrides.colour, COLOUR_EXPOSURES);
     assert_string_equal(options.keep_exposures, "e");
     assert_true(parse(COMMAND_RENDER, "render --strict -- -fig3", &options, &error));
-    assert_true(options.strict && !options.has_strict_grade);
+    assert_true(options.board.strict && !options.board.has_strict_grade);
     assert_string_equal(options.operands[0], "-fig3");
 }
 

@@ -15,67 +15,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cmocka.h>
-#include <dirent.h>
-
 #include "base/output.h"
-
-/* Each test runs in a new folder of its own. */
-struct place {
-    char before[4096];
-    char folder[64];
-};
-
-static int enter(void **state) {
-    struct place *place = calloc(1, sizeof *place);
-    if (place == NULL || getcwd(place->before, sizeof place->before) == NULL) {
-        return -1;
-    }
-    strcpy(place->folder, "/tmp/superframe-output-XXXXXX");
-    *state = place;
-    return mkdtemp(place->folder) == NULL || chdir(place->folder) != 0 ? -1 : 0;
-}
-
-/* The number of files; their names, if wanted, are removed as well. */
-static int count_files(bool removes) {
-    int count = 0;
-    DIR *folder = opendir(".");
-    struct dirent *entry;
-    while ((entry = readdir(folder)) != NULL) {
-        if (strcmp(entry->d_name, ".") != 0 && strcmp(entry->d_name, "..") != 0) {
-            count++;
-            if (removes && remove(entry->d_name) != 0) {
-                (void)fprintf(stderr, "%s stays\n", entry->d_name);
-            }
-        }
-    }
-    (void)closedir(folder);
-    return count;
-}
-
-static int leave(void **state) {
-    struct place *place = *state;
-    (void)count_files(true);
-    int failed = chdir(place->before) != 0 || rmdir(place->folder) != 0;
-    free(place);
-    return failed ? -1 : 0;
-}
-
-static void put(const char *path, const char *text) {
-    FILE *file = fopen(path, "wb");
-    assert_non_null(file);
-    assert_true(fputs(text, file) >= 0);
-    assert_int_equal(fclose(file), 0);
-}
-
-static void assert_holds(const char *path, const char *text) {
-    char bytes[64] = "";
-    FILE *file = fopen(path, "rb");
-    assert_non_null(file);
-    bytes[fread(bytes, 1, sizeof bytes - 1, file)] = '\0';
-    (void)fclose(file);
-    assert_string_equal(bytes, text);
-}
+#include "folder_fixture.h"
 
 static void write_out(const char *path, const char *text) {
     struct output output;

@@ -249,41 +249,54 @@ static void a_dither_needs_four_dots_a_pixel(void **state) {
 static void exposures_show_one_bit_each_and_add_up(void **state) {
     (void)state;
     struct stage stage = set_up(LEVELS, 2, COLOUR_EXPOSURES, 0, 1);
-    struct exposures *exposures = exposures_new(stage.chain, NULL);
-    assert_non_null(exposures);
+    struct camera *camera = camera_new(NULL);
+    assert_non_null(camera);
     for (unsigned k = 0; k < RENDER_EXPOSURES; k++) {
         draw(&stage, all_levels, NULL, k);
-        exposures_take(exposures, k);
+        camera_take(camera, stage.chain->rgb, k);
         for (int x = 0; x < LEVELS; x++) {
             assert_int_equal(dot_at(&stage, 2 * x, 0)[0], x / (1 << k) % 2 * 255);
             assert_int_equal(dot_at(&stage, 2 * x, 0)[1], (255 - x) / (1 << k) % 2 * 255);
         }
     }
-    exposures_develop(exposures);
+    camera_develop(camera);
     for (int y = 0; y < 4; y++) {
         for (int x = 0; x < 2 * LEVELS; x++) {
             const uint8_t expected[3] = {(uint8_t)(x / 2), (uint8_t)(255 - x / 2),
                                          (uint8_t)(x / 2 + 100 + y / 2)};
-            assert_memory_equal(&exposures->rgb[(y * PICTURE_WIDTH + x) * 3], expected, 3);
+            assert_memory_equal(&camera->rgb[(y * PICTURE_WIDTH + x) * 3], expected, 3);
         }
     }
-    exposures_free(exposures);
+    camera_free(camera);
     take_down(&stage);
 }
 
 /* ---- Whole renders -------------------------------------------------------------------------- */
 
+/* A stage with the camera before its screen. */
+struct photographed {
+    const struct stage *stage;
+    struct camera *camera;
+};
+
+static void take_exposure(void *context, unsigned exposure) {
+    const struct photographed *photographed = context;
+    port_chain_picture(photographed->stage->chain);
+    camera_take(photographed->camera, photographed->stage->chain->rgb, exposure);
+}
+
 /* Renders rows first .. last-1 of the stage's scene onto its board. */
 static void render_rows(const struct stage *stage, unsigned first, unsigned last, unsigned jobs,
-                        struct exposures *exposures) {
+                        struct camera *camera) {
+    struct photographed photographed = {stage, camera};
     struct render_job job = {.arithmetic = &arithmetic_fx,
                              .scene = stage->compiled,
                              .base = BOARD_FACTORY_BASE,
                              .first_row = first,
                              .last_row = last,
                              .jobs = jobs,
-                             .exposed = exposures != NULL ? exposures_take : NULL,
-                             .exposed_context = exposures};
+                             .exposed = camera != NULL ? take_exposure : NULL,
+                             .exposed_context = &photographed};
     struct render_totals totals;
     struct scene_error error;
     assert_true(render(&job, &totals, &error));
@@ -316,17 +329,17 @@ static void a_multiple_exposure_is_the_full_picture(void **state) {
     port_chain_picture(full.chain);
     for (unsigned jobs = 1; jobs <= 2; jobs++) {
         struct stage stage = set_up(60, 37, COLOUR_EXPOSURES, 0, 1);
-        struct exposures *exposures = exposures_new(stage.chain, NULL);
-        assert_non_null(exposures);
-        render_rows(&stage, 5, 37, jobs, exposures);
-        exposures_develop(exposures);
+        struct camera *camera = camera_new(NULL);
+        assert_non_null(camera);
+        render_rows(&stage, 5, 37, jobs, camera);
+        camera_develop(camera);
         /* Rows that were not drawn are dark. */
         const size_t start = 10 * PICTURE_WIDTH * 3;
         for (size_t i = 0; i < start; i++) {
-            assert_int_equal(exposures->rgb[i], 0);
+            assert_int_equal(camera->rgb[i], 0);
         }
-        assert_memory_equal(exposures->rgb + start, full.chain->rgb + start, PICTURE_BYTES - start);
-        exposures_free(exposures);
+        assert_memory_equal(camera->rgb + start, full.chain->rgb + start, PICTURE_BYTES - start);
+        camera_free(camera);
         take_down(&stage);
     }
     take_down(&full);

@@ -3,6 +3,7 @@
 #include "board/camera.h"
 
 #include <errno.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -11,22 +12,21 @@
 #include "base/complain.h"
 #include "base/interrupt.h"
 #include "base/path.h"
-#include "png_file.h"
 
 enum { FULL_EXPOSURE = 255, NEW_FOLDER_MODE = 0777 };
 
-char *exposure_name(const char *folder, unsigned exposure) {
+char *camera_exposure_name(const char *folder, unsigned exposure) {
     char name[32];
     (void)snprintf(name, sizeof name, "exposure-%u.png", exposure);
     return path_join(folder, name);
 }
 
-static bool make_folder(struct exposures *exposures, const char *folder) {
+static bool make_folder(struct camera *camera, const char *folder) {
     if (mkdir(folder, NEW_FOLDER_MODE) == 0) {
-        exposures->made_folder = malloc(strlen(folder) + 1);
-        if (exposures->made_folder != NULL) {
-            strcpy(exposures->made_folder, folder);
-            interrupt_guard(exposures->made_folder);
+        camera->made_folder = malloc(strlen(folder) + 1);
+        if (camera->made_folder != NULL) {
+            strcpy(camera->made_folder, folder);
+            interrupt_guard(camera->made_folder);
         }
         return true;
     }
@@ -37,87 +37,83 @@ static bool make_folder(struct exposures *exposures, const char *folder) {
     return true;
 }
 
-static void drop_folder(struct exposures *exposures) {
-    interrupt_release(exposures->made_folder);
-    free(exposures->made_folder);
-    exposures->made_folder = NULL;
+static void drop_folder(struct camera *camera) {
+    interrupt_release(camera->made_folder);
+    free(camera->made_folder);
+    camera->made_folder = NULL;
 }
 
 /* Opens all eight before the work begins: a place that can't be written is known at once. */
-static bool open_kept(struct exposures *exposures, const char *folder) {
-    if (!make_folder(exposures, folder)) {
+static bool open_kept(struct camera *camera, const char *folder) {
+    if (!make_folder(camera, folder)) {
         return false;
     }
     for (unsigned i = 0; i < RENDER_EXPOSURES; i++) {
-        exposures->names[i] = exposure_name(folder, i);
-        if (exposures->names[i] == NULL) {
+        camera->names[i] = camera_exposure_name(folder, i);
+        if (camera->names[i] == NULL) {
             complain("out of memory");
             return false;
         }
-        if (!output_open(&exposures->kept[i], exposures->names[i])) {
+        camera->kept[i] = png_sink_open(camera->names[i]);
+        if (camera->kept[i] == NULL) {
             return false;
         }
     }
     return true;
 }
 
-struct exposures *exposures_new(struct port_chain *chain, const char *folder) {
-    struct exposures *exposures = calloc(1, sizeof *exposures);
-    if (exposures == NULL) {
+struct camera *camera_new(const char *folder) {
+    struct camera *camera = calloc(1, sizeof *camera);
+    if (camera == NULL) {
         complain("out of memory");
         return NULL;
     }
-    exposures->chain = chain;
-    if (folder != NULL && !open_kept(exposures, folder)) {
-        exposures_free(exposures);
+    if (folder != NULL && !open_kept(camera, folder)) {
+        camera_free(camera);
         return NULL;
     }
-    return exposures;
+    return camera;
 }
 
-void exposures_take(void *context, unsigned exposure) {
-    struct exposures *exposures = context;
-    struct port_chain *chain = exposures->chain;
-    struct output *kept = &exposures->kept[exposure];
-    port_chain_picture(chain);
+void camera_take(struct camera *camera, const uint8_t *screen, unsigned exposure) {
+    const struct shown_picture picture = {screen, PICTURE_WIDTH, PICTURE_HEIGHT};
+    struct picture_sink *kept = camera->kept[exposure];
     for (size_t i = 0; i < PICTURE_BYTES; i++) {
-        exposures->film[i] += (uint32_t)chain->rgb[i] << exposure;
+        camera->film[i] += (uint32_t)screen[i] << exposure;
     }
-    struct png_error error;
-    if (kept->file != NULL &&
-        write_png(kept->file, chain->rgb, PICTURE_WIDTH, PICTURE_HEIGHT, &error) != PNG_OK) {
-        output_complain(kept, error.message);
-        exposures->failed = true;
+    if (kept != NULL && !kept->operations->show(kept, &picture)) {
+        camera->has_failed = true;
     }
 }
 
-bool exposures_commit(struct exposures *exposures) {
-    for (unsigned i = 0; i < RENDER_EXPOSURES && !exposures->failed; i++) {
-        exposures->failed = exposures->kept[i].file != NULL && !output_commit(&exposures->kept[i]);
+bool camera_commit(struct camera *camera) {
+    for (unsigned i = 0; i < RENDER_EXPOSURES && !camera->has_failed; i++) {
+        struct picture_sink *kept = camera->kept[i];
+        camera->has_failed = kept != NULL && !kept->operations->commit(kept);
     }
-    if (!exposures->failed) {
-        drop_folder(exposures); /* the folder stays */
+    if (!camera->has_failed) {
+        drop_folder(camera); /* the folder stays */
     }
-    return !exposures->failed;
+    return !camera->has_failed;
 }
 
-void exposures_develop(struct exposures *exposures) {
+void camera_develop(struct camera *camera) {
     for (size_t i = 0; i < PICTURE_BYTES; i++) {
-        exposures->rgb[i] = (uint8_t)((exposures->film[i] + FULL_EXPOSURE / 2) / FULL_EXPOSURE);
+        camera->rgb[i] = (uint8_t)((camera->film[i] + FULL_EXPOSURE / 2) / FULL_EXPOSURE);
     }
 }
 
-void exposures_free(struct exposures *exposures) {
-    if (exposures == NULL) {
+void camera_free(struct camera *camera) {
+    if (camera == NULL) {
         return;
     }
     for (unsigned i = 0; i < RENDER_EXPOSURES; i++) {
-        output_discard(&exposures->kept[i]);
-        free(exposures->names[i]);
+        picture_sink_close(camera->kept[i]);
+        free(camera->names[i]);
     }
-    if (exposures->made_folder != NULL) {
-        (void)rmdir(exposures->made_folder); /* removes the folder only if it is empty */
-        drop_folder(exposures);
+    if (camera->made_folder != NULL) {
+        (void)rmdir(camera->made_folder); /* removes the folder only if it is empty */
+        drop_folder(camera);
     }
-    free(exposures);
+    free(camera);
 }

@@ -6,6 +6,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "board.h"
 #include "fault_bus.h"
 
 /* Which picture a PNG holds. */
@@ -15,8 +16,13 @@ enum picture_kind {
     PICTURE_KIND_WHOLE   /* 640 x 416: the frame memory with its hidden blocks below */
 };
 
-/* All zero: no option was given. Strings point into argv. */
+/* All zero but the base: no option was given. Strings point into argv. */
 struct board_options {
+    bool has_profile, has_base; /* given, and not the default */
+    enum board_profile profile;
+    uint16_t base;
+    bool strict, has_strict_grade;
+    enum board_grade strict_grade;
     enum picture_kind picture;
     const char *native; /* a PNG of the PC-9801's own screen; NULL: black */
     bool has_faults;

@@ -1,15 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* PNG files into and out of the emulated board. */
+/* Pictures into and out of the emulated board. */
 #include "board/screen_file.h"
 
 #include <errno.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/complain.h"
-#include "base/png_output.h"
-#include "picture.h"
 #include "png_file.h"
 
 static bool native_take(struct native_screen *native, const char *path,
@@ -47,31 +44,50 @@ bool native_read(struct native_screen *native, const char *path) {
     return is_taken;
 }
 
-static bool write_screen(struct output *output, const struct board *board,
-                         const struct native_screen *native) {
+/* Returns the screen's 640 x 400 pixels; *state: why they are black, if they are. */
+static const uint8_t *screen_of(const struct board *board, const struct native_screen *native,
+                                uint8_t rgb[PICTURE_BYTES], enum picture_state *state) {
     const uint8_t *plain = picture_in_memory(board, native);
+    *state = PICTURE_OK;
     if (plain != NULL) {
-        return png_output(output, plain, PICTURE_WIDTH, PICTURE_HEIGHT);
+        return plain;
     }
-    uint8_t *rgb = malloc(PICTURE_BYTES);
-    if (rgb == NULL) {
-        complain("out of memory");
-        return false;
+    *state = picture_draw(board, native, rgb);
+    return rgb;
+}
+
+/* Returns the picture of a kind; *state: why a screen is black, if it is. */
+static struct shown_picture picture_of(const struct board *board,
+                                       const struct native_screen *native, enum picture_kind kind,
+                                       uint8_t rgb[PICTURE_BYTES], enum picture_state *state) {
+    struct shown_picture picture = {board->memory, BOARD_WIDTH, BOARD_HEIGHT};
+    *state = PICTURE_OK;
+    switch (kind) {
+    case PICTURE_KIND_SCREEN:
+        picture.rgb = screen_of(board, native, rgb, state);
+        break;
+    case PICTURE_KIND_MEMORY:
+        break;
+    case PICTURE_KIND_WHOLE:
+        picture.height = BOARD_MEMORY_HEIGHT;
+        break;
     }
-    enum picture_state state = picture_draw(board, native, rgb);
+    return picture;
+}
+
+struct shown_picture board_picture(const struct board *board, const struct native_screen *native,
+                                   enum picture_kind kind, uint8_t rgb[PICTURE_BYTES]) {
+    enum picture_state state;
+    return picture_of(board, native, kind, rgb, &state);
+}
+
+bool board_picture_finish(struct picture_sink *sink, const struct board *board,
+                          const struct native_screen *native, enum picture_kind kind,
+                          uint8_t rgb[PICTURE_BYTES]) {
+    enum picture_state state;
+    const struct shown_picture picture = picture_of(board, native, kind, rgb, &state);
     if (state != PICTURE_OK) {
         complain("the picture is black: %s", picture_state_text(state));
     }
-    bool is_written = png_output(output, rgb, PICTURE_WIDTH, PICTURE_HEIGHT);
-    free(rgb);
-    return is_written;
-}
-
-bool board_picture_write(struct output *output, const struct board *board,
-                         const struct native_screen *native, enum picture_kind kind) {
-    if (kind == PICTURE_KIND_SCREEN) {
-        return write_screen(output, board, native);
-    }
-    return png_output(output, board->memory, BOARD_WIDTH,
-                      kind == PICTURE_KIND_WHOLE ? BOARD_MEMORY_HEIGHT : BOARD_HEIGHT);
+    return picture_sink_finish(sink, &picture);
 }

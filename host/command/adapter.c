@@ -15,10 +15,8 @@
 #include "adapter/usbip.h"
 #include "base/interrupt.h"
 #include "base/numbers.h"
-#include "base/output.h"
-#include "base/png_output.h"
+#include "board/session.h"
 #include "command/command.h"
-#include "picture.h"
 
 enum { GUESTS_MOST = 4, SEND_SECONDS = 10, NAME_SIZE = 256, POLL_MS = 200, PORT_MOST = 65535 };
 
@@ -32,13 +30,11 @@ struct guest {
 struct server {
     const struct options *options;
     int listener;
-    struct board board;
-    struct board_bus board_bus;
+    struct session session;
     struct usb_device device;
     struct guest guests[GUESTS_MOST];
     bool is_over; /* with --once: the client that had the device has left */
     int status;
-    uint8_t rgb[PICTURE_BYTES];
 };
 
 /* Splits "ADDRESS", "ADDRESS:PORT" or "[ADDRESS]:PORT". */
@@ -130,16 +126,12 @@ static void send_to_guest(void *context, const uint8_t *bytes, size_t count) {
 /* Writes the picture, if one is asked for, before any client can come, so that a bad name is known
  * at once. The picture is written again whenever a client has left the device, and at the end. */
 static void write_screen(struct server *server) {
-    struct output output;
-    if (server->options->output == NULL) {
+    const char *path = server->options->output;
+    if (path == NULL) {
         return;
     }
-    (void)picture_draw(&server->board, NULL, server->rgb);
-    if (!output_open(&output, server->options->output)) {
-        server->status = STATUS_FAILED;
-        return;
-    }
-    if (!png_output(&output, server->rgb, PICTURE_WIDTH, PICTURE_HEIGHT)) {
+    const struct shown_picture picture = session_picture(&server->session);
+    if (!write_png_picture(path, picture.rgb, picture.width, picture.height)) {
         server->status = STATUS_FAILED;
     }
 }
@@ -225,12 +217,29 @@ static void serve(struct server *server) {
     }
 }
 
+static void work(struct server *server) {
+    interrupt_catch();
+    write_screen(server);
+    if (server->status == STATUS_DONE) {
+        server->status = start_listening(server);
+    }
+    if (server->status != STATUS_DONE) {
+        return;
+    }
+    serve(server);
+    for (unsigned i = 0; i < GUESTS_MOST; i++) {
+        if (server->guests[i].socket >= 0) {
+            part(server, &server->guests[i]);
+        }
+    }
+    if (!server->is_over) {
+        write_screen(server);
+    }
+}
+
 int run_adapter(const struct options *options) {
     struct server *server = calloc(1, sizeof *server);
-    struct board_desc desc = board_default_desc(options->profile);
-    desc.base = options->base;
-    if (server == NULL || !board_init(&server->board, &desc)) {
-        free(server);
+    if (server == NULL) {
         complain("out of memory");
         return STATUS_FAILED;
     }
@@ -239,29 +248,18 @@ int run_adapter(const struct options *options) {
     for (unsigned i = 0; i < GUESTS_MOST; i++) {
         server->guests[i].socket = -1;
     }
-    board_bus_init(&server->board_bus, &server->board);
-    usb_device_init(&server->device, &server->board_bus.bus, options->base,
-                    options->adapter.serial != NULL ? options->adapter.serial : "VIRTUAL", true);
-    interrupt_catch();
-    write_screen(server);
+    server->status = session_begin(&server->session, &options->board, NULL);
     if (server->status == STATUS_DONE) {
-        server->status = start_listening(server);
-    }
-    if (server->status == STATUS_DONE) {
-        serve(server);
-        for (unsigned i = 0; i < GUESTS_MOST; i++) {
-            if (server->guests[i].socket >= 0) {
-                part(server, &server->guests[i]);
-            }
-        }
-        if (!server->is_over) {
-            write_screen(server);
-        }
+        usb_device_init(&server->device, session_bus(&server->session), options->board.base,
+                        options->adapter.serial != NULL ? options->adapter.serial : "VIRTUAL",
+                        true);
+        work(server);
     }
     if (server->listener >= 0) {
         (void)close(server->listener);
     }
     int status = server->status;
+    session_free(&server->session);
     free(server);
     return status;
 }

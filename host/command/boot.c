@@ -7,26 +7,19 @@
 #include <string.h>
 
 #include "base/interrupt.h"
-#include "base/output.h"
 #include "base/stopwatch.h"
-#include "board/equip_chain.h"
-#include "board/port_chain.h"
-#include "board/screen_file.h"
+#include "board/session.h"
 #include "boot/cpu.h"
 #include "command/command.h"
-#include "cost_bus.h"
 #include "stats/run.h"
-#include "trace/file.h"
 
 /* One run of the command. */
 struct boot_run {
     const struct options *options;
     const char *path;
-    struct timespec began;
+    struct session session;
     uint8_t *disk;
-    struct port_chain *chain;
     struct processor_report report;
-    struct output picture, trace, stats;
 };
 
 /* Reads the whole image, which must have the size of a 2HD disk. */
@@ -58,30 +51,12 @@ static int read_disk(struct boot_run *run) {
 
 static int prepare(struct boot_run *run) {
     const struct options *options = run->options;
-    struct board_desc desc = board_default_desc(options->profile);
-    desc.base = options->base;
+    const struct session_files files = {options->output, options->trace, options->stats};
     int status = read_disk(run);
-    if (status != STATUS_DONE) {
-        return status;
+    if (status == STATUS_DONE) {
+        status = session_begin(&run->session, &options->board, NULL);
     }
-    run->chain = port_chain_new(&desc, true);
-    if (run->chain == NULL) {
-        complain("out of memory");
-        return STATUS_FAILED;
-    }
-    status = equip_chain(run->chain, &options->board, options->stats != NULL);
-    if (status != STATUS_DONE) {
-        return status;
-    }
-    if ((options->output != NULL && !output_open(&run->picture, options->output)) ||
-        (options->trace != NULL && !output_open(&run->trace, options->trace)) ||
-        (options->stats != NULL && !output_open(&run->stats, options->stats))) {
-        return STATUS_FAILED;
-    }
-    if (options->trace != NULL) {
-        port_chain_record(run->chain, run->trace.file, trace_file_format(options->trace));
-    }
-    return STATUS_DONE;
+    return status == STATUS_DONE ? session_open(&run->session, &files) : status;
 }
 
 /* By enum processor_register. */
@@ -111,7 +86,7 @@ static void print_text_screen(const struct processor_report *report) {
 
 static int boot(struct boot_run *run) {
     const struct processor_job job = {.disk = run->disk,
-                                      .bus = &run->chain->hash.bus,
+                                      .bus = session_bus(&run->session),
                                       .instructions_most = run->options->instructions_most,
                                       .escape_after = run->options->escape_after,
                                       .stop = interrupt_noted()};
@@ -135,47 +110,22 @@ static int boot(struct boot_run *run) {
 }
 
 static int write_results(struct boot_run *run) {
-    const struct options *options = run->options;
-    enum bus_status bus = port_chain_finish(run->chain);
-    if (bus != BUS_OK) {
-        complain("the ports: %s", bus_status_text(bus));
-        return STATUS_FAILED;
+    const struct run_stats stats = {.session = &run->session, .processor = &run->report};
+    int status = session_end_accesses(&run->session);
+    if (status == STATUS_DONE && !(session_commit_picture(&run->session) && stats_commit(&stats))) {
+        status = STATUS_FAILED;
     }
-    if (run->trace.file != NULL && !output_commit(&run->trace)) {
-        return STATUS_FAILED;
-    }
-    if (run->picture.file != NULL &&
-        !board_picture_write(&run->picture, &run->chain->board,
-                             run->chain->has_native ? &run->chain->native : NULL,
-                             options->board.picture)) {
-        return STATUS_FAILED;
-    }
-    if (run->stats.file != NULL) {
-        const struct run_stats stats = {.chain = run->chain,
-                                        .board = &options->board,
-                                        .processor = &run->report,
-                                        .total_seconds = stopwatch_seconds(&run->began)};
-        stats_write(run->stats.file, &stats);
-        if (!output_commit(&run->stats)) {
-            return STATUS_FAILED;
-        }
-    }
-    return STATUS_DONE;
+    return status;
 }
 
 /* Returns the exit status of a finished run: whether it was interrupted, and whether --strict
  * holds. */
 static int judge(const struct boot_run *run) {
-    const struct options *options = run->options;
     if (run->report.end == PROCESSOR_STOPPED) {
         complain("interrupted after %" PRIu64 " instructions", run->report.instructions);
         return STATUS_SIGNAL + *interrupt_noted();
     }
-    if (options->strict &&
-        !port_chain_holds(run->chain, options->has_strict_grade, options->strict_grade)) {
-        return STATUS_NOT_HELD;
-    }
-    return STATUS_DONE;
+    return session_judge(&run->session);
 }
 
 int run_boot(const struct options *options) {
@@ -183,7 +133,7 @@ int run_boot(const struct options *options) {
     memset(&run, 0, sizeof run);
     run.options = options;
     run.path = options->operands[0];
-    run.began = stopwatch_start();
+    run.session.began = stopwatch_start();
     int status = prepare(&run);
     if (status == STATUS_DONE) {
         status = boot(&run);
@@ -194,10 +144,7 @@ int run_boot(const struct options *options) {
     if (status == STATUS_DONE) {
         status = judge(&run);
     }
-    output_discard(&run.picture);
-    output_discard(&run.trace);
-    output_discard(&run.stats);
-    port_chain_free(run.chain);
+    session_free(&run.session);
     free(run.disk);
     return status;
 }

@@ -8,11 +8,11 @@
 #include <string.h>
 
 #include "base/output.h"
-#include "base/png_output.h"
 #include "command/command.h"
 #include "picture/ciede2000.h"
 #include "picture/compare.h"
 #include "picture/error_map.h"
+#include "picture/sink.h"
 #include "picture/ssim.h"
 #include "png_file.h"
 #include "render/render.h"
@@ -268,12 +268,9 @@ static void print_json(const struct compared *all) {
  * afterwards. */
 static int write_difference(struct compared *all) {
     const struct png_image *a = &all->image[0];
-    struct output output;
-    if (!output_open(&output, all->options->difference)) {
-        return STATUS_FAILED;
-    }
     difference_picture(a->rgb, all->image[1].rgb, (size_t)a->width * a->height, a->rgb);
-    return png_output(&output, a->rgb, a->width, a->height) ? STATUS_DONE : STATUS_FAILED;
+    return write_png_picture(all->options->difference, a->rgb, a->width, a->height) ? STATUS_DONE
+                                                                                    : STATUS_FAILED;
 }
 
 static int judge(const struct compared *all) {

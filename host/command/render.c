@@ -7,13 +7,11 @@
 #include "adapter/open.h"
 #include "base/interrupt.h"
 #include "base/output.h"
-#include "base/png_output.h"
 #include "base/stopwatch.h"
 #include "board/camera.h"
-#include "board/equip_chain.h"
-#include "board/port_chain.h"
-#include "board/screen_file.h"
+#include "board/session.h"
 #include "command/command.h"
+#include "ports_linux.h"
 #include "render/arithmetic.h"
 #include "render/progress.h"
 #include "render/remarks.h"
@@ -21,7 +19,6 @@
 #include "render/signatures.h"
 #include "scene/load.h"
 #include "stats/run.h"
-#include "trace/file.h"
 
 enum { NAME_SIZE = 256 };
 
@@ -29,13 +26,12 @@ enum { NAME_SIZE = 256 };
 struct render_run {
     const struct options *options;
     const char *scene_name;
-    struct timespec began;
     struct compiled_scene *compiled;
     struct ports_linux ports;   /* of --bus ports */
     struct adapter_bus adapter; /* of --bus usb and hid */
-    struct port_chain *chain;
-    struct exposures *exposures; /* NULL: the scene is not shown by exposures, or to no board */
-    struct output picture, trace, stats, signatures;
+    struct session session;
+    struct camera *camera; /* NULL: the scene is not shown by exposures, or to no board */
+    struct output signatures;
     char default_name[NAME_SIZE];
     struct render_totals totals;
 };
@@ -53,43 +49,51 @@ static const char *picture_name(struct render_run *run) {
 }
 
 /* Opens all results before the work begins: a name that can't be written is known at once. */
-static bool open_outputs(struct render_run *run) {
+static int open_results(struct render_run *run) {
     const struct options *options = run->options;
-    const char *picture = picture_name(run);
-    const char *trace = options->bus == BUS_CHOICE_TRACE ? options->bus_file : options->trace;
-    if ((picture != NULL && !output_open(&run->picture, picture)) ||
-        (options->stats != NULL && !output_open(&run->stats, options->stats)) ||
-        (options->signatures != NULL && !output_open(&run->signatures, options->signatures)) ||
-        (trace != NULL && !output_open(&run->trace, trace))) {
-        return false;
+    const struct session_files files = {
+        .picture = picture_name(run),
+        .trace = options->bus == BUS_CHOICE_TRACE ? options->bus_file : options->trace,
+        .stats = options->stats};
+    int status = session_open(&run->session, &files);
+    if (status == STATUS_DONE && options->signatures != NULL &&
+        !output_open(&run->signatures, options->signatures)) {
+        status = STATUS_FAILED;
     }
-    if (trace != NULL) {
-        port_chain_record(run->chain, run->trace.file, trace_file_format(trace));
-    }
-    return true;
+    return status;
 }
 
-static int open_exposures(struct render_run *run) {
+static int open_camera(struct render_run *run) {
     const char *folder = run->options->keep_exposures;
     if (run->compiled->show != COMPILED_EXPOSURES) {
         return folder == NULL ? STATUS_DONE
                               : bad_input("--keep-exposures goes with --colour exposures only");
     }
     if (run->options->bus == BUS_CHOICE_EMULATOR) {
-        run->exposures = exposures_new(run->chain, folder);
-        return run->exposures != NULL ? STATUS_DONE : STATUS_FAILED;
+        run->camera = camera_new(folder);
+        return run->camera != NULL ? STATUS_DONE : STATUS_FAILED;
     }
     return STATUS_DONE;
 }
 
-static int prepare(struct render_run *run) {
+/* Opens the machine's own ports, and gives up what rights the program has besides. */
+static int open_own_ports(struct ports_linux *ports, uint16_t base) {
+    char message[PORTS_LINUX_MESSAGE_SIZE];
+    switch (ports_linux_open(ports, base, &ports_linux_system, message)) {
+    case PORTS_LINUX_OPEN:
+        return STATUS_DONE;
+    case PORTS_LINUX_OWNED:
+        return bad_input("--bus ports: %s", message);
+    case PORTS_LINUX_REFUSED:
+        break;
+    }
+    complain("--bus ports: %s", message);
+    return STATUS_FAILED;
+}
+
+static int load(struct render_run *run) {
     const struct options *options = run->options;
     struct scene_error error;
-    int status =
-        options->bus == BUS_CHOICE_PORTS ? open_own_ports(&run->ports, options->base) : STATUS_DONE;
-    if (status != STATUS_DONE) {
-        return status;
-    }
     run->compiled = load_compiled_scene(run->scene_name, &options->overrides, &error);
     if (run->compiled == NULL) {
         return bad_input("%s", error.text);
@@ -99,32 +103,68 @@ static int prepare(struct render_run *run) {
                          options->first_row, options->last_row, run->compiled->height,
                          run->compiled->height);
     }
-    struct board_desc desc = board_default_desc(options->profile);
-    desc.base = options->base;
-    run->chain = port_chain_new(&desc, options->bus == BUS_CHOICE_EMULATOR);
-    if (run->chain == NULL) {
-        complain("out of memory");
-        return STATUS_FAILED;
-    }
-    if (options->bus == BUS_CHOICE_PORTS) {
-        port_chain_end_at(run->chain, &run->ports.bus);
-    }
-    if (options->bus == BUS_CHOICE_USB || options->bus == BUS_CHOICE_HID) {
-        status = adapter_bus_open(&run->adapter, options->bus == BUS_CHOICE_HID, options->base,
-                                  &options->adapter);
+    return STATUS_DONE;
+}
+
+/* Prints which rows are on the board behind the adapter, after a failure. */
+static void explain_adapter(const void *context) {
+    const struct render_run *run = context;
+    const struct compiled_scene *compiled = run->compiled;
+    adapter_bus_explain(&run->adapter, run->options->has_rows ? run->options->first_row : 0,
+                        run->options->has_rows ? run->options->last_row : compiled->height,
+                        render_dots(compiled->width, compiled->height));
+}
+
+/* Begins the session with what --bus asks for at the end of the buses. */
+static int begin_session(struct render_run *run) {
+    const struct options *options = run->options;
+    struct session_device device = {NULL, NULL, NULL};
+    int status = STATUS_DONE;
+    switch (options->bus) {
+    case BUS_CHOICE_EMULATOR:
+        return session_begin(&run->session, &options->board, NULL);
+    case BUS_CHOICE_TRACE:
+        break;
+    case BUS_CHOICE_PORTS:
+        device.bus = &run->ports.bus;
+        break;
+    case BUS_CHOICE_USB:
+    case BUS_CHOICE_HID:
+        status = adapter_bus_open(&run->adapter, options->bus == BUS_CHOICE_HID,
+                                  options->board.base, &options->adapter);
         if (status != STATUS_DONE) {
             return status;
         }
-        port_chain_end_at(run->chain, &run->adapter.usb->bus);
+        device.bus = &run->adapter.usb->bus;
+        device.explain = explain_adapter;
+        device.context = run;
+        break;
     }
-    status = equip_chain(run->chain, &options->board, options->stats != NULL);
+    return session_begin(&run->session, &options->board, &device);
+}
+
+/* Opens the machine's own ports first, since rights are given up with them. */
+static int prepare(struct render_run *run) {
+    const struct options *options = run->options;
+    int status = options->bus == BUS_CHOICE_PORTS ? open_own_ports(&run->ports, options->board.base)
+                                                  : STATUS_DONE;
     if (status == STATUS_DONE) {
-        status = open_exposures(run);
+        status = load(run);
     }
-    if (status != STATUS_DONE) {
-        return status;
+    if (status == STATUS_DONE) {
+        status = begin_session(run);
     }
-    return open_outputs(run) ? STATUS_DONE : STATUS_FAILED;
+    if (status == STATUS_DONE) {
+        status = open_camera(run);
+    }
+    return status == STATUS_DONE ? open_results(run) : status;
+}
+
+/* Photographs the screen, where a camera stands before it. */
+static void take_exposure(void *context, unsigned exposure) {
+    struct render_run *run = context;
+    port_chain_picture(run->session.chain);
+    camera_take(run->camera, run->session.chain->rgb, exposure);
 }
 
 static int render_rows(struct render_run *run) {
@@ -135,93 +175,61 @@ static int render_rows(struct render_run *run) {
     memset(&job, 0, sizeof job);
     job.arithmetic = arithmetic_find(options->arithmetic);
     job.scene = run->compiled;
-    job.base = options->base;
+    job.base = options->board.base;
     job.first_row = options->has_rows ? options->first_row : 0;
     job.last_row = options->has_rows ? options->last_row : run->compiled->height;
     job.jobs = options->jobs;
     job.stop = interrupt_noted();
     job.progress = progress_show;
     job.context = &progress;
-    job.exposed = run->exposures != NULL ? exposures_take : NULL;
-    job.exposed_context = run->exposures;
+    job.exposed = run->camera != NULL ? take_exposure : NULL;
+    job.exposed_context = run;
     remarks_complain(run->compiled, job.arithmetic);
     progress_begin(&progress, job.last_row - job.first_row, options->quiet);
     interrupt_catch();
-    (void)bus_bind(port_chain_bus(run->chain, run->stats.file != NULL));
+    (void)bus_bind(session_bus(&run->session));
     bool is_rendered = render(&job, &run->totals, &error);
     progress_end(&progress);
     return is_rendered ? STATUS_DONE : bad_input("%s", error.text);
 }
 
+/* Reads back what an adapter's board holds, where --verify asks for it. */
+static bool verify(struct render_run *run) {
+    const unsigned percent = run->options->adapter.verify_percent;
+    if (percent == 0 ||
+        adapter_bus_verify(&run->adapter, percent, run->options->overrides.seed) == STATUS_DONE) {
+        return true;
+    }
+    if (run->adapter.usb->bus.status != BUS_OK) {
+        explain_adapter(run);
+    }
+    return false;
+}
+
 /* Writes the screen's picture, or the camera's where the scene is shown by exposures. */
 static bool write_picture(struct render_run *run) {
-    if (run->exposures == NULL) {
-        return board_picture_write(&run->picture, &run->chain->board,
-                                   run->chain->has_native ? &run->chain->native : NULL,
-                                   run->options->board.picture);
+    struct camera *camera = run->camera;
+    if (camera == NULL) {
+        return session_commit_picture(&run->session);
     }
-    return png_output(&run->picture, run->exposures->rgb, PICTURE_WIDTH, PICTURE_HEIGHT);
+    camera_develop(camera);
+    const struct shown_picture photograph = {camera->rgb, PICTURE_WIDTH, PICTURE_HEIGHT};
+    return camera_commit(camera) && picture_sink_finish(run->session.picture, &photograph);
 }
 
-/* Prints which rows are on the board behind the adapter, after a failure. */
-static void explain_adapter(const struct render_run *run) {
-    const struct compiled_scene *compiled = run->compiled;
-    adapter_bus_explain(&run->adapter, run->options->has_rows ? run->options->first_row : 0,
-                        run->options->has_rows ? run->options->last_row : compiled->height,
-                        render_dots(compiled->width, compiled->height));
-}
-
-/* Ends the trace, then writes the rest of what was asked for. */
 static int write_results(struct render_run *run) {
-    enum bus_status bus = port_chain_finish(run->chain);
-    if (bus != BUS_OK) {
-        if (run->trace.file != NULL && run->chain->recorder.error_number != 0) {
-            output_complain(&run->trace, strerror(run->chain->recorder.error_number));
-        } else if (run->adapter.usb != NULL) {
-            explain_adapter(run);
-        } else {
-            complain("the ports: %s", bus_status_text(bus));
-        }
-        return STATUS_FAILED;
+    const struct run_stats stats = {.session = &run->session,
+                                    .scene = run->scene_name,
+                                    .arithmetic = run->options->arithmetic,
+                                    .compiled = run->compiled,
+                                    .totals = &run->totals,
+                                    .adapter = run->adapter.usb != NULL ? &run->adapter : NULL,
+                                    .photograph = run->camera != NULL ? run->camera->rgb : NULL};
+    int status = session_end_accesses(&run->session);
+    if (status == STATUS_DONE && !(verify(run) && write_picture(run) && stats_commit(&stats))) {
+        status = STATUS_FAILED;
     }
-    if (run->trace.file != NULL && !output_commit(&run->trace)) {
-        return STATUS_FAILED;
-    }
-    if (run->options->adapter.verify_percent > 0 &&
-        adapter_bus_verify(&run->adapter, run->options->adapter.verify_percent,
-                           run->options->overrides.seed) != STATUS_DONE) {
-        if (run->adapter.usb->bus.status != BUS_OK) {
-            explain_adapter(run);
-        }
-        return STATUS_FAILED;
-    }
-    if (run->exposures != NULL) {
-        exposures_develop(run->exposures);
-        if (!exposures_commit(run->exposures)) {
-            return STATUS_FAILED;
-        }
-    }
-    if (run->picture.file != NULL && !write_picture(run)) {
-        return STATUS_FAILED;
-    }
-    if (run->stats.file != NULL) {
-        const struct run_stats stats = {.scene = run->scene_name,
-                                        .arithmetic = run->options->arithmetic,
-                                        .compiled = run->compiled,
-                                        .totals = &run->totals,
-                                        .chain = run->chain,
-                                        .board = &run->options->board,
-                                        .began = &run->began,
-                                        .adapter = run->adapter.usb != NULL ? &run->adapter : NULL,
-                                        .total_seconds = stopwatch_seconds(&run->began),
-                                        .photograph =
-                                            run->exposures != NULL ? run->exposures->rgb : NULL};
-        stats_write(run->stats.file, &stats);
-        if (!output_commit(&run->stats)) {
-            return STATUS_FAILED;
-        }
-    }
-    return STATUS_DONE;
+    return status;
 }
 
 /* Follows once more the trees of the rows that were drawn, for --signatures. */
@@ -251,16 +259,11 @@ static int write_signatures(struct render_run *run) {
 /* Returns the exit status of a finished run: whether it was interrupted, and whether --strict
  * holds. */
 static int judge(const struct render_run *run) {
-    const struct options *options = run->options;
     if (*interrupt_noted() != 0) {
         complain("interrupted after %u rows", run->totals.rows);
         return STATUS_SIGNAL + *interrupt_noted();
     }
-    if (options->strict &&
-        !port_chain_holds(run->chain, options->has_strict_grade, options->strict_grade)) {
-        return STATUS_NOT_HELD;
-    }
-    return STATUS_DONE;
+    return session_judge(&run->session);
 }
 
 int run_render(const struct options *options) {
@@ -268,7 +271,7 @@ int run_render(const struct options *options) {
     memset(&run, 0, sizeof run);
     run.options = options;
     run.scene_name = options->operands[0];
-    run.began = stopwatch_start();
+    run.session.began = stopwatch_start();
     int status = prepare(&run);
     if (status == STATUS_DONE) {
         status = render_rows(&run);
@@ -282,12 +285,9 @@ int run_render(const struct options *options) {
     if (status == STATUS_DONE) {
         status = judge(&run);
     }
-    output_discard(&run.picture);
-    output_discard(&run.trace);
-    output_discard(&run.stats);
     output_discard(&run.signatures);
-    exposures_free(run.exposures);
-    port_chain_free(run.chain);
+    camera_free(run.camera);
+    session_free(&run.session);
     adapter_bus_close(&run.adapter);
     free(run.compiled);
     return status;

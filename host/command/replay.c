@@ -4,11 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/output.h"
 #include "base/stopwatch.h"
-#include "board/equip_chain.h"
-#include "board/port_chain.h"
-#include "board/screen_file.h"
+#include "board/session.h"
 #include "command/command.h"
 #include "stats/run.h"
 #include "trace/file.h"
@@ -17,23 +14,20 @@
 /* One run of the command. */
 struct replay_run {
     const struct options *options;
-    struct timespec began;
-    struct port_chain *chain;
+    struct session session;
     struct trace_reader *reader; /* 66 KB: not on the stack */
     uint64_t played;             /* accesses, of all traces */
-    struct output picture, stats;
 };
 
-/* Plays one file on the chain: its writes are written, its reads are read and compared. */
-static int play(struct replay_run *run, const char *path) {
-    const struct trace_header board = {run->options->profile, run->options->base};
+/* Plays one file on the board: its writes are written, its reads are read and compared. */
+static int play(struct replay_run *run, struct bus *bus, const char *path) {
+    const struct trace_header board = {run->options->board.profile, run->options->board.base};
     uint64_t stop = run->options->board.stop;
     struct trace_replay replay;
     enum trace_status status = trace_reader_require(run->reader, &board);
     memset(&replay, 0, sizeof replay);
     if (status == TRACE_OK) {
-        status = trace_replay(run->reader, &run->chain->hash.bus,
-                              stop == 0 ? 0 : stop - run->played, &replay);
+        status = trace_replay(run->reader, bus, stop == 0 ? 0 : stop - run->played, &replay);
     }
     run->played += replay.accesses;
     if (replay.different_reads > 0) {
@@ -47,6 +41,7 @@ static int play(struct replay_run *run, const char *path) {
 }
 
 static int play_all(struct replay_run *run) {
+    struct bus *bus = session_bus(&run->session);
     uint64_t stop = run->options->board.stop;
     int status = STATUS_DONE;
     for (int i = 0; i < run->options->operand_count && status == STATUS_DONE; i++) {
@@ -56,7 +51,7 @@ static int play_all(struct replay_run *run) {
         }
         status = trace_file_open(run->options->operands[i], &file, run->reader);
         if (status == STATUS_DONE) {
-            status = play(run, run->options->operands[i]);
+            status = play(run, bus, run->options->operands[i]);
         }
         trace_file_close(file);
     }
@@ -69,50 +64,27 @@ static int play_all(struct replay_run *run) {
 
 static int prepare(struct replay_run *run) {
     const struct options *options = run->options;
-    struct board_desc desc = board_default_desc(options->profile);
-    desc.base = options->base;
-    run->chain = port_chain_new(&desc, true);
+    const struct session_files files = {.picture = options->output, .stats = options->stats};
     run->reader = malloc(sizeof *run->reader);
-    if (run->chain == NULL || run->reader == NULL) {
+    if (run->reader == NULL) {
         complain("out of memory");
         return STATUS_FAILED;
     }
-    int status = equip_chain(run->chain, &options->board, options->stats != NULL);
-    if (status != STATUS_DONE) {
-        return status;
-    }
-    if ((options->output != NULL && !output_open(&run->picture, options->output)) ||
-        (options->stats != NULL && !output_open(&run->stats, options->stats))) {
-        return STATUS_FAILED;
-    }
-    return STATUS_DONE;
+    int status = session_begin(&run->session, &options->board, NULL);
+    return status == STATUS_DONE ? session_open(&run->session, &files) : status;
 }
 
 static int write_results(struct replay_run *run) {
-    const struct options *options = run->options;
-    if (run->picture.file != NULL &&
-        !board_picture_write(&run->picture, &run->chain->board,
-                             run->chain->has_native ? &run->chain->native : NULL,
-                             options->board.picture)) {
-        return STATUS_FAILED;
-    }
-    if (run->stats.file != NULL) {
-        const struct run_stats stats = {.chain = run->chain,
-                                        .board = &options->board,
-                                        .total_seconds = stopwatch_seconds(&run->began)};
-        stats_write(run->stats.file, &stats);
-        if (!output_commit(&run->stats)) {
-            return STATUS_FAILED;
-        }
-    }
-    return STATUS_DONE;
+    const struct run_stats stats = {.session = &run->session};
+    return session_commit_picture(&run->session) && stats_commit(&stats) ? STATUS_DONE
+                                                                         : STATUS_FAILED;
 }
 
 int run_replay(const struct options *options) {
     struct replay_run run;
     memset(&run, 0, sizeof run);
     run.options = options;
-    run.began = stopwatch_start();
+    run.session.began = stopwatch_start();
     int status = prepare(&run);
     if (status == STATUS_DONE) {
         status = play_all(&run);
@@ -120,13 +92,10 @@ int run_replay(const struct options *options) {
     if (status == STATUS_DONE) {
         status = write_results(&run);
     }
-    if (status == STATUS_DONE && options->strict &&
-        !port_chain_holds(run.chain, options->has_strict_grade, options->strict_grade)) {
-        status = STATUS_NOT_HELD;
+    if (status == STATUS_DONE) {
+        status = session_judge(&run.session);
     }
-    output_discard(&run.picture);
-    output_discard(&run.stats);
+    session_free(&run.session);
     free(run.reader);
-    port_chain_free(run.chain);
     return status;
 }

@@ -27,7 +27,8 @@ struct trace_run {
     struct cost_bus cost;
     struct native_screen native;
     uint64_t different_reads;
-    struct output picture;
+    struct picture_sink *picture; /* NULL: not asked for */
+    uint8_t rgb[PICTURE_BYTES];
 };
 
 /* ---- One access ----------------------------------------------------------------------------- */
@@ -62,7 +63,8 @@ static void print_behaviours(const struct trace_run *run, const struct trace_acc
     for (int i = 0; i < BOARD_BEHAVIOURS; i++) {
         enum board_behaviour behaviour = (enum board_behaviour)i;
         if (board->notes[i].count > before[i].count &&
-            strict_minds(board, behaviour, options->has_strict_grade, options->strict_grade)) {
+            strict_minds(board, behaviour, options->board.has_strict_grade,
+                         options->board.strict_grade)) {
             print_behaviour(run, access, behaviour);
         }
     }
@@ -138,32 +140,25 @@ static int conclude(struct trace_run *run) {
     if (options->tracing.counts) {
         trace_print_statistics(stdout, &run->statistics, &run->cost, &options->board);
     }
-    if (run->picture.file != NULL &&
-        !board_picture_write(&run->picture, board,
-                             options->board.native != NULL ? &run->native : NULL,
-                             options->board.picture)) {
+    if (run->picture != NULL &&
+        !board_picture_finish(run->picture, board,
+                              options->board.native != NULL ? &run->native : NULL,
+                              options->board.picture, run->rgb)) {
         return STATUS_FAILED;
     }
-    if (options->strict && !strict_holds(board, options->has_strict_grade, options->strict_grade)) {
+    if (options->board.strict &&
+        !strict_holds(board, options->board.has_strict_grade, options->board.strict_grade)) {
         return STATUS_NOT_HELD;
     }
     return STATUS_DONE;
 }
 
-/* Returns what the command line says of the board, for traces that say less. */
-static struct trace_board asked_board(const struct options *options) {
-    const struct trace_board board = {options->has_profile, options->has_base, options->profile,
-                                      options->base};
-    return board;
-}
-
 static int prepare(struct trace_run *run) {
     const struct options *options = run->options;
-    const struct trace_board board = asked_board(options);
     struct board_desc desc;
     int status = trace_file_open(run->path, &run->file, &run->reader);
     if (status == STATUS_DONE) {
-        status = trace_file_fit(run->path, &run->reader, &board, &desc);
+        status = trace_file_fit(run->path, &run->reader, &options->board, &desc);
     }
     if (status != STATUS_DONE) {
         return status;
@@ -173,10 +168,8 @@ static int prepare(struct trace_run *run) {
     }
     (void)trace_statistics_init(&run->statistics, &desc); /* the desc was looked at */
     cost_bus_init(&run->cost, NULL);
-    if (options->output != NULL && !output_open(&run->picture, options->output)) {
-        return STATUS_FAILED;
-    }
-    return STATUS_DONE;
+    run->picture = options->output != NULL ? png_sink_open(options->output) : NULL;
+    return options->output == NULL || run->picture != NULL ? STATUS_DONE : STATUS_FAILED;
 }
 
 static int watch(const struct options *options) {
@@ -188,7 +181,7 @@ static int watch(const struct options *options) {
     }
     run->options = options;
     run->path = options->operands[0];
-    run->lists = tracing->lists || !(tracing->counts || tracing->judges || options->strict ||
+    run->lists = tracing->lists || !(tracing->counts || tracing->judges || options->board.strict ||
                                      options->output != NULL);
     int status = prepare(run);
     if (status == STATUS_DONE) {
@@ -197,7 +190,7 @@ static int watch(const struct options *options) {
     if (status == STATUS_DONE) {
         status = conclude(run);
     }
-    output_discard(&run->picture);
+    picture_sink_close(run->picture);
     trace_file_close(run->file);
     free(run);
     return status;
@@ -207,11 +200,10 @@ static int watch(const struct options *options) {
 
 static int compare_opened(const struct options *options, struct trace_reader *const readers[2],
                           const char *const paths[2]) {
-    const struct trace_board board = asked_board(options);
     struct trace_difference difference;
     struct board_desc desc[2];
     for (int i = 0; i < 2; i++) {
-        int status = trace_file_fit(paths[i], readers[i], &board, &desc[i]);
+        int status = trace_file_fit(paths[i], readers[i], &options->board, &desc[i]);
         if (status != STATUS_DONE) {
             return status;
         }
@@ -264,6 +256,6 @@ int run_trace(const struct options *options) {
                                                     options->output != NULL ? options->output : "-",
                                                 .to = options->tracing.to,
                                                 .stop = options->board.stop,
-                                                .board = asked_board(options)};
+                                                .board = &options->board};
     return trace_convert(&conversion);
 }

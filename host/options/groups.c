@@ -219,8 +219,8 @@ static enum value_verdict set_rows(struct options *options, const char *value) {
 }
 
 static enum value_verdict set_profile(struct options *options, const char *value) {
-    options->has_profile = true;
-    return verdict(board_profile_from_text(value, &options->profile));
+    options->board.has_profile = true;
+    return verdict(board_profile_from_text(value, &options->board.profile));
 }
 
 static enum value_verdict set_base(struct options *options, const char *value) {
@@ -228,8 +228,8 @@ static enum value_verdict set_base(struct options *options, const char *value) {
     if (!value_port(value, &base) || !board_base_is_offered((uint16_t)base)) {
         return VALUE_WRONG;
     }
-    options->has_base = true;
-    options->base = (uint16_t)base;
+    options->board.has_base = true;
+    options->board.base = (uint16_t)base;
     return VALUE_TAKEN;
 }
 
@@ -256,9 +256,9 @@ static enum value_verdict set_stats(struct options *options, const char *value) 
 }
 
 static enum value_verdict set_strict(struct options *options, const char *value) {
-    options->strict = true;
-    options->has_strict_grade = value != NULL;
-    return verdict(value == NULL || board_grade_from_text(value, &options->strict_grade));
+    options->board.strict = true;
+    options->board.has_strict_grade = value != NULL;
+    return verdict(value == NULL || board_grade_from_text(value, &options->board.strict_grade));
 }
 
 static enum value_verdict set_dot(struct options *options, const char *value) {

@@ -92,7 +92,7 @@ static bool take(const struct option_entry *entry, const char *value, struct opt
 static void set_defaults(struct options *options) {
     memset(options, 0, sizeof *options);
     options->arithmetic = "fx";
-    options->base = BOARD_FACTORY_BASE;
+    options->board.base = BOARD_FACTORY_BASE;
     options->jobs = 1;
     options->instructions_most = OPTIONS_INSTRUCTIONS;
     options->within = 1;
@@ -109,7 +109,7 @@ static bool check_bus(const struct options *options, struct options_error *error
                        : options->board.picture != PICTURE_KIND_SCREEN ? "--picture"
                        : options->board.has_faults                     ? "--faults"
                        : is_far && options->output != NULL             ? "--output"
-                       : is_far && options->strict                     ? "--strict"
+                       : is_far && options->board.strict               ? "--strict"
                                                                        : NULL;
     if (options->bus != BUS_CHOICE_EMULATOR && with != NULL) {
         return refuse(error, "%s goes with --bus emulator only", with);
@@ -132,7 +132,7 @@ static bool check_bus(const struct options *options, struct options_error *error
 static bool check_trace(enum command_id command, const struct options *options,
                         struct options_error *error) {
     const struct trace_options *tracing = &options->tracing;
-    bool tells = tracing->lists || tracing->counts || tracing->judges || options->strict;
+    bool tells = tracing->lists || tracing->counts || tracing->judges || options->board.strict;
     if (command != COMMAND_TRACE) {
         return true;
     }
@@ -166,7 +166,8 @@ static bool check_needs(enum command_id command, const struct options *options,
         return refuse(error, "export: --pov is lacking; it is the only kind of source");
     }
     for (size_t i = 0; i < sizeof needs / sizeof needs[0]; i++) {
-        bool has_other = command == COMMAND_REPLAY && (options->stats != NULL || options->strict);
+        bool has_other =
+            command == COMMAND_REPLAY && (options->stats != NULL || options->board.strict);
         if (needs[i].command == command && options->output == NULL && !has_other) {
             return refuse(error, "%s", needs[i].lacking);
         }
@@ -189,7 +190,7 @@ static bool check_together(enum command_id command, const struct options *option
     if (options->bus == BUS_CHOICE_TRACE) {
         const char *with = options->output != NULL           ? "--output"
                            : options->trace != NULL          ? "--trace"
-                           : options->strict                 ? "--strict"
+                           : options->board.strict           ? "--strict"
                            : options->keep_exposures != NULL ? "--keep-exposures"
                                                              : NULL;
         if (with != NULL) {

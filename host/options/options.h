@@ -75,17 +75,12 @@ struct options {
     const char *keep_exposures; /* a folder; NULL: none */
     bool has_rows;
     unsigned first_row, last_row; /* rows first .. last-1 */
-    bool has_profile, has_base;
-    enum board_profile profile;
-    uint16_t base;
     bool ports_are_mine;
     struct board_options board;
     struct adapter_options adapter;
     struct trace_options tracing;
     unsigned jobs;     /* 1..OPTIONS_JOBS_MOST */
     const char *stats; /* NULL: none; "-": standard output */
-    bool strict, has_strict_grade;
-    enum board_grade strict_grade;
     bool quiet;
     bool pov;                   /* export writes source for POV-Ray */
     bool dot;                   /* tree writes a graph for Graphviz */

@@ -103,7 +103,7 @@ static const char *printed(enum command_id command, const struct options *option
 
 static void add_exposures(struct results *results, const char *folder) {
     for (unsigned i = 0; folder != NULL && i < RENDER_EXPOSURES; i++) {
-        results->exposures[i] = exposure_name(folder, i);
+        results->exposures[i] = camera_exposure_name(folder, i);
         add_result(results, "--keep-exposures", results->exposures[i]);
     }
 }

@@ -111,19 +111,20 @@ static void write_processor(FILE *out, const struct run_stats *stats) {
 }
 
 static void write_cost(FILE *out, const struct run_stats *stats) {
-    const struct port_chain *chain = stats->chain;
+    const struct port_chain *chain = stats->session->chain;
+    const struct board_options *board = stats->session->options;
     double frames[COST_SHOWN];
     if (stats->totals == NULL) {
-        stats_write_cost(out, &chain->cost, stats->board, NULL);
+        stats_write_cost(out, &chain->cost, board, NULL);
         return;
     }
     stats_predict_frames(stats->compiled, stats->totals, stats->arithmetic,
                          port_chain_writes(chain), frames);
-    stats_write_cost(out, &chain->cost, stats->board, frames);
+    stats_write_cost(out, &chain->cost, board, frames);
 }
 
-void stats_write(FILE *out, const struct run_stats *stats) {
-    struct port_chain *chain = stats->chain;
+static void write_stats(FILE *out, const struct run_stats *stats) {
+    struct port_chain *chain = stats->session->chain;
     (void)fputs("{\n", out);
     if (stats->totals != NULL) {
         write_render(out, stats);
@@ -147,22 +148,29 @@ void stats_write(FILE *out, const struct run_stats *stats) {
         (void)fprintf(out, "  \"photograph_crc\": \"%08" PRIx32 "\",\n",
                       picture_crc(stats->photograph));
     }
-    if (stats->board != NULL && chain->is_counting) {
-        write_cost(out, stats);
-    }
+    write_cost(out, stats);
     if (stats->adapter != NULL) {
         adapter_bus_write_stats(stats->adapter, out);
     }
     if (stats->processor != NULL) {
         write_processor(out, stats);
     }
-    if (stats->began != NULL && chain->first.has_happened) {
-        (void)fprintf(out,
-                      "  \"first_write_seconds\": %.6f,\n  \"first_write_cpu_seconds\": %.6f,\n",
-                      stopwatch_between(stats->began, &chain->first.at), chain->first.cpu_seconds);
+    if (stats->totals != NULL && chain->first.has_happened) {
+        (void)fprintf(
+            out, "  \"first_write_seconds\": %.6f,\n  \"first_write_cpu_seconds\": %.6f,\n",
+            stopwatch_between(&stats->session->began, &chain->first.at), chain->first.cpu_seconds);
     }
     if (stats->totals != NULL) {
         (void)fprintf(out, "  \"render_seconds\": %.6f,\n", stats->totals->seconds);
     }
-    (void)fprintf(out, "  \"total_seconds\": %.6f\n}\n", stats->total_seconds);
+    (void)fprintf(out, "  \"total_seconds\": %.6f\n}\n", stopwatch_seconds(&stats->session->began));
+}
+
+bool stats_commit(const struct run_stats *stats) {
+    struct output *output = &stats->session->stats;
+    if (output->file == NULL) {
+        return true;
+    }
+    write_stats(output->file, stats);
+    return output_commit(output);
 }

@@ -8,29 +8,27 @@
 #include <stdio.h>
 
 #include "adapter/open.h"
-#include "board/options.h"
-#include "board/port_chain.h"
+#include "board/session.h"
 #include "boot/cpu.h"
 #include "render/render.h"
 
 /* The parts of a run that the statistics tell of; NULL where there is no such part. */
 struct run_stats {
+    struct session *session; /* its picture is drawn if it has a board */
     const char *scene, *arithmetic;
     const struct compiled_scene *compiled;
     const struct render_totals *totals; /* of a render; NULL: a replay, which has only the ports */
-    struct port_chain *chain;           /* its picture is drawn if it has a board */
-    double total_seconds;
-    const struct timespec *began;      /* of the command, for the first write; NULL: not told */
-    const struct board_options *board; /* for the cost of the ports; NULL: not told */
     const struct processor_report
         *processor;                    /* of a run on an emulated CPU; NULL: there was none */
     const struct adapter_bus *adapter; /* at the end of a cable; NULL: there was none */
     const uint8_t *photograph; /* of a multiple exposure, PICTURE_BYTES; NULL: none was taken */
 };
 
-/* Writes the JSON object and a line's end. The keys are those that superframe(1) lists. frame_crc
- * and violations are null where no board was behind the ports. */
-void stats_write(FILE *out, const struct run_stats *stats);
+/* Writes the JSON object and a line's end to the session's statistics, and puts the file into its
+ * place. The keys are those that superframe(1) lists. frame_crc and violations are null where no
+ * board was behind the ports. True without statistics, too, if none are asked for. False, with the
+ * reason printed, on failure. */
+bool stats_commit(const struct run_stats *stats);
 
 /* Writes a string in JSON's quotes and escapes. Other UTF-8 goes out as it is; each byte that is no
  * part of a character becomes \ufffd. */

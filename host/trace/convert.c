@@ -72,7 +72,7 @@ static int convert(struct conversion *conversion) {
     struct board_desc desc;
     int status = trace_file_open(conversion->asked->path, &conversion->file, &conversion->reader);
     if (status == STATUS_DONE) {
-        status = trace_file_fit(conversion->asked->path, &conversion->reader, &asked->board, &desc);
+        status = trace_file_fit(conversion->asked->path, &conversion->reader, asked->board, &desc);
     }
     if (status != STATUS_DONE) {
         return status;

@@ -10,8 +10,8 @@ struct trace_conversion {
     const char *path;   /* "-": standard input */
     const char *output; /* "-": standard output */
     enum trace_format to;
-    uint64_t stop; /* the last access that is written; 0: all are */
-    struct trace_board board;
+    uint64_t stop;                     /* the last access that is written; 0: all are */
+    const struct board_options *board; /* what the command line says of it */
 };
 
 /* Writes a trace in the form that is asked for. Returns an exit status; whatever is wrong is

@@ -35,7 +35,7 @@ void trace_file_close(FILE *file) {
     }
 }
 
-int trace_file_fit(const char *path, struct trace_reader *reader, const struct trace_board *board,
+int trace_file_fit(const char *path, struct trace_reader *reader, const struct board_options *board,
                    struct board_desc *desc) {
     struct trace_header header = {board->profile, board->base};
     if (reader->has_header && !board->has_profile) {
@@ -56,9 +56,4 @@ int trace_file_fit(const char *path, struct trace_reader *reader, const struct t
     *desc = board_default_desc(header.profile);
     desc->base = header.base;
     return STATUS_DONE;
-}
-
-enum trace_format trace_file_format(const char *path) {
-    size_t length = strlen(path);
-    return length >= 4 && strcmp(path + length - 4, ".txt") == 0 ? TRACE_TEXT : TRACE_BINARY;
 }

@@ -6,7 +6,7 @@
 #include <time.h>
 
 #include "board/port_chain.h"
-#include "board/screen_file.h"
+#include "picture/sink.h"
 #include "render/arithmetic.h"
 #include "scene/load.h"
 
@@ -69,11 +69,10 @@ static struct port_chain *draw_frame(const struct scene *scene, uint8_t *rgb, bo
 }
 
 static bool write_png_file(struct port_chain *chain, const char *path, double *took) {
-    struct output output;
-    memset(&output, 0, sizeof output);
     double began = milliseconds();
-    bool is_written = output_open(&output, path) &&
-                      board_picture_write(&output, &chain->board, NULL, PICTURE_KIND_SCREEN);
+    const uint8_t *screen = picture_in_memory(&chain->board, NULL);
+    bool is_written =
+        screen != NULL && write_png_picture(path, screen, PICTURE_WIDTH, PICTURE_HEIGHT);
     *took = milliseconds() - began;
     return is_written;
 }

@@ -4,9 +4,10 @@
 #include <string.h>
 
 #include "base/complain.h"
-#include "base/png_output.h"
+#include "base/path.h"
 #include "lab/measure/measure.h"
 #include "picture/error_map.h"
+#include "picture/sink.h"
 
 enum { HALF_WIDTH = 320, GAP = 8, GREY = 128 };
 
@@ -48,12 +49,13 @@ static void place(uint8_t *wide, unsigned wide_width, unsigned x, const uint8_t 
 
 static int write_file(const struct measure *measure, const char *name, const uint8_t *rgb,
                       unsigned width, unsigned height) {
-    struct measure_file file;
-    if (!measure_create(&file, measure, name)) {
+    char *path = path_join(measure->folder, name);
+    if (path == NULL) {
+        complain("out of memory");
         return STATUS_FAILED;
     }
-    bool is_written = png_output(&file.output, rgb, width, height);
-    measure_discard(&file);
+    bool is_written = write_png_picture(path, rgb, width, height);
+    free(path);
     return is_written ? STATUS_DONE : STATUS_FAILED;
 }
 

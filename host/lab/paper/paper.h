@@ -8,6 +8,7 @@
 #include <stdio.h>
 
 #include "board/camera.h"
+#include "board/port_chain.h"
 #include "lab/paper/claim.h"
 #include "options/options.h"
 #include "picture.h"

@@ -143,10 +143,20 @@ static double processor_seconds(void) {
     return (double)used.tv_sec + (double)used.tv_nsec * 1e-9;
 }
 
-/* Renders onto the chain's board; exposures: NULL, or the camera. */
+/* A board, and the camera before its screen; NULL: there is none. */
+struct studio {
+    struct port_chain *chain;
+    struct camera *camera;
+};
+
+static void take_exposure(void *context, unsigned exposure) {
+    const struct studio *studio = context;
+    port_chain_picture(studio->chain);
+    camera_take(studio->camera, studio->chain->rgb, exposure);
+}
+
 static int render_shot(struct paper *paper, const struct compiled_scene *compiled,
-                       struct port_chain *chain, struct exposures *exposures,
-                       struct render_totals *totals) {
+                       struct studio *studio, struct render_totals *totals) {
     struct scene_error error;
     const struct render_job job = {.arithmetic = paper->arithmetic,
                                    .scene = compiled,
@@ -156,9 +166,9 @@ static int render_shot(struct paper *paper, const struct compiled_scene *compile
                                    .stop = interrupt_noted(),
                                    .progress = show_progress,
                                    .context = paper,
-                                   .exposed = exposures != NULL ? exposures_take : NULL,
-                                   .exposed_context = exposures};
-    struct bus *bound = bus_bind(&chain->hash.bus);
+                                   .exposed = studio->camera != NULL ? take_exposure : NULL,
+                                   .exposed_context = studio};
+    struct bus *bound = bus_bind(&studio->chain->hash.bus);
     double began = processor_seconds();
     bool is_rendered = render(&job, totals, &error);
     totals->seconds = processor_seconds() - began;
@@ -177,29 +187,26 @@ static int render_shot(struct paper *paper, const struct compiled_scene *compile
 static int shoot(struct paper *paper, const struct compiled_scene *compiled,
                  struct paper_photo *photo) {
     const struct board_desc desc = board_default_desc(BOARD_1987);
-    struct port_chain *chain = port_chain_new(&desc, true);
-    struct exposures *exposures = NULL;
-    if (chain != NULL && compiled->show == COMPILED_EXPOSURES) {
-        exposures = exposures_new(chain, NULL);
-    }
+    const bool has_camera = compiled->show == COMPILED_EXPOSURES;
+    struct studio studio = {port_chain_new(&desc, true), has_camera ? camera_new(NULL) : NULL};
     int status = STATUS_FAILED;
-    if (chain == NULL || (compiled->show == COMPILED_EXPOSURES && exposures == NULL)) {
+    if (studio.chain == NULL || (has_camera && studio.camera == NULL)) {
         complain("out of memory");
     } else {
-        status = render_shot(paper, compiled, chain, exposures, &photo->totals);
+        status = render_shot(paper, compiled, &studio, &photo->totals);
     }
     if (status == STATUS_DONE) {
         photo->width = compiled->width;
         photo->height = compiled->height;
         photo->dots = render_dots(photo->width, photo->height);
-        port_chain_picture(chain);
-        if (exposures != NULL) {
-            exposures_develop(exposures);
+        port_chain_picture(studio.chain);
+        if (has_camera) {
+            camera_develop(studio.camera);
         }
-        memcpy(photo->rgb, exposures != NULL ? exposures->rgb : chain->rgb, PICTURE_BYTES);
+        memcpy(photo->rgb, has_camera ? studio.camera->rgb : studio.chain->rgb, PICTURE_BYTES);
     }
-    exposures_free(exposures);
-    port_chain_free(chain);
+    camera_free(studio.camera);
+    port_chain_free(studio.chain);
     return status;
 }
 

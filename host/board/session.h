@@ -1,0 +1,81 @@
+/* SPDX-License-Identifier: MIT */
+/* What sub-commands do alike with a board: its buses put together, its results, its verdict.
+ *
+ *     session_begin()          the board, or a device in its place
+ *     session_open()           what the command line asks for; the results' files
+ *     session_bus()            is bound, and the work is done
+ *     session_end_accesses()   the trace
+ *     session_commit_picture() the picture
+ *     session_judge()          --strict
+ *     session_free()           whatever happened; gives up what was not committed
+ */
+#ifndef SUPERFRAME_SESSION_H
+#define SUPERFRAME_SESSION_H
+
+#include <stdbool.h>
+#include <time.h>
+
+#include "base/output.h"
+#include "board/options.h"
+#include "board/port_chain.h"
+#include "picture/sink.h"
+
+/* The files of a session's results, by name. NULL: that result is not asked for; "-": standard
+ * output. Names must outlive the session. */
+struct session_files {
+    const char *picture, *trace, *stats;
+};
+
+/* What stands at the end of the buses in the board's place. */
+struct session_device {
+    struct bus *bus;                      /* stays the caller's; NULL: an empty slot */
+    void (*explain)(const void *context); /* prints why the bus failed; NULL: the session does */
+    const void *context;                  /* of explain */
+};
+
+/* All zero: not begun, which session_free() takes too. */
+struct session {
+    const struct board_options *options;
+    struct timespec began; /* by the clock of stopwatch_start() */
+    struct port_chain *chain;
+    struct session_device device;
+    struct picture_sink *picture; /* NULL: not asked for */
+    struct output trace, stats;   /* not open: not asked for */
+};
+
+/* Begins a session with a board of the asked profile at the asked base, or with a device. The
+ * device is copied; NULL: the board. Options must outlive the session. Returns STATUS_DONE;
+ * otherwise the reason is printed. */
+int session_begin(struct session *session, const struct board_options *options,
+                  const struct session_device *device);
+
+/* Puts in the PC's own screen, faults, and where statistics are asked for the count of accesses.
+ * Opens all results before the work begins, so that a bad name is known at once, and puts in the
+ * recorder of the trace. Has to be called before any access. Returns STATUS_DONE; otherwise the
+ * reason is printed. */
+int session_open(struct session *session, const struct session_files *files);
+
+/* Returns the bus to bind. Writes are hashed and timed where statistics are asked for. */
+struct bus *session_bus(struct session *session);
+
+/* Hands on what the buses still hold, and puts the trace into its place. No access may follow.
+ * Returns STATUS_DONE; otherwise the reason is printed. */
+int session_end_accesses(struct session *session);
+
+/* Returns the picture that is asked for, as it stands now: the screen, or the memory. The picture
+ * holds until the next access. */
+struct shown_picture session_picture(struct session *session);
+
+/* Puts the picture into its place, where one is asked for. A screen that is black because the board
+ * was not set up is told of on standard error. False, with the reason printed, on
+ * failure. */
+bool session_commit_picture(struct session *session);
+
+/* Returns STATUS_NOT_HELD where --strict is asked for and does not hold; STATUS_DONE otherwise.
+ * What breaks the check is printed. */
+int session_judge(const struct session *session);
+
+/* Unbinds and frees the session, and gives up what was not committed. */
+void session_free(struct session *session);
+
+#endif
