@@ -31,7 +31,6 @@ QUADMATH := $(shell printf 'extern __float128 sqrtq(__float128);\n%s\n' \
     $(CC) -x c - -o /dev/null -lquadmath 2>/dev/null && echo yes || echo no)
 endif
 ARITHMETICS := fx f32 f64 $(if $(filter yes,$(QUADMATH)),f128)
-MISSING     := $(if $(filter yes,$(QUADMATH)),,f128)
 # For `superframe measure` alone: what fx is measured against.
 EXAMPLES    := q16 q16_epsilon
 # The folder of an arithmetic, below firmware/real/.
@@ -40,7 +39,7 @@ real = $(if $(wildcard firmware/real/$(1)/real.h),$(1),lab/$(1))
 COMPILER_HEADERS = $(dir $(shell $(CC) -print-file-name=include/quadmath.h))
 
 # The ways to an adapter: USB_LIBUSB=no and USB_HIDAPI=no leave one out, USB_HIDAPI=hidapi-libusb
-# takes the other flavour. A library that is not there is replaced by a file that says so.
+# takes the other flavour.
 USB_LIBUSB ?= libusb-1.0
 USB_HIDAPI ?= hidapi-hidraw
 USB_PACKAGES := $(foreach package,$(USB_LIBUSB) $(USB_HIDAPI),$(if $(call has_package,$(package)),$(package)))
@@ -54,9 +53,11 @@ BOOT_PACKAGE := $(if $(call has_package,$(BOOT_UNICORN)),$(BOOT_UNICORN))
 LIBS := -lpng -lconfig -lxxhash -ldeflate $(if $(filter yes,$(QUADMATH)),-lquadmath) -lm -lpthread \
         $(USB_LIBS) $(if $(BOOT_PACKAGE),-ldl)
 
-# Streams of rays: the sets of instructions that are compiled for; one is taken at run time.
-IS_X86_64   := $(filter x86_64%,$(shell $(CC) -dumpmachine))
-STREAM_SETS := plain $(if $(IS_X86_64),avx2 avx512)
+# Streams of rays, for the arithmetics that CPUs have in vectors; fx as it suits vectors, with the
+# same bits. Of the sets of instructions that are compiled for, one is taken at run time.
+STREAM_REALS := f32 f64 fx
+IS_X86_64    := $(filter x86_64%,$(shell $(CC) -dumpmachine))
+STREAM_SETS  := plain $(if $(IS_X86_64),avx2 avx512)
 
 # ---- Sources ------------------------------------------------------------------------------------
 
@@ -68,16 +69,20 @@ EMULATOR_SOURCES := $(filter-out $(TESTKIT_SOURCES),$(wildcard emulator/*/*.c))
 STREAM_SOURCES   := $(wildcard host/stream/*.c) firmware/solids.c
 # Compiled once for each arithmetic beside the firmware.
 PER_ARITHMETIC_SOURCES := $(wildcard host/render/per_arithmetic/*.c)
-# Of each of these, what stands for a thing that is there, or for its absence.
-OPTIONAL := adapter/driver_bulk adapter/no_driver_bulk adapter/driver_hid adapter/no_driver_hid \
-            boot/cpu_unicorn boot/unicorn_library boot/cpu_none render/engines_x86_64 render/engines_portable
-CHOSEN   := adapter/$(if $(filter libusb%,$(USB_PACKAGES)),,no_)driver_bulk \
-            adapter/$(if $(filter hidapi%,$(USB_PACKAGES)),,no_)driver_hid \
-            $(if $(BOOT_PACKAGE),boot/cpu_unicorn boot/unicorn_library,boot/cpu_none) \
-            render/engines_$(if $(IS_X86_64),x86_64,portable)
-HOST_SOURCES := $(filter-out $(STREAM_SOURCES) $(OPTIONAL:%=host/%.c) host/command/main.c, \
-                $(wildcard host/*/*.c host/lab/*/*.c)) $(CHOSEN:%=host/%.c)
+DRIVERS  := $(if $(filter libusb%,$(USB_PACKAGES)),bulk) $(if $(filter hidapi%,$(USB_PACKAGES)),hid)
+LEFT_OUT := $(patsubst %,adapter/driver_%,$(filter-out $(DRIVERS),bulk hid)) \
+            $(if $(BOOT_PACKAGE),,boot/cpu_unicorn boot/unicorn_library) \
+            $(if $(IS_X86_64),,render/instruction_sets_x86_64)
+HOST_SOURCES := $(filter-out $(STREAM_SOURCES) $(LEFT_OUT:%=host/%.c) host/command/main.c, \
+                $(wildcard host/*/*.c host/lab/*/*.c))
 SCENE_FILES  := $(wildcard firmware/scenes/*.scene)
+# What this build has of several kinds: header, type, names. host/base/list.sh makes C of a list.
+LISTS := arithmetics stream_engines instruction_sets usb_backends processors
+LIST_arithmetics      := render/arithmetic.h arithmetic $(ARITHMETICS)
+LIST_stream_engines   := render/engine.h stream_engine $(foreach real,$(STREAM_REALS),$(STREAM_SETS:%=$(real)_%))
+LIST_instruction_sets := render/engine.h instruction_set $(filter-out plain,$(STREAM_SETS))
+LIST_usb_backends     := adapter/drivers.h usb_backend $(DRIVERS)
+LIST_processors       := boot/cpu.h processor $(if $(BOOT_PACKAGE),unicorn)
 
 INCLUDE_hal      := -Ihal -Ihal/cable
 INCLUDE_firmware := $(INCLUDE_hal) -Ifirmware
@@ -150,8 +155,6 @@ $$(BUILD)/$(1)/firmware_$(2).o: $$($(1)_$(2)_FIRMWARE) $$(BUILD)/sources
 	$$(call combine)
 endef
 
-# Streams, for the arithmetics that CPUs have in vectors; fx as it suits vectors, with the same bits.
-STREAM_REALS := f32 f64 fx
 # Nothing here changes a result: no trap is waited for, no errno is read, no infinity is made in a
 # lane that counts (strict/real.h), and no sign of a zero is asked for.
 # No operand is to be skipped: in lanes, & is what && is elsewhere.
@@ -176,7 +179,7 @@ $$(BUILD)/$(1)/stream/$(2)_$(3)/%.o: %.c $$(BUILD)/flags | setup
 	    -Ifirmware/real/$(2:fx=fx_vector) -Ihost/stream/sets/$(3) -Ifirmware/features/full $$(INCLUDE_host))
 
 $$(BUILD)/$(1)/stream_$(2)_$(3).o: $$(STREAM_SOURCES:%.c=$$(BUILD)/$(1)/stream/$(2)_$(3)/%.o) $$(BUILD)/sources
-	$$(call combine,stream_$(2)_$(3))
+	$$(call combine,stream_engine_$(2)_$(3))
 endef
 
 define whole
@@ -185,7 +188,7 @@ $(1)_EMULATOR := $$(EMULATOR_SOURCES:%.c=$$(BUILD)/$(1)/%.o)
 $(1)_HOST     := $$(HOST_SOURCES:%.c=$$(BUILD)/$(1)/%.o)
 $(1)_IMAGES   := $$(patsubst %,$$(BUILD)/$(1)/image_%.o,$$(ARITHMETICS) $$(EXAMPLES)) \
                  $$(foreach real,$$(STREAM_REALS),$$(STREAM_SETS:%=$$(BUILD)/$(1)/stream_$$(real)_%.o)) \
-                 $$(BUILD)/$(1)/arithmetics.o $$(BUILD)/$(1)/builtin_scenes.o
+                 $$(LISTS:%=$$(BUILD)/$(1)/lists/%.o) $$(BUILD)/$(1)/builtin_scenes.o
 $(1)_LIBRARY  := $$($(1)_IMAGES) $$($(1)_HAL) $$($(1)_EMULATOR) $$($(1)_HOST)
 
 $$(foreach arithmetic,$$(ARITHMETICS) $$(EXAMPLES),$$(eval $$(call image,$(1),$$(arithmetic))))
@@ -224,14 +227,14 @@ $(BUILD)/sources: FORCE
 	@echo $(HAL_SOURCES) $(EMULATOR_SOURCES) $(FIRMWARE_SOURCES) $(HOST_SOURCES) > $@.new
 	@cmp -s $@.new $@ && rm $@.new || mv $@.new $@
 
-# The built-in scenes' texts, as byte arrays, and the arithmetics of this build.
+# The built-in scenes' texts, as byte arrays, and the lists.
 $(BUILD)/builtin_scenes.c: host/scene/embed.sh $(SCENE_FILES)
 	@mkdir -p $(@D)
 	@sh $< $(SCENE_FILES) > $@.new && mv $@.new $@
 
-$(BUILD)/arithmetics.c: host/render/list_arithmetics.sh FORCE
+$(LISTS:%=$(BUILD)/lists/%.c): $(BUILD)/lists/%.c: host/base/list.sh FORCE
 	@mkdir -p $(@D)
-	@sh $< $(ARITHMETICS) -- $(MISSING) > $@.new
+	@sh $< $* $(LIST_$*) > $@.new
 	@cmp -s $@.new $@ && rm $@.new || mv $@.new $@
 
 FORCE:

@@ -16,6 +16,6 @@ flags="$flags -idirafter /usr/include/$(gcc -print-multiarch)"
 # The arithmetics, the streams and what one kind of CPU alone has are compiled with flags of their own.
 # shellcheck disable=SC2086 # a list of words
 find hal firmware/adapter emulator host -name '*.c' ! -path 'host/stream/*' ! -path '*/per_arithmetic/*' \
-    ! -name engines_x86_64.c |
+    ! -name instruction_sets_x86_64.c |
     xargs -P 2 -n 12 gcc $flags || exit 1
 echo 'check_32_bits: no warning'

@@ -39,7 +39,7 @@ static unsigned compare_rows(const char *name, const struct loaded_scene *loaded
         unsigned rows = height - first < STREAM_ROWS_MOST ? height - first : STREAM_ROWS_MOST;
         memset(&expected, 0, sizeof expected);
         memset(&found, 0, sizeof found);
-        (void)snprintf(what, sizeof what, "%s by %s, rows from %u", name, engine->name, first);
+        (void)snprintf(what, sizeof what, "%s by %s, rows from %u", name, engine->set, first);
         if (!engine->rows(memory, loaded->scene, (uint16_t)first, (uint16_t)rows, found.rgb,
                           &found.counts)) {
             assert_int_equal(found.counts.rays, 0);

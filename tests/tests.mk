@@ -47,10 +47,10 @@ $(USB_TEST_PROGRAMS): $(BUILD)/sanitized/tests/usb/%_test: $(USB_TEST_SOURCES:%.
 
 # ---- Programs without something -----------------------------------------------------------------
 
-WITHOUT_USB := $(filter-out %/driver_bulk.o %/driver_hid.o,$(release_LIBRARY)) \
-               $(patsubst %,$(BUILD)/release/host/%.o,command/main adapter/no_driver_bulk adapter/no_driver_hid)
-WITHOUT_F128 := $(filter-out %/arithmetics.o %/image_f128.o,$(release_LIBRARY)) \
-                $(BUILD)/release/host/command/main.o $(BUILD)/release/arithmetics_without_f128.o
+WITHOUT_USB  := $(filter-out %/driver_bulk.o %/driver_hid.o %/lists/usb_backends.o,$(release_LIBRARY)) \
+                $(BUILD)/release/host/command/main.o $(BUILD)/release/lists_without/usb_backends.o
+WITHOUT_F128 := $(filter-out %/lists/arithmetics.o %/image_f128.o,$(release_LIBRARY)) \
+                $(BUILD)/release/host/command/main.o $(BUILD)/release/lists_without/arithmetics.o
 
 $(BUILD)/superframe_without_usb: $(WITHOUT_USB) $(BUILD)/sources
 	$(call link,,$(filter-out $(USB_LIBS),$(LIBS)))
@@ -58,8 +58,9 @@ $(BUILD)/superframe_without_usb: $(WITHOUT_USB) $(BUILD)/sources
 $(BUILD)/superframe_without_f128: $(WITHOUT_F128) $(BUILD)/sources
 	$(call link,,$(filter-out -lquadmath,$(LIBS)))
 
-$(BUILD)/arithmetics_without_f128.c: host/render/list_arithmetics.sh
-	@sh $< $(filter-out f128,$(ARITHMETICS)) -- f128 > $@
+$(LISTS:%=$(BUILD)/lists_without/%.c): $(BUILD)/lists_without/%.c: host/base/list.sh
+	@mkdir -p $(@D)
+	@sh $< $* $(filter-out f128 bulk hid,$(LIST_$*)) > $@
 
 # ---- Fuzzers, relations, POV-Ray ----------------------------------------------------------------
 
@@ -69,7 +70,7 @@ $(BUILD)/fuzzed/%: private override CC := clang
 # A fuzzer takes from this library what it calls. A processor needs Unicorn.
 FUZZED_HOST    := $(filter $(patsubst %,host/%/%.c,scene compiler adapter) host/boot/%,$(HOST_SOURCES))
 FUZZED_OBJECTS := $(fuzzed_HAL) $(fuzzed_EMULATOR) $(FUZZED_HOST:%.c=$(BUILD)/fuzzed/%.o) \
-                  $(patsubst %,$(BUILD)/fuzzed/%.o,image_fx image_f32 builtin_scenes)
+                  $(patsubst %,$(BUILD)/fuzzed/%.o,image_fx image_f32 builtin_scenes lists/processors)
 FUZZERS := $(patsubst tests/fuzz/%.c,$(BUILD)/fuzzed/%,$(wildcard tests/fuzz/*_fuzz.c))
 FUZZERS := $(if $(BOOT_PACKAGE),$(FUZZERS),$(filter-out %/boot_fuzz,$(FUZZERS)))
 

@@ -463,4 +463,6 @@ static enum usb_open_status open_link(const char *serial, struct usb_link **link
     return USB_OPEN_OK;
 }
 
-const struct usb_backend usb_backend_bulk = {"usb", "libusb-1.0", list, open_link};
+extern const struct usb_backend usb_backend_bulk;
+
+const struct usb_backend usb_backend_bulk = {"usb", list, open_link};

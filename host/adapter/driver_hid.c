@@ -195,4 +195,6 @@ static enum usb_open_status open_link(const char *serial, struct usb_link **link
     return USB_OPEN_OK;
 }
 
-const struct usb_backend usb_backend_hid = {"hid", "hidapi", list, open_link};
+extern const struct usb_backend usb_backend_hid;
+
+const struct usb_backend usb_backend_hid = {"hid", list, open_link};

@@ -7,6 +7,25 @@
 
 #include "usb_device.h"
 
+/* The library that a transport takes, by usb_backend_names, and the package of its headers. */
+static const char *const libraries[][2] = {{"libusb-1.0", "libusb-1.0-0-dev"},
+                                           {"hidapi", "libhidapi-dev"}};
+
+const char *const usb_backend_names[] = {"usb", "hid", NULL};
+
+const struct usb_backend *usb_backend_find(const char *name, char *reason) {
+    for (size_t i = 0; usb_backends_built[i] != NULL; i++) {
+        if (strcmp(usb_backends_built[i]->name, name) == 0) {
+            return usb_backends_built[i];
+        }
+    }
+    size_t known = strcmp(name, usb_backend_names[0]) == 0 ? 0 : 1;
+    (void)snprintf(reason, USB_LINK_REASON_SIZE,
+                   "built without %s; install its headers (%s) and build again",
+                   libraries[known][0], libraries[known][1]);
+    return NULL;
+}
+
 static void refuse_several(const struct usb_found *found, unsigned count, char *reason) {
     int used = snprintf(reason, USB_LINK_REASON_SIZE,
                         "%u adapters are plugged in; name one by its serial number:", count);

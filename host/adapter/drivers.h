@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The two transports to an adapter, bulk transfers and HID reports. A transport whose library was
- * missing when the program was built is there all the same, and says so. */
+/* The two transports to an adapter, bulk transfers and HID reports. */
 #ifndef SUPERFRAME_USB_BACKENDS_H
 #define SUPERFRAME_USB_BACKENDS_H
 
@@ -27,8 +26,7 @@ enum usb_open_status {
 
 /* One transport. */
 struct usb_backend {
-    const char *name;    /* "usb" or "hid", as --bus calls it */
-    const char *library; /* what it was built with, or that it was not */
+    const char *name; /* "usb" or "hid", as --bus calls it */
 
     /* Lists the adapters, at most most; returns how many. reason (USB_LINK_REASON_SIZE bytes) is
      * "" or says why the list can't be had. */
@@ -38,7 +36,15 @@ struct usb_backend {
     enum usb_open_status (*open)(const char *serial, struct usb_link **link, char *reason);
 };
 
-extern const struct usb_backend usb_backend_bulk, usb_backend_hid;
+/* The transports of this build, in a list that make writes; NULL ends the list. */
+extern const struct usb_backend *const usb_backends_built[];
+
+/* The names of all transports, whether this build has them or not; NULL ends the list. */
+extern const char *const usb_backend_names[];
+
+/* Finds a transport by its name. NULL with `reason` filled (USB_LINK_REASON_SIZE bytes) where its
+ * library was missing when the program was built. */
+const struct usb_backend *usb_backend_find(const char *name, char *reason);
 
 /* Finds the adapter that is meant among those found. With USB_OPEN_OK, *index is its place. */
 enum usb_open_status usb_choose(const struct usb_found *found, unsigned count, const char *serial,

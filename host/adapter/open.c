@@ -32,12 +32,13 @@ static uint64_t session_seed(void) {
     return (uint64_t)now.tv_sec << 30 ^ (uint64_t)now.tv_nsec ^ (uint64_t)getpid() << 40;
 }
 
-static int open_backend(struct adapter_bus *adapter, const struct usb_backend *backend,
-                        const struct adapter_options *options) {
+static int open_backend(struct adapter_bus *adapter, const struct adapter_options *options) {
     char reason[USB_LINK_REASON_SIZE] = "";
-    enum usb_open_status status = backend->open(options->serial, &adapter->link, reason);
+    const struct usb_backend *backend = usb_backend_find(adapter->name, reason);
+    enum usb_open_status status =
+        backend != NULL ? backend->open(options->serial, &adapter->link, reason) : USB_OPEN_REFUSED;
     if (status == USB_OPEN_ABSENT && options->waits) {
-        complain("--bus %s: waiting for an adapter%s%s", backend->name,
+        complain("--bus %s: waiting for an adapter%s%s", adapter->name,
                  options->serial != NULL ? " " : "",
                  options->serial != NULL ? options->serial : "");
     }
@@ -53,15 +54,14 @@ static int open_backend(struct adapter_bus *adapter, const struct usb_backend *b
         status = backend->open(options->serial, &adapter->link, reason);
     }
     if (status != USB_OPEN_OK) {
-        complain("--bus %s: %s; nothing was drawn", backend->name, reason);
+        complain("--bus %s: %s; nothing was drawn", adapter->name, reason);
         return STATUS_FAILED;
     }
     return STATUS_DONE;
 }
 
-int adapter_bus_open(struct adapter_bus *adapter, bool is_hid, uint16_t base,
+int adapter_bus_open(struct adapter_bus *adapter, const char *name, uint16_t base,
                      const struct adapter_options *options) {
-    const struct usb_backend *backend = is_hid ? &usb_backend_hid : &usb_backend_bulk;
     struct usb_limits limits = usb_default_limits();
     limits.seed = session_seed();
     limits.stop = interrupt_noted();
@@ -69,9 +69,9 @@ int adapter_bus_open(struct adapter_bus *adapter, bool is_hid, uint16_t base,
         limits.reopen_ms = WAIT_REOPEN_MS;
     }
     memset(adapter, 0, sizeof *adapter);
-    adapter->name = backend->name;
+    adapter->name = name;
     interrupt_catch();
-    int status = open_backend(adapter, backend, options);
+    int status = open_backend(adapter, options);
     if (status != STATUS_DONE) {
         return status;
     }

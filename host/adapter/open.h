@@ -17,10 +17,10 @@ struct adapter_bus {
     struct usb_verification verification; /* what adapter_bus_verify() found */
 };
 
-/* Opens an adapter, by HID or else by bulk transfers, after waiting for one if --wait says so.
+/* Opens an adapter by a transport of usb_backend_names, after waiting for one if --wait says so.
  * base: the port base of the board behind the adapter. Returns STATUS_DONE; else the reason is
  * printed. */
-int adapter_bus_open(struct adapter_bus *adapter, bool is_hid, uint16_t base,
+int adapter_bus_open(struct adapter_bus *adapter, const char *name, uint16_t base,
                      const struct adapter_options *options);
 
 /* Reads back so many per cent of the lines that were drawn, chosen by the seed. Repairs the lines,

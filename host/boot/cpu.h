@@ -68,6 +68,15 @@ enum processor_register {
     REGISTER_SS
 };
 
+/* What runs the machine. */
+struct processor {
+    /* As processor_run(); *report is all zero before, but for PROCESSOR_UNAVAILABLE. */
+    void (*run)(const struct processor_job *job, struct processor_report *report);
+};
+
+/* The processors of this build, in a list that make writes; NULL ends the list. */
+extern const struct processor *const processors_built[];
+
 /* Boots the disk and runs it to its end. Runs at most instructions_most instructions, and what the
  * last block of code has beyond that number. */
 void processor_run(const struct processor_job *job, struct processor_report *report);

@@ -7,17 +7,18 @@
 
 /* Prints a line for each adapter: the backend's name, the serial number, the path, with tabs
  * between. Returns false, with the reason printed, where adapters can't be listed. */
-static bool list_backend(const struct usb_backend *backend) {
+static bool list_adapters(const char *name) {
     struct usb_found found[USB_FOUND_MOST];
-    char reason[USB_LINK_REASON_SIZE];
-    unsigned count = backend->list(found, USB_FOUND_MOST, reason);
+    char reason[USB_LINK_REASON_SIZE] = "";
+    const struct usb_backend *backend = usb_backend_find(name, reason);
+    unsigned count = backend != NULL ? backend->list(found, USB_FOUND_MOST, reason) : 0;
     if (reason[0] != '\0') {
-        complain("%s: %s", backend->name, reason);
+        complain("%s: %s", name, reason);
         return false;
     }
     for (unsigned i = 0; i < count; i++) {
-        (void)printf("%s\t%s\t%s%s\n", backend->name,
-                     found[i].serial[0] != '\0' ? found[i].serial : "-", found[i].path,
+        (void)printf("%s\t%s\t%s%s\n", name, found[i].serial[0] != '\0' ? found[i].serial : "-",
+                     found[i].path,
                      found[i].is_accessible ? ""
                                             : "\tno permission: 70-superframe.rules is lacking");
     }
@@ -26,7 +27,9 @@ static bool list_backend(const struct usb_backend *backend) {
 
 int run_devices(const struct options *options) {
     (void)options;
-    bool has_bulk = list_backend(&usb_backend_bulk);
-    bool has_hid = list_backend(&usb_backend_hid);
-    return has_bulk || has_hid ? STATUS_DONE : STATUS_FAILED;
+    bool is_any_listed = false;
+    for (size_t i = 0; usb_backend_names[i] != NULL; i++) {
+        is_any_listed = list_adapters(usb_backend_names[i]) || is_any_listed;
+    }
+    return is_any_listed ? STATUS_DONE : STATUS_FAILED;
 }

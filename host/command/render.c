@@ -130,7 +130,7 @@ static int begin_session(struct render_run *run) {
         break;
     case BUS_CHOICE_USB:
     case BUS_CHOICE_HID:
-        status = adapter_bus_open(&run->adapter, options->bus == BUS_CHOICE_HID,
+        status = adapter_bus_open(&run->adapter, options->bus == BUS_CHOICE_HID ? "hid" : "usb",
                                   options->board.base, &options->adapter);
         if (status != STATUS_DONE) {
             return status;

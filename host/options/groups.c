@@ -361,7 +361,7 @@ const struct option_entry option_table[] = {
      "where the results go; it is made if it is not there"},
     {"output", 'o', "FILE.png", BIT(ADAPTER), set_output, "a file's name",
      "the board's picture when the adapter ends"},
-    {"arith", 0, "NAME", BIT(RENDER) | BIT(TREE) | BIT(PAPER), set_arithmetic, arithmetic_names,
+    {"arith", 0, "NAME", BIT(RENDER) | BIT(TREE) | BIT(PAPER), set_arithmetic, arithmetics_names,
      "the firmware's arithmetic (fx)"},
     {"depth", 0, "N", SCENE_READERS, set_depth, DEPTHS, "the paper's depth level (the scene's)"},
     {"threshold", 0, "E", SCENE_READERS, set_threshold, THRESHOLDS,
@@ -379,7 +379,7 @@ const struct option_entry option_table[] = {
     {"tail", 0, "KIND", SCENE_READERS, set_tail, TAILS,
      "what a cut branch counts as (black; estimate with --error)"},
     /* What measure varies of its own accord. */
-    {"arith", 0, "NAME", BIT(MEASURE), set_arithmetic, arithmetic_names,
+    {"arith", 0, "NAME", BIT(MEASURE), set_arithmetic, arithmetics_names,
      "this arithmetic alone (fx, f32, f64 and two to compare with)"},
     {"depth", 0, "N", BIT(MEASURE), set_depth, DEPTHS, "this depth level alone (eight, 1 to 64)"},
     {"threshold", 0, "E", BIT(MEASURE), set_threshold, THRESHOLDS,

@@ -38,11 +38,8 @@ extern const struct arithmetic arithmetic_f64;
 extern const struct arithmetic arithmetic_q16;
 extern const struct arithmetic arithmetic_q16_epsilon;
 
-/* The arithmetics of this build, in a list that list_arithmetics.sh writes; NULL ends the list. */
+/* The arithmetics of this build, in a list that make writes; NULL ends the list. */
 extern const struct arithmetic *const arithmetics_built[];
-
-/* The names of the arithmetics that are missing from this build; NULL ends the list. */
-extern const char *const arithmetics_missing[];
 
 /* Finds the arithmetic of that name in this build; NULL if there is none. */
 const struct arithmetic *arithmetic_find(const char *name);
@@ -55,6 +52,6 @@ const struct arithmetic *arithmetic_find_any(const char *name);
 bool arithmetic_is_missing(const char *name);
 
 /* The names of the arithmetics of this build, as "fx, f32, f64 or f128", for messages. */
-extern const char arithmetic_names[];
+extern const char arithmetics_names[];
 
 #endif

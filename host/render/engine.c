@@ -4,13 +4,21 @@
 
 #include <string.h>
 
-#include "render/engines.h"
+/* Tells whether this CPU has a set of instructions. */
+static bool is_here(const char *set) {
+    for (size_t i = 0; instruction_sets_built[i] != NULL; i++) {
+        if (strcmp(instruction_sets_built[i]->name, set) == 0) {
+            return instruction_sets_built[i]->is_here();
+        }
+    }
+    return true; /* a plain one */
+}
 
 const struct stream_engine *stream_engine_get(const char *arithmetic, unsigned i) {
-    for (const struct engine_choice *choice = engine_choices; choice->arithmetic; choice++) {
-        if (strcmp(choice->arithmetic, arithmetic) == 0 &&
-            (!choice->runs_here || choice->runs_here()) && i-- == 0) {
-            return choice->engine;
+    for (size_t j = 0; stream_engines_built[j] != NULL; j++) {
+        const struct stream_engine *engine = stream_engines_built[j];
+        if (strcmp(engine->arithmetic, arithmetic) == 0 && is_here(engine->set) && i-- == 0) {
+            return engine;
         }
     }
     return NULL;

@@ -18,7 +18,8 @@ enum { STREAM_ALIGNMENT = 64 };
 /* One arithmetic for one set of CPU instructions. The rows, bit for bit, and the counts are those
  * of the image's own row(). */
 struct stream_engine {
-    const char *name;    /* "f32, AVX2" */
+    const char *arithmetic; /* "f32" */
+    const char *set;        /* "avx2": a struct instruction_set, or "plain", which every CPU runs */
     size_t memory_bytes; /* what rows() works in, all 0 at first: one for each thread and scene */
 
     /* Tells whether the scene has only what the engine knows. */
@@ -31,6 +32,17 @@ struct stream_engine {
     bool (*rows)(void *memory, const struct scene *scene, uint16_t first, uint16_t rows,
                  uint8_t *rgb, struct render_counts *counts);
 };
+
+/* A set of instructions that not every CPU has. */
+struct instruction_set {
+    const char *name;
+    bool (*is_here)(void); /* tells whether this CPU has the set */
+};
+
+/* The engines and sets of this build, in lists that make writes; NULL ends each. For an arithmetic,
+ * engines go from the plainest to the best. */
+extern const struct stream_engine *const stream_engines_built[];
+extern const struct instruction_set *const instruction_sets_built[];
 
 /* Finds the best engine that this CPU runs for the arithmetic of that name; NULL if there is
  * none. */

@@ -13,7 +13,7 @@
 #define STREAM_TEXT(name)         STREAM_TEXT_(name)
 #define STREAM_TEXT_(name)        #name
 #define STREAM_SYMBOL(real, set)  STREAM_SYMBOL_(real, set)
-#define STREAM_SYMBOL_(real, set) stream_##real##_##set
+#define STREAM_SYMBOL_(real, set) stream_engine_##real##_##set
 
 enum { BAND_PIXELS = STREAM_ROWS_MOST * FEATURE_WIDTH };
 
@@ -386,5 +386,5 @@ static bool stream_fits(const struct scene *scene) {
 extern const struct stream_engine STREAM_SYMBOL(REAL_NAME, INSTRUCTION_SET);
 
 const struct stream_engine STREAM_SYMBOL(REAL_NAME, INSTRUCTION_SET) = {
-    STREAM_TEXT(REAL_NAME) ", " INSTRUCTION_SET_TEXT, sizeof(struct stream), stream_fits,
+    STREAM_TEXT(REAL_NAME), STREAM_TEXT(INSTRUCTION_SET), sizeof(struct stream), stream_fits,
     stream_rows};

@@ -33,12 +33,12 @@ static void compare_rows(const struct stream_engine *engine, const struct arithm
         result->agreeing += (uint64_t)rows * width;
         if (memcmp(found, expected, 3 * (size_t)width * rows) != 0) {
             result_fail(result, FAULT_BITS, "%s: rows from %u are not the image's own",
-                        engine->name, first);
+                        engine->set, first);
         }
         if (counts.rays != own.rays || counts.shadow_rays != own.shadow_rays ||
             counts.nodes != own.nodes || counts.leaked_rays != own.leaked_rays) {
             result_fail(result, FAULT_BITS, "%s: rows from %u: %u rays, %u of the image's own",
-                        engine->name, first, (unsigned)counts.rays, (unsigned)own.rays);
+                        engine->set, first, (unsigned)counts.rays, (unsigned)own.rays);
         }
     }
 }

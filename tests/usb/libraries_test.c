@@ -19,7 +19,9 @@
 
 enum { LINES = 8 };
 
-static const struct usb_backend *const ways[2] = {&usb_backend_bulk, &usb_backend_hid};
+extern const struct usb_backend usb_backend_bulk, usb_backend_hid;
+
+const struct usb_backend *const usb_backends_built[] = {&usb_backend_bulk, &usb_backend_hid, NULL};
 static struct usb_link *link_of_test;
 
 static uint8_t colour(unsigned x, unsigned y, unsigned i) {
@@ -82,13 +84,13 @@ static void draw_despite(const struct mock_faults *faults, struct usb_counts *su
     memset(sum, 0, sizeof *sum);
     for (unsigned i = 0; i < 2; i++) {
         mock_plug(&none);
-        struct usb_bus *usb_bus = start(ways[i]);
+        struct usb_bus *usb_bus = start(usb_backends_built[i]);
         assert_int_equal(usb_bus->bus.status, BUS_OK);
         mock_set_faults(faults);
         draw(&usb_bus->bus);
         enum bus_status status = bus_flush(&usb_bus->bus);
         if (status != BUS_OK) {
-            print_message("%s: %s\n", ways[i]->name, usb_bus->reason);
+            print_message("%s: %s\n", usb_backends_built[i]->name, usb_bus->reason);
         }
         assert_int_equal(status, BUS_OK);
         assert_picture();
@@ -108,11 +110,12 @@ static void the_adapter_is_listed_by_both_ways(void **state) {
     (void)state;
     mock_plug(&none);
     for (unsigned i = 0; i < 2; i++) {
-        assert_int_equal(ways[i]->list(found, 4, reason), 1);
+        assert_int_equal(usb_backends_built[i]->list(found, 4, reason), 1);
         assert_string_equal(reason, "");
         assert_string_equal(found[0].serial, "MOCK");
         assert_true(found[0].is_accessible);
-        assert_int_equal(ways[i]->open("OTHER", &link_of_test, reason), USB_OPEN_ABSENT);
+        assert_int_equal(usb_backends_built[i]->open("OTHER", &link_of_test, reason),
+                         USB_OPEN_ABSENT);
         assert_non_null(strstr(reason, "OTHER"));
     }
     mock_remove();
@@ -124,7 +127,7 @@ static void a_picture_arrives_and_is_read_back(void **state) {
     for (unsigned i = 0; i < 2; i++) {
         struct usb_verification verification;
         mock_plug(&none);
-        struct usb_bus *usb_bus = start(ways[i]);
+        struct usb_bus *usb_bus = start(usb_backends_built[i]);
         draw(&usb_bus->bus);
         assert_int_equal(bus_read(&usb_bus->bus, 0x00DA, BUS_BYTE), colour(639, LINES - 1, 1));
         assert_int_equal(bus_flush(&usb_bus->bus), BUS_OK);
@@ -196,7 +199,7 @@ static void one_that_stays_away_or_silent_is_an_error_in_time(void **state) {
     (void)state;
     for (unsigned i = 0; i < 4; i++) {
         mock_plug(&none);
-        struct usb_bus *usb_bus = start(ways[i / 2]);
+        struct usb_bus *usb_bus = start(usb_backends_built[i / 2]);
         usb_bus->limits.reopen_ms = 800;
         mock_set_faults(&faults[i % 2]);
         draw(&usb_bus->bus);

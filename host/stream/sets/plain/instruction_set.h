@@ -3,7 +3,6 @@
 #ifndef SUPERFRAME_INSTRUCTION_SET_H
 #define SUPERFRAME_INSTRUCTION_SET_H
 
-#define INSTRUCTION_SET      plain
-#define INSTRUCTION_SET_TEXT "any CPU"
+#define INSTRUCTION_SET plain
 
 #endif
