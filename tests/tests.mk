@@ -104,7 +104,7 @@ pov: $(BUILD)/release/tests/pov/pov_check $(BUILD)/superframe $(RELATIONS) ## Ho
 
 # ---- All of them --------------------------------------------------------------------------------
 
-TEST_SCRIPTS := $(addprefix tests/,float_matrix.sh trace_hash_matrix.sh check_includes.sh check_paths.sh check_changing.sh check_symbols.sh \
+TEST_SCRIPTS := $(addprefix tests/,float_matrix.sh trace_hash_matrix.sh check_includes.sh check_cycles.sh check_paths.sh check_changing.sh check_symbols.sh \
     check_recursion.sh check_adapter.sh check_fuzz.sh check_usb_bytes.sh check_without_usb.sh \
     check_without_f128.sh check_install.sh check_measure.sh targets/quick_test.sh targets/minimal_test.sh \
     targets/probe_test.sh check_porting.sh check_32_bits.sh check_bench.sh check_manual.sh check_hashes.sh \

@@ -14,43 +14,6 @@ enum { FOLDER_MODE = 0777 };
 
 static const char *const default_scenes[] = {"fig3", "fig4a", "fig5"};
 
-bool measure_create(struct measure_file *file, const struct measure *measure, const char *name) {
-    memset(file, 0, sizeof *file);
-    file->path = path_join(measure->folder, name);
-    if (file->path == NULL) {
-        complain("out of memory");
-        return false;
-    }
-    if (!output_open(&file->output, file->path)) {
-        measure_discard(file);
-        return false;
-    }
-    return true;
-}
-
-int measure_close(struct measure_file *file) {
-    bool is_written = output_commit(&file->output);
-    measure_discard(file);
-    return is_written ? STATUS_DONE : STATUS_FAILED;
-}
-
-void measure_discard(struct measure_file *file) {
-    output_discard(&file->output);
-    free(file->path);
-    file->path = NULL;
-}
-
-double measure_predict(const struct measure *measure, const struct measure_point *point,
-                       const struct cost_target *target) {
-    struct cost_work work = {point->events, {1, 0, 0, 0, 0}, point->port_writes};
-    for (size_t i = 0; i < measure->scene_count; i++) {
-        if (strcmp(measure->scenes[i].name, point->scene) == 0) {
-            work.mix = measure->scenes[i].mix;
-        }
-    }
-    return cost_seconds(target, point->arithmetic, &work);
-}
-
 static int take_scenes(struct measure *measure) {
     const struct options *options = measure->options;
     size_t count = (size_t)options->operand_count;

@@ -55,3 +55,9 @@ void affine_axis(const struct affine *map, int axis, double image[3]) {
         image[i] = map->m[i][axis];
     }
 }
+
+double vector_parallel(const double a[3], const double b[3]) {
+    bool same = a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
+    bool opposite = a[0] == -b[0] && a[1] == -b[1] && a[2] == -b[2];
+    return same ? 1 : opposite ? -1 : 0;
+}

@@ -11,6 +11,9 @@ double vector_dot(const double a[3], const double b[3]);
 double vector_length(const double a[3]);
 void vector_cross(const double a[3], const double b[3], double product[3]);
 
+/* Returns 1 if two directions are the same to the last bit, -1 if they are opposite, else 0. */
+double vector_parallel(const double a[3], const double b[3]);
+
 /* Scales a vector to length 1; false, with the vector unchanged, if it is null. */
 bool vector_normalise(double a[3]);
 

@@ -4,29 +4,12 @@
 #include "scene/load.h"
 
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 /* A scene whose contents reach less far has no scale. */
 #define REACH_LEAST 1e-12
-
-bool compile_fail(struct compiler *compiler, unsigned line, const char *format, ...) {
-    char what[400];
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(what, sizeof what, format, arguments);
-    va_end(arguments);
-    const char *path = compiler->description->path;
-    if (line > 0) {
-        snprintf(compiler->error->text, sizeof compiler->error->text, "%.90s:%u: %s", path, line,
-                 what);
-    } else {
-        snprintf(compiler->error->text, sizeof compiler->error->text, "%.100s: %s", path, what);
-    }
-    return false;
-}
 
 /* Returns true if every part of an object of the file is dead. */
 static bool object_is_dead(const struct compile_dead *dead, size_t object) {
@@ -120,12 +103,6 @@ bool compile_scaling(struct compiler *compiler) {
         compiler->scaling.m[i][3] = -ldexp(scene->centre[i], scene->exponent);
     }
     return true;
-}
-
-void compile_show(const struct compiler *compiler, enum compile_step step) {
-    if (compiler->observer != NULL) {
-        compiler->observer->look(compiler->observer->context, step, compiler->scene);
-    }
 }
 
 /* Takes one step and shows the tables where it succeeds. */

@@ -145,9 +145,6 @@ bool compile_same(const struct compiler *compiler, double a, double b);
  * failure recorded. */
 bool compile_direction(struct compiler *compiler, double direction[3]);
 
-/* Returns 1 if two directions are the same to the last bit, -1 if they are opposite, else 0. */
-double compile_parallel(const double a[3], const double b[3]);
-
 /* Finds or adds the frame with these axes, up to their order and signs. A solid of the frame has to
  * follow these. permutation[i] is the axis that became axis i of the frame, sign[i] its sign. With
  * third_stays, axis 2 is to be axis 2 of the frame. Returns WORLD_FRAME if the axes are the

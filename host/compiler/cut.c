@@ -59,7 +59,7 @@ static int frame_across(struct compiler *compiler, const double normal[3]) {
 /* Returns the axis of a frame that a plane lies across, -1 if there is none. */
 static int axis_across(const struct compiled_scene *scene, uint8_t frame, const double normal[3]) {
     int axis = 2;
-    while (axis >= 0 && compile_parallel(normal, compiled_axis(scene, frame, axis)) == 0) {
+    while (axis >= 0 && vector_parallel(normal, compiled_axis(scene, frame, axis)) == 0) {
         axis--;
     }
     return axis;

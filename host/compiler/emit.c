@@ -3,6 +3,10 @@
 #include "compiler/emit.h"
 
 #include <ctype.h>
+#include <inttypes.h>
+#include <stdlib.h>
+
+#include <xxhash.h>
 
 #include "compiler/features.h"
 
@@ -310,4 +314,21 @@ int scene_emit(FILE *out, const struct compiled_scene *scene, const char *name) 
     }
     emit_scene(out, scene, symbol);
     return ferror(out) ? -1 : 0;
+}
+
+bool scene_digest(const struct compiled_scene *scene, char digest[SCENE_DIGEST_SIZE]) {
+    char *text = NULL;
+    size_t length = 0;
+    FILE *file = open_memstream(&text, &length);
+    if (file == NULL) {
+        return false;
+    }
+    bool is_written = scene_emit(file, scene, "digest") == 0;
+    is_written = fclose(file) == 0 && is_written;
+    if (is_written) {
+        (void)snprintf(digest, SCENE_DIGEST_SIZE, "%016" PRIx64,
+                       (uint64_t)XXH3_64bits(text, length));
+    }
+    free(text);
+    return is_written;
 }

@@ -141,7 +141,7 @@ static double polyhedron_reach(const struct compiled_scene *scene,
         }
     }
     for (int i = polyhedron->first; i < polyhedron->first + polyhedron->count; i++) {
-        if (compile_parallel(direction, scene->planes[i].normal) > 0) {
+        if (vector_parallel(direction, scene->planes[i].normal) > 0) {
             reach = fmin(reach, scene->planes[i].offset);
         }
     }

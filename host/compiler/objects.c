@@ -34,23 +34,6 @@ static bool is_leaf(const struct solid_node *node) {
     return node->kind < SOLID_UNION;
 }
 
-bool compile_append(struct compiler *compiler, uint8_t code) {
-    struct compiled_scene *scene = compiler->scene;
-    struct compiled_object *object = &scene->objects[scene->object_count];
-    if (object->length == 255) {
-        return compile_fail(compiler, compiler->line,
-                            "an object of more than 128 solids: split it into several objects");
-    }
-    if (scene->program_length == COMPILED_PROGRAM_BYTES_MOST) {
-        return compile_fail(compiler, compiler->line,
-                            "more than %d solids and operations in all objects: leave some out",
-                            COMPILED_PROGRAM_BYTES_MOST);
-    }
-    scene->programs[scene->program_length++] = code;
-    object->length++;
-    return true;
-}
-
 /* Appends a node's postfix program. `depth` is how much of the evaluation's stack is in use. */
 static bool append_program(struct compiler *compiler, int index, const struct affine *outer,
                            int depth) {

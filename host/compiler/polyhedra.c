@@ -82,7 +82,7 @@ int compile_placed_polyhedron(struct compiler *compiler, const struct scene_plan
         }
         for (size_t j = 0; j < i; j++) {
             if (surfaces[j] == surfaces[i] &&
-                compile_parallel(planes[i].normal, planes[j].normal) < 0) {
+                vector_parallel(planes[i].normal, planes[j].normal) < 0) {
                 return compile_fail_thin(compiler);
             }
         }

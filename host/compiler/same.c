@@ -43,12 +43,6 @@ bool compile_direction(struct compiler *compiler, double direction[3]) {
     return true;
 }
 
-double compile_parallel(const double a[3], const double b[3]) {
-    bool same = a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
-    bool opposite = a[0] == -b[0] && a[1] == -b[1] && a[2] == -b[2];
-    return same ? 1 : opposite ? -1 : 0;
-}
-
 int compile_new_surface(struct compiler *compiler) {
     struct compiled_scene *scene = compiler->scene;
     if (scene->surface_count == COMPILED_SURFACES_MOST) {
@@ -70,7 +64,7 @@ int compile_fail_thin(struct compiler *compiler) {
 int compile_plane_surface(struct compiler *compiler, const double normal[3], double offset) {
     for (int i = 0; i < compiler->scene->surface_count; i++) {
         const struct compile_plane *plane = &compiler->planes[i];
-        double sign = compile_parallel(normal, plane->normal);
+        double sign = vector_parallel(normal, plane->normal);
         if (sign != 0 && compile_same(compiler, sign * offset, plane->offset)) {
             return i;
         }
@@ -85,7 +79,7 @@ int compile_plane_surface(struct compiler *compiler, const double normal[3], dou
 
 double compile_place_of_plane(const struct compiler *compiler, int surface, const double axis[3]) {
     const struct compile_plane *plane = &compiler->planes[surface];
-    return compile_parallel(axis, plane->normal) < 0 ? -plane->offset : plane->offset;
+    return vector_parallel(axis, plane->normal) < 0 ? -plane->offset : plane->offset;
 }
 
 /* Sorts axes into those of a frame, up to their order and signs. Returns false if they do not
@@ -94,14 +88,14 @@ static bool sort_axes(const struct compiled_scene *scene, uint8_t frame, double 
                       bool third_stays, int permutation[3], double sign[3]) {
     for (int i = 0; i < 3; i++) {
         int j = 0;
-        while (j < 3 && compile_parallel(axis[j], compiled_axis(scene, frame, i)) == 0) {
+        while (j < 3 && vector_parallel(axis[j], compiled_axis(scene, frame, i)) == 0) {
             j++;
         }
         if (j == 3) {
             return false;
         }
         permutation[i] = j;
-        sign[i] = compile_parallel(axis[j], compiled_axis(scene, frame, i));
+        sign[i] = vector_parallel(axis[j], compiled_axis(scene, frame, i));
     }
     return !third_stays || permutation[2] == 2;
 }

@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* The scene compiler: the camera and the solids that the eye is inside of, lights, and the largest
- * intensity. */
+/* The scene compiler: the camera and the solids that the eye is inside of, lights, the largest
+ * intensity, and how colours are shown. */
 #include "compiler/compiler_internal.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+
+#include "board.h"
 
 /* A pixel that traps light ends after so many rays: where an accuracy is asked for, and where none
  * is. */
@@ -13,97 +15,6 @@ enum { RAYS_FOR_ACCURACY_MOST = 100000, RAYS_OF_A_PIXEL_MOST = 1000000 };
 
 static void scaled_point(const struct compiler *compiler, const double point[3], double out[3]) {
     affine_point(&compiler->scaling, point, out);
-}
-
-static bool is_inside_ball(const struct compiled_ball *ball, const double point[3]) {
-    const double p[3] = {point[0] - ball->centre[0], point[1] - ball->centre[1],
-                         point[2] - ball->centre[2]};
-    return vector_dot(p, p) < ball->radius * ball->radius;
-}
-
-static bool is_inside_box(const struct compiled_box *box, const double p[3]) {
-    return p[0] > box->minimum[0] && p[0] < box->maximum[0] && p[1] > box->minimum[1] &&
-           p[1] < box->maximum[1] && p[2] > box->minimum[2] && p[2] < box->maximum[2];
-}
-
-static bool is_inside_polyhedron(const struct compiled_scene *scene,
-                                 const struct compiled_polyhedron *polyhedron,
-                                 const double point[3]) {
-    for (int i = 0; i < polyhedron->count; i++) {
-        const struct compiled_plane *plane = &scene->planes[polyhedron->first + i];
-        if (vector_dot(plane->normal, point) >= plane->offset) {
-            return false;
-        }
-    }
-    return true;
-}
-
-/* Tells whether a point is strictly inside a quadric. p: the point in the frame's coordinates,
- * which the box shares. q: the same from the quadric's centre. */
-static bool is_inside_quadric(const struct compiled_scene *scene,
-                              const struct compiled_quadric *quadric, const double p[3],
-                              const double q[3]) {
-    const double squares[3] = {q[0] * q[0], q[1] * q[1], q[2] * q[2]};
-    const struct compiled_box *box = &scene->boxes[quadric->box];
-    for (int i = 0; i < 3; i++) {
-        if ((quadric->cuts >> i & 1) != 0 && (p[i] <= box->minimum[i] || p[i] >= box->maximum[i])) {
-            return false;
-        }
-    }
-    return vector_dot(quadric->square, squares) + 2 * quadric->linear * q[2] + quadric->constant <
-           0;
-}
-
-/* Turns a point into the axes of a frame; the frames of solids have no origin of their own. */
-static void to_frame(const struct compiled_scene *scene, uint8_t frame, const double point[3],
-                     double turned[3]) {
-    const double from[3] = {point[0], point[1], point[2]};
-    for (int i = 0; i < 3; i++) {
-        turned[i] = frame == WORLD_FRAME ? from[i] : vector_dot(from, scene->frames[frame].axis[i]);
-    }
-}
-
-bool compiled_primitive_holds(const struct compiled_scene *scene, uint8_t index,
-                              const double point[3]) {
-    const struct compiled_primitive *primitive = &scene->primitives[index];
-    const struct compiled_quadric *quadric;
-    double p[3], q[3] = {0, 0, 0};
-    to_frame(scene, primitive->frame, point, p);
-    switch (primitive->kind) {
-    case KIND_BALL:
-        return is_inside_ball(&scene->balls[primitive->index], p);
-    case KIND_POLYHEDRON:
-        return is_inside_polyhedron(scene, &scene->polyhedra[primitive->index], p);
-    case KIND_QUADRIC:
-        quadric = &scene->quadrics[primitive->index];
-        for (int i = 0; i < 3; i++) {
-            q[i] = point[i] - quadric->centre[i];
-        }
-        to_frame(scene, primitive->frame, q, q);
-        return is_inside_quadric(scene, quadric, p, q);
-    default:
-        return is_inside_box(&scene->boxes[primitive->index], p);
-    }
-}
-
-/* Evaluates an object's program in the host's words; the program means the same as in ray_hit(). */
-bool compiled_object_holds(const struct compiled_scene *scene, uint8_t index,
-                           const struct compiled_set *inside) {
-    const struct compiled_object *object = &scene->objects[index];
-    uint32_t stack = 0;
-    for (uint8_t i = 0; i < object->length; i++) {
-        uint8_t code = scene->programs[object->program + i];
-        uint32_t right = stack & 1, left = stack >> 1 & 1;
-        if (code < CODE_UNION) {
-            stack = stack << 1 | (inside->word[code / 32] >> code % 32 & 1);
-        } else {
-            uint32_t value = code == CODE_UNION          ? left | right
-                             : code == CODE_INTERSECTION ? left & right
-                                                         : left & ~right & 1;
-            stack = (stack >> 2) << 1 | value;
-        }
-    }
-    return (stack & 1) != 0;
 }
 
 /* Returns the object that the eye is in; 0 is the air. */
@@ -271,4 +182,25 @@ void compile_brightest(struct compiler *compiler) {
         }
     }
     scene->brightest = (uint16_t)fmin(ceil(most), 32767);
+}
+
+bool compile_colour(struct compiler *compiler) {
+    const struct scene_description *description = compiler->description;
+    struct compiled_scene *scene = compiler->scene;
+    static const enum compiled_show shows[] = {[COLOUR_FULL] = COMPILED_FULL,
+                                               [COLOUR_BITS] = COMPILED_BITS,
+                                               [COLOUR_DITHER] = COMPILED_DITHER,
+                                               [COLOUR_EXPOSURES] = COMPILED_EXPOSURES};
+    scene->show = (uint8_t)shows[description->colour];
+    scene->show_bits = (uint8_t)(description->colour == COLOUR_BITS ? description->colour_bits : 8);
+    scene->seed = description->seed;
+    if (description->colour == COLOUR_DITHER &&
+        (description->width > BOARD_WIDTH / 2 || description->height > BOARD_HEIGHT / 2)) {
+        return compile_fail(compiler, 0,
+                            "colour \"dither\" with %d x %d pixels, each of 2 x 2 dots; allowed "
+                            "is: up to %d x %d, or another colour",
+                            description->width, description->height, BOARD_WIDTH / 2,
+                            BOARD_HEIGHT / 2);
+    }
+    return true;
 }

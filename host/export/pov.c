@@ -11,19 +11,6 @@
 /* POV-Ray visits no surface at all where adc_bailout is 1. */
 #define BAILOUT_MOST 0.9999999
 
-void export_pov_vector(FILE *out, double x, double y, double z) {
-    (void)fprintf(out, "<%.17g, %.17g, %.17g>", x, y, z);
-}
-
-void export_pov_comment(FILE *out, const char *text) {
-    (void)fputs("// ", out);
-    for (; *text != '\0'; text++) {
-        unsigned char letter = (unsigned char)*text;
-        (void)fputc(letter < 0x20 || letter == 0x7F ? ' ' : letter, out);
-    }
-    (void)fputc('\n', out);
-}
-
 static void write_colour(FILE *out, const double levels[3]) {
     (void)fputs("rgb ", out);
     export_pov_vector(out, levels[0] / 255, levels[1] / 255, levels[2] / 255);

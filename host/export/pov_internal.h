@@ -15,10 +15,19 @@ void export_pov_material_name(const struct scene_description *description,
                               char name[POV_NAME_SIZE]);
 
 /* Prints <x, y, z> so that the doubles can be read back. */
-void export_pov_vector(FILE *out, double x, double y, double z);
+static inline void export_pov_vector(FILE *out, double x, double y, double z) {
+    (void)fprintf(out, "<%.17g, %.17g, %.17g>", x, y, z);
+}
 
 /* Prints text on one line of a comment. */
-void export_pov_comment(FILE *out, const char *text);
+static inline void export_pov_comment(FILE *out, const char *text) {
+    (void)fputs("// ", out);
+    for (; *text != '\0'; text++) {
+        unsigned char letter = (unsigned char)*text;
+        (void)fputc(letter < 0x20 || letter == 0x7F ? ' ' : letter, out);
+    }
+    (void)fputc('\n', out);
+}
 
 /* Writes a #declare of every material that an object uses. */
 void export_pov_materials(FILE *out, const struct scene_description *description,

@@ -3,8 +3,6 @@
 #include "scene/reader_internal.h"
 
 #include <math.h>
-#include <stdarg.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -20,39 +18,6 @@ static const struct scene_range RANGE_WAVELENGTH = {380, 780};
 
 /* The spectral primaries of the CIE 1931 RGB system, in nm. */
 static const double CIE_PRIMARIES[3] = {700.0, 546.1, 435.8};
-
-bool scene_fail(struct scene_reader *reader, unsigned line, const char *format, ...) {
-    char *text = reader->error->text;
-    size_t size = sizeof reader->error->text;
-    int used = snprintf(text, size, "%.200s:%u: ", reader->path, line ? line : 1);
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(text + used, size - (size_t)used, format, arguments);
-    va_end(arguments);
-    for (; *text; text++) {
-        if ((unsigned char)*text < 0x20 || *text == 0x7F) {
-            *text = '?'; /* whatever the file holds, the message stays one line */
-        }
-    }
-    return false;
-}
-
-void *scene_allocate(struct scene_reader *reader, size_t count, size_t size) {
-    void *memory = calloc(count ? count : 1, size);
-    if (!memory) {
-        scene_fail(reader, 1, "not enough memory to read the scene");
-    }
-    return memory;
-}
-
-char *scene_copy(struct scene_reader *reader, const char *text) {
-    size_t size = strlen(text) + 1;
-    char *copy = scene_allocate(reader, size, 1);
-    if (copy) {
-        memcpy(copy, text, size);
-    }
-    return copy;
-}
 
 static double length_of(const double v[3]) {
     return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);

@@ -9,7 +9,7 @@
 #include <stdio.h>
 
 #include "base/output.h"
-#include "compiler/digest.h"
+#include "compiler/emit.h"
 #include "options/options.h"
 #include "picture.h"
 #include "render/progress.h"

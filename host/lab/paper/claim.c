@@ -6,6 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "scene/load.h"
+
 const char *paper_verdict_text(enum paper_verdict verdict) {
     static const char *const texts[] = {"not measured", "holds", "holds in part", "does not hold"};
     return texts[verdict];
@@ -29,4 +31,14 @@ enum paper_verdict paper_judge(const bool *parts, size_t count) {
         holding += parts[i];
     }
     return holding == count ? PAPER_HOLDS : holding > 0 ? PAPER_HOLDS_IN_PART : PAPER_DOES_NOT_HOLD;
+}
+
+bool paper_claim_has_scenes(struct paper_claim *claim, const char *const *scenes) {
+    for (; *scenes != NULL; scenes++) {
+        if (!scene_is_builtin(*scenes)) {
+            paper_say(claim->why, "The scene %s is not built in.", *scenes);
+            return false;
+        }
+    }
+    return true;
 }

@@ -49,16 +49,6 @@ static const struct claim_entry entries[PAPER_CLAIMS] = {
      paper_claim_exposures},
 };
 
-bool paper_claim_has_scenes(struct paper_claim *claim, const char *const *scenes) {
-    for (; *scenes != NULL; scenes++) {
-        if (!scene_is_builtin(*scenes)) {
-            paper_say(claim->why, "The scene %s is not built in.", *scenes);
-            return false;
-        }
-    }
-    return true;
-}
-
 int paper_make_claims(struct paper *paper) {
     int status = STATUS_DONE;
     for (int i = 0; i < PAPER_CLAIMS && status == STATUS_DONE; i++) {

@@ -18,8 +18,4 @@ int paper_claim_bands(struct paper *paper, struct paper_claim *claim);      /* 7
 int paper_claim_threshold(struct paper *paper, struct paper_claim *claim);  /* 8 */
 int paper_claim_exposures(struct paper *paper, struct paper_claim *claim);  /* 9 */
 
-/* Checks that scenes, a list ended by NULL, are built in. Returns false where one is not, and the
- * claim says so. */
-bool paper_claim_has_scenes(struct paper_claim *claim, const char *const *scenes);
-
 #endif

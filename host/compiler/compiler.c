@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: MIT */
+/* What every step of the scene compiler may do: fail, and show what it did. */
+#include "compiler/compiler_internal.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+
+bool compile_fail(struct compiler *compiler, unsigned line, const char *format, ...) {
+    char what[400];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(what, sizeof what, format, arguments);
+    va_end(arguments);
+    const char *path = compiler->description->path;
+    if (line > 0) {
+        snprintf(compiler->error->text, sizeof compiler->error->text, "%.90s:%u: %s", path, line,
+                 what);
+    } else {
+        snprintf(compiler->error->text, sizeof compiler->error->text, "%.100s: %s", path, what);
+    }
+    return false;
+}
+
+void compile_show(const struct compiler *compiler, enum compile_step step) {
+    if (compiler->observer != NULL) {
+        compiler->observer->look(compiler->observer->context, step, compiler->scene);
+    }
+}
