@@ -88,7 +88,7 @@ INCLUDE_hal      := -Ihal -Ihal/cable
 INCLUDE_firmware := $(INCLUDE_hal) -Ifirmware
 INCLUDE_emulator := $(INCLUDE_hal) $(patsubst %,-Iemulator/%,board picture trace bus)
 INCLUDE_host     := $(INCLUDE_emulator) -Ifirmware -Ifirmware/adapter -Ihost $(USB_CFLAGS)
-INCLUDE_tests    := $(INCLUDE_host) -Iemulator/testing -Itests -idirafter $(COMPILER_HEADERS)
+INCLUDE_tests    := $(INCLUDE_host) -Iemulator/testing -Itests/fixtures -idirafter $(COMPILER_HEADERS)
 
 # ---- How a thing is made ------------------------------------------------------------------------
 

@@ -1,41 +1,6 @@
 # SPDX-License-Identifier: MIT
 # What is measured: tests, speed, accuracy, costs; read by Makefile.
 
-# ---- Tests: mutants, coverage -------------------------------------------------------------------
-
-# Besides the suites, whatever tells by its exit status: release/x,1,2 is build/release/x 1 2.
-MUTANT_PROGRAMS ?= tests/check_hashes.sh tests/check_manual.sh $(RELATIONS:$(BUILD)/%=%),build/relations,SEEDS=0:60
-
-# The suites of hal/ and emulator/, linked with those two built once more, their branches counted. What
-# the processor's own ports need is no test's to run: hal/ports_linux.c.
-COVERED_SUITES := bus cost_bus fault_bus ports_linux board board_control board_report board_table driver_run \
-                  native_screen picture png_file trace trace_damage trace_text trace_tools trace_hash testkit \
-                  trace_command adapter_command $(patsubst tests/%_test.c,%,$(wildcard tests/usb_*_test.c tests/pc98_*_test.c))
-COVERED_OBJECTS  := $(patsubst %.c,$(BUILD)/coverage/%.o,$(HAL_SOURCES) $(ADAPTER_SOURCES) $(EMULATOR_SOURCES))
-COVERED_BESIDES  := $(release_HOST) $(release_IMAGES)
-COVERED_PROGRAMS := $(COVERED_SUITES:%=$(BUILD)/coverage/%_test)
-GCOVR := gcovr --root . --object-directory $(BUILD)/coverage --exclude-unreachable-branches --branches $(BUILD)/coverage
-
-$(BUILD)/coverage/superframe: $(BUILD)/release/host/command/main.o $(COVERED_OBJECTS) $(COVERED_BESIDES)
-	$(call link,--coverage,$(LIBS))
-
-$(COVERED_PROGRAMS): $(BUILD)/coverage/%: tests/%.c $(COVERED_OBJECTS) $(TESTKIT_SOURCES) $(COVERED_BESIDES)
-	$(call link,$(WARNINGS) $(POSIX) -O0 -g $(INCLUDE_tests),--coverage -lcmocka $(LIBS))
-
-mutants: | setup ## Break the source in small ways and see whether the tests notice (SEED= COUNT= SECONDS= FILES=)
-	@SEED='$(SEED)' FIRST='$(FIRST)' COUNT='$(COUNT)' LIMIT='$(SECONDS)' FILES='$(FILES)' SANITIZED='$(SANITIZED)' CC='$(CC)' \
-	    sh tests/mutants/run.sh $(BUILD) $(MUTANT_PROGRAMS) \
-	    $(patsubst $(BUILD)/%,%,$(TEST_PROGRAMS) $(REAL_TEST_PROGRAMS) $(USB_TEST_PROGRAMS))
-
-coverage: $(COVERED_PROGRAMS) $(BUILD)/coverage/superframe ## Measure the branches of hal/ and emulator/ that the suites take (100 % and 95 %)
-	@find $(BUILD)/coverage -name '*.gcda' -delete
-	@for suite in $(COVERED_PROGRAMS); do \
-	    BUILD=$(BUILD) SUPERFRAME=$(BUILD)/coverage/superframe timeout 300 $$suite > $$suite.log 2>&1 || \
-	        { tail -n 40 $$suite.log; exit 1; }; done
-	$(GCOVR) --filter 'hal/cable/' --filter 'firmware/adapter/'
-	$(GCOVR) --filter 'hal/[^/]*$$' --exclude 'hal/ports_linux.c' --fail-under-branch 100
-	$(GCOVR) --filter 'emulator/' --fail-under-branch 95
-
 # ---- Speed --------------------------------------------------------------------------------------
 
 BENCH_TOOLS := $(patsubst %,$(BUILD)/release/bench/%,timed psnr frame)

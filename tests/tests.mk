@@ -4,9 +4,10 @@
 # ---- Suites -------------------------------------------------------------------------------------
 
 # The suites that hold something against f128; those of tests/real/ are held against libquadmath.
-SUITES_OF_F128 := accuracy command extremes_optics extremes_place extremes_shapes extremes_walls leak \
-                  optics_laws tail worked_example
-SUITES      := $(patsubst tests/%.c,%,$(wildcard tests/*_test.c))
+SUITES_OF_F128 := program/command $(addprefix laws/,accuracy extremes_optics extremes_place extremes_shapes \
+                  extremes_walls leak optics_laws tail worked_example)
+# unit/ mirrors the folders of the source; laws/ holds what rays and pictures obey, program/ the command.
+SUITES      := $(patsubst tests/%.c,%,$(wildcard $(patsubst %,tests/%/*_test.c,unit/* unit/host/* laws program)))
 REAL_SUITES := $(patsubst tests/%.c,%,$(wildcard tests/real/*_test.c))
 ifneq ($(QUADMATH),yes)
 TEST_SKIPPED := $(SUITES_OF_F128:%=%_test) $(REAL_SUITES)
@@ -20,7 +21,7 @@ $(TEST_PROGRAMS): %: %.o $(sanitized_LIBRARY) $(BUILD)/sources
 	$(call link,$(LDFLAGS_sanitized),-lcmocka $(LIBS))
 
 # The test kit is no part of the program: its own suites alone are linked with it.
-$(addprefix $(BUILD)/sanitized/tests/,testkit_test testkit_writes_test): $(TESTKIT_SOURCES:%.c=$(BUILD)/sanitized/%.o)
+$(patsubst %,$(BUILD)/sanitized/tests/unit/emulator/%_test,testkit testkit_writes): $(TESTKIT_SOURCES:%.c=$(BUILD)/sanitized/%.o)
 
 define real_suites
 $$(BUILD)/sanitized/tests/real/%_test_$(1).o: tests/real/%_test.c $$(BUILD)/flags | setup
@@ -111,9 +112,11 @@ TEST_SCRIPTS := $(addprefix tests/,float_matrix.sh trace_hash_matrix.sh check_in
     check_uninitialised.sh check_mutants.sh relations/relations_test.sh)
 FIRMWARE_IMAGES := $(patsubst %,$(BUILD)/release/firmware_%.o,fx f32 f64)
 # `make quick` leaves these to `make test`: each takes more than two seconds.
-SLOW_SUITES := accuracy asked_error command compiled_points coincident_surfaces csg_laws dead_things \
-               extremes_% fused_solids leak measure% paper% patterns ray_tree stream tail trace_command \
-               usb_% validate render_counts
+SLOW_SUITES := program/command program/trace_command unit/host/lab/measure% unit/host/lab/paper% \
+    unit/host/stream/stream unit/host/validate/validate unit/firmware/usb_% unit/host/adapter/usb_% unit/hal/usb_% \
+    $(addprefix unit/host/compiler/,compiled_points coincident_surfaces dead_things fused_solids) \
+    $(addprefix unit/host/render/,ray_tree render_counts) \
+    $(addprefix laws/,accuracy asked_error csg_laws extremes_% leak patterns tail)
 
 # The packages first: which of them are there decides what is built.
 test: setup ## Run every test (under the address and undefined-behaviour sanitizers)
@@ -207,3 +210,37 @@ test-kernel: setup ## Draw over USB and HID through the real Linux USB stack, as
 	@$(MAKE) --no-print-directory -s install PREFIX=/usr/local DESTDIR='$(abspath $(KERNEL_TEST))/installed'
 	@sh tests/kernel/initramfs.sh $(KERNEL_TEST)/debian/system $(KERNEL_TEST)/installed $(KERNEL_TEST)/guest
 	@sh tests/kernel/run.sh $(KERNEL_TEST)/guest $(BUILD)/sanitized/superframe $(BUILD)/superframe
+
+# ---- Mutants, coverage --------------------------------------------------------------------------
+
+# Besides the suites, whatever tells by its exit status: release/x,1,2 is build/release/x 1 2.
+MUTANT_PROGRAMS ?= tests/check_hashes.sh tests/check_manual.sh $(RELATIONS:$(BUILD)/%=%),build/relations,SEEDS=0:60
+
+# The suites of hal/ and emulator/, linked with those two built once more, their branches counted. What
+# the processor's own ports need is no test's to run: hal/ports_linux.c.
+COVERED_SUITES := $(filter unit/hal/% unit/emulator/% unit/host/adapter/usb_% unit/host/boot/% \
+                  unit/firmware/usb_% program/trace_command_test program/adapter_command_test,$(SUITES))
+COVERED_OBJECTS  := $(patsubst %.c,$(BUILD)/coverage/%.o,$(HAL_SOURCES) $(ADAPTER_SOURCES) $(EMULATOR_SOURCES))
+COVERED_BESIDES  := $(release_HOST) $(release_IMAGES)
+COVERED_PROGRAMS := $(COVERED_SUITES:%=$(BUILD)/coverage/tests/%)
+GCOVR := gcovr --root . --object-directory $(BUILD)/coverage --exclude-unreachable-branches --branches $(BUILD)/coverage
+
+$(BUILD)/coverage/superframe: $(BUILD)/release/host/command/main.o $(COVERED_OBJECTS) $(COVERED_BESIDES)
+	$(call link,--coverage,$(LIBS))
+
+$(COVERED_PROGRAMS): $(BUILD)/coverage/%: %.c $(COVERED_OBJECTS) $(TESTKIT_SOURCES) $(COVERED_BESIDES)
+	$(call link,$(WARNINGS) $(POSIX) -O0 -g $(INCLUDE_tests),--coverage -lcmocka $(LIBS))
+
+mutants: | setup ## Break the source in small ways and see whether the tests notice (SEED= COUNT= SECONDS= FILES=)
+	@SEED='$(SEED)' FIRST='$(FIRST)' COUNT='$(COUNT)' LIMIT='$(SECONDS)' FILES='$(FILES)' SANITIZED='$(SANITIZED)' CC='$(CC)' \
+	    sh tests/mutants/run.sh $(BUILD) $(MUTANT_PROGRAMS) \
+	    $(patsubst $(BUILD)/%,%,$(TEST_PROGRAMS) $(REAL_TEST_PROGRAMS) $(USB_TEST_PROGRAMS))
+
+coverage: $(COVERED_PROGRAMS) $(BUILD)/coverage/superframe ## Measure the branches of hal/ and emulator/ that the suites take (100 % and 95 %)
+	@find $(BUILD)/coverage -name '*.gcda' -delete
+	@for suite in $(COVERED_PROGRAMS); do \
+	    BUILD=$(BUILD) SUPERFRAME=$(BUILD)/coverage/superframe timeout 300 $$suite > $$suite.log 2>&1 || \
+	        { tail -n 40 $$suite.log; exit 1; }; done
+	$(GCOVR) --filter 'hal/cable/' --filter 'firmware/adapter/'
+	$(GCOVR) --filter 'hal/[^/]*$$' --exclude 'hal/ports_linux.c' --fail-under-branch 100
+	$(GCOVR) --filter 'emulator/' --fail-under-branch 95

@@ -16,7 +16,8 @@
  * board. I is inferred from P and D; A is assumed, because something has to happen. ! means:
  * reported as a violation.
  *
- * TRUTH TABLE (docs/board.md has every cell; tests/board_table_test.c drives the emulator by it).
+ * TRUTH TABLE (docs/board.md has every cell; tests/unit/emulator/board_table_test.c drives the
+ * emulator by it).
  *
  *     access                    effect                                       1987    later
  *     byte, even, write         the low byte of the register.                P D I   P D I

@@ -32,8 +32,8 @@ static void compare_rows(const struct stream_engine *engine, const struct arithm
         result->pixels += (uint64_t)rows * width;
         result->agreeing += (uint64_t)rows * width;
         if (memcmp(found, expected, 3 * (size_t)width * rows) != 0) {
-            result_fail(result, FAULT_BITS, "%s: rows from %u are not the image's own",
-                        engine->set, first);
+            result_fail(result, FAULT_BITS, "%s: rows from %u are not the image's own", engine->set,
+                        first);
         }
         if (counts.rays != own.rays || counts.shadow_rays != own.shadow_rays ||
             counts.nodes != own.nodes || counts.leaked_rays != own.leaked_rays) {
