@@ -1,14 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What sub-commands do alike with a board: its buses put together, its results, its verdict.
- *
- *     session_begin()          the board, or a device in its place
- *     session_open()           what the command line asks for; the results' files
- *     session_bus()            is bound, and the work is done
- *     session_end_accesses()   the trace
- *     session_commit_picture() the picture
- *     session_judge()          --strict
- *     session_free()           whatever happened; gives up what was not committed
- */
+/* What sub-commands do alike with a board: its buses put together, its results, its verdict. The
+ * functions below stand in the order in which a sub-command calls them. */
 #ifndef SUPERFRAME_SESSION_H
 #define SUPERFRAME_SESSION_H
 
@@ -50,9 +42,9 @@ int session_begin(struct session *session, const struct board_options *options,
                   const struct session_device *device);
 
 /* Puts in the PC's own screen, faults, and where statistics are asked for the count of accesses.
- * Opens all results before the work begins, so that a bad name is known at once, and puts in the
- * recorder of the trace. Has to be called before any access. Returns STATUS_DONE; otherwise the
- * reason is printed. */
+ * Opens all results, so that a bad name is known before the work begins. Puts in the recorder of
+ * the trace. Has to be called before any access. Returns STATUS_DONE; otherwise the reason is
+ * printed. */
 int session_open(struct session *session, const struct session_files *files);
 
 /* Returns the bus to bind. Writes are hashed and timed where statistics are asked for. */

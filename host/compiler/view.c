@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The scene compiler: the camera and the solids that the eye is inside of, lights, the largest
- * intensity, and how colours are shown. */
+/* The scene compiler: camera, the solids that the eye is inside of, lights, the largest intensity,
+ * and how colours are shown. */
 #include "compiler/compiler_internal.h"
 
 #include <math.h>
