@@ -108,10 +108,11 @@ LDFLAGS_fuzzed    := -fsanitize=fuzzer,address,undefined
 say = @$(if $(V),:,printf '  %-4s %s\n' '$(1)' '$(@:$(BUILD)/%=%)')
 Q  := $(if $(V),,@)
 
-# compile FLAGS: an object of its source; what its folder needs besides stands in FLAGS_folder.
+# compile FLAGS: an object of its source; what its folder needs besides stands in FLAGS_folder. What is
+# compiled once for each arithmetic is named when it is put together.
 define compile
 @mkdir -p $(@D)
-$(call say,CC)
+$(if $(findstring firmware/,$@)$(findstring stream/,$@)$(findstring arithmetic/,$@),,$(call say,CC))
 $(Q)$(CC) $(WARNINGS) $(1) $(FLAGS_$(patsubst %/,%,$(dir $<))) -MMD -MP -c -o $@ $<
 endef
 
