@@ -168,7 +168,7 @@ ifeq ($(findstring clang,$(shell $(CC) --version)),)
 STREAM_FLAGS += -fno-thread-jumps -fno-tree-loop-distribute-patterns
 STREAM_FLAGS_search_solids   := -fno-tree-pre
 STREAM_FLAGS_search_quadrics := -fno-tree-pre
-STREAM_FLAGS_borders         := -fno-tree-pre
+STREAM_FLAGS_boundaries      := -fno-tree-pre
 endif
 FLAGS_avx2   := -march=x86-64-v3
 FLAGS_avx512 := -march=x86-64-v4 -mprefer-vector-width=512

@@ -3,9 +3,9 @@
 # Installs what the build lacks: sh setup.sh [GROUP...], the groups of the table below.
 #
 # CC     the compiler whose headers count (default: cc)
-# SETUP  "no" lists what is lacking and stops
+# SETUP  "no" lists what is missing and stops
 #
-# Exit status: 0 nothing is lacking (any more), 2 something is and can't be installed here.
+# Exit status: 0 nothing is missing (any more), 2 something is and can't be installed here.
 # What is there is found by asking the compiler and the shell, not the package manager: a system
 # of any kind that has the libraries passes, at once and without a network.
 set -u
@@ -98,9 +98,9 @@ wanted_rows() {
     done
 }
 
-# Prints the packages that are lacking. All headers in one go first: that is the usual case, and
+# Prints the packages that are missing. All headers in one go first: that is the usual case, and
 # it takes one run of the preprocessor.
-lacking() {
+missing() {
     headers=$(wanted_rows | sed -n 's/^header|\([^|]*\)|.*/\1/p')
     # shellcheck disable=SC2086 # a list of words
     has_headers $headers && headers=
@@ -134,10 +134,10 @@ if ! command -v ${CC%% *} > /dev/null 2>&1; then
     exit 2
 fi
 
-packages=$(lacking)
+packages=$(missing)
 [ -n "$packages" ] || exit 0
 
-say "these packages are lacking: $packages"
+say "these packages are missing: $packages"
 by_hand="apt-get update && apt-get install --no-install-recommends $packages"
 if [ "$SETUP" = no ]; then
     say "nothing was installed (SETUP=no); as root: $by_hand"
@@ -169,7 +169,7 @@ if ! apt install --no-install-recommends $packages; then
     say "apt-get could not install them; as root: $by_hand"
     exit 2
 fi
-packages=$(lacking)
+packages=$(missing)
 if [ -n "$packages" ]; then
     say "installed, but \"$CC\" still does not find what these packages hold: $packages"
     exit 2

@@ -41,7 +41,7 @@ static enum estimate_way way_of(const struct scene *scene, const struct directio
 }
 
 /* Adds what the scene's estimate says of a branch that is cut; nothing without an estimate. */
-static void cut_worth(struct tree *tree, struct energies weight, enum estimate_way way) {
+static void cut_radiance(struct tree *tree, struct energies weight, enum estimate_way way) {
     const struct estimate *estimate = tree->scene->estimate;
     if (FEATURE_ESTIMATE && estimate) {
         const int32_t *steps = estimate->level[0].mean[way];
@@ -93,9 +93,9 @@ static void keep(struct tree *tree, const struct branch *branch, enum branch_end
 }
 
 /* Returns the number of levels whose threshold is above a weight. */
-static uint8_t levels_above(const struct lesson *lesson, int32_t weight) {
+static uint8_t levels_above(const struct training *training, int32_t weight) {
     uint8_t count = 0;
-    while (count < lesson->levels && lesson->first >> count > weight) {
+    while (count < training->levels && training->first >> count > weight) {
         count++;
     }
     return count;
@@ -108,44 +108,45 @@ static enum estimate_way way_at(const struct branch *branch, uint8_t level) {
 
 /* Adds a branch that ends beyond the cut, unseen, to the rest of all the levels that cut the
  * branch. These levels miss what the branch is worth. */
-static void learn_rest(struct lesson *lesson, const struct branch *branch) {
+static void learn_rest(struct training *training, const struct branch *branch) {
     for (uint8_t i = 0; i < branch->beyond; i++) {
-        add_weight(lesson->level[i].rest[way_at(branch, i)], branch->weight);
+        add_weight(training->level[i].rest[way_at(branch, i)], branch->weight);
     }
 }
 
-/* Adds a part that is seen beyond the cut to the worth of all the levels that cut the branch. */
-static void learn_worth(struct lesson *lesson, const struct branch *branch, struct colours part) {
+/* Adds a part that is seen beyond the cut to the radiance of all the levels that cut the branch. */
+static void learn_radiance(struct training *training, const struct branch *branch,
+                           struct colours part) {
     const int32_t steps[3] = {colour_steps(part.red), colour_steps(part.green),
                               colour_steps(part.blue)};
     for (uint8_t i = 0; i < branch->beyond; i++) {
-        int64_t *worth = lesson->level[i].worth[way_at(branch, i)];
+        int64_t *radiance = training->level[i].radiance[way_at(branch, i)];
         for (uint8_t j = 0; j < 3; j++) {
-            worth[j] += steps[j];
+            radiance[j] += steps[j];
         }
     }
 }
 
-/* Enters a new branch into the lesson. Returns whether the branch is followed, beyond the cut if
- * need be. `events` are those of the branch that it grows from. The new branch has one more, which
- * may be too many. */
+/* Enters a new branch into the training pass. Returns whether the branch is followed, beyond the
+ * cut if need be. `events` are those of the branch that it grows from. The new branch has one more,
+ * which may be too many. */
 static bool learn_of(struct tree *tree, struct branch *branch, uint8_t events) {
-    struct lesson *lesson = tree->lesson;
+    struct training *training = tree->training;
     bool is_deep = events >= tree->scene->depth;
     int32_t steps = energy_steps(energies_largest(branch->weight));
     enum estimate_way way = way_of(tree->scene, &branch->ray.direction);
-    uint8_t cut = levels_above(lesson, steps), level = branch->beyond;
-    if (is_deep && lesson->of_depth && cut == 0) {
+    uint8_t cut = levels_above(training, steps), level = branch->beyond;
+    if (is_deep && training->of_depth && cut == 0) {
         cut = 1;
     }
     for (; level < cut; level++) {
-        add_weight(lesson->level[level].weight[way], branch->weight);
-        lesson->level[level].squares += growth_square(branch->weight);
+        add_weight(training->level[level].weight[way], branch->weight);
+        training->level[level].squares += growth_square(branch->weight);
         branch->noted.ups |= (uint32_t)way << level;
     }
     branch->beyond = level;
-    if (events >= lesson->last_depth || (level > 0 && steps < lesson->last)) {
-        learn_rest(lesson, branch);
+    if (events >= training->last_depth || (level > 0 && steps < training->last)) {
+        learn_rest(training, branch);
         return false;
     }
     return true;
@@ -157,19 +158,19 @@ static void cut(struct tree *tree, const struct branch *branch, enum branch_end 
         keep(tree, branch, why);
     } else {
         report_branch_end(tree, branch, why);
-        cut_worth(tree, branch->weight,
-                  why == END_DEPTH ? WAY_ANY : way_of(tree->scene, &branch->ray.direction));
+        cut_radiance(tree, branch->weight,
+                     why == END_DEPTH ? WAY_ANY : way_of(tree->scene, &branch->ray.direction));
     }
 }
 
 /* Tells whether somebody wants more of a branch that is cut than its weight and way. */
 static bool cut_is_noticed(const struct tree *tree) {
     return (FEATURE_OBSERVER && tree->observer) || (FEATURE_KEPT > 0 && tree->kept) ||
-           (FEATURE_ESTIMATE && tree->lesson);
+           (FEATURE_ESTIMATE && tree->training);
 }
 
 /* Makes the branch of one kind that grows from a node, without its direction and weight. What only
- * lessons or an observer look at is left out of an image that has none. */
+ * training passes or an observer look at is left out of an image that has none. */
 static void make_branch(const struct tree *tree, const struct node *node, enum branch_kind kind,
                         uint8_t channel, struct branch *branch) {
     const struct hit *hit = node->hit;
@@ -184,7 +185,7 @@ static void make_branch(const struct tree *tree, const struct node *node, enum b
         branch->kind = (uint8_t)kind;
         branch->noted.parent = tree->node;
     }
-    if (FEATURE_ESTIMATE && tree->lesson) {
+    if (FEATURE_ESTIMATE && tree->training) {
         branch->noted.ups = node->branch->noted.ups;
     }
     if (FEATURE_ESTIMATE) {
@@ -204,14 +205,14 @@ static void grow(struct tree *tree, const struct node *node, enum branch_kind ki
     bool deep = node->branch->events >= tree->scene->depth;
     bool ends = deep || energy_less(largest, tree->threshold);
     if (ends && !cut_is_noticed(tree)) {
-        cut_worth(tree, weight, deep ? WAY_ANY : way_of(tree->scene, direction));
+        cut_radiance(tree, weight, deep ? WAY_ANY : way_of(tree->scene, direction));
         return;
     }
     struct branch *branch = &tree->branches[tree->waiting];
     make_branch(tree, node, kind, channel, branch);
     branch->ray.direction = *direction;
     branch->weight = weight;
-    if (FEATURE_ESTIMATE && tree->lesson) {
+    if (FEATURE_ESTIMATE && tree->training) {
         if (!learn_of(tree, branch, node->branch->events)) {
             return;
         }
@@ -328,12 +329,12 @@ static void grow_transparent(struct tree *tree, const struct node *node) {
     grow(tree, node, BRANCH_REFRACTED, branch->channel, &passage.refracted, &coefficient);
 }
 
-/* Adds what arrives from the end of a branch, to the picture or to the lesson. */
+/* Adds what arrives from the end of a branch, to the picture or to the training pass. */
 static void add_intensity(struct tree *tree, const struct branch *branch,
                           struct colours intensity) {
     struct colours part = colours_weighed(intensity, branch->weight);
-    if (FEATURE_ESTIMATE && tree->lesson && branch->beyond > 0) {
-        learn_worth(tree->lesson, branch, part);
+    if (FEATURE_ESTIMATE && tree->training && branch->beyond > 0) {
+        learn_radiance(tree->training, branch, part);
     } else {
         add_part(tree, part);
     }
@@ -394,7 +395,7 @@ void growth_start(struct tree *tree, const struct scene *scene, const struct ray
     tree->counts = counts;
     tree->observer = 0;
     tree->kept = 0;
-    tree->lesson = 0;
+    tree->training = 0;
     tree->sum.red = tree->sum.green = tree->sum.blue = REAL_COLOUR(0.0);
     tree->threshold = scene->threshold;
     tree->rays_before = counts->rays;
@@ -419,13 +420,13 @@ bool growth_is_exhausted(const struct tree *tree) {
 static void cut_waiting(struct tree *tree) {
     while (tree->waiting > 0) {
         const struct branch *branch = &tree->branches[--tree->waiting];
-        if (FEATURE_ESTIMATE && tree->lesson) {
-            learn_rest(tree->lesson, branch);
+        if (FEATURE_ESTIMATE && tree->training) {
+            learn_rest(tree->training, branch);
         } else if (FEATURE_KEPT > 0 && tree->kept) {
             growth_lose(tree, branch, END_BUDGET);
         } else {
             report_branch_end(tree, branch, END_BUDGET);
-            cut_worth(tree, branch->weight, way_of(tree->scene, &branch->ray.direction));
+            cut_radiance(tree, branch->weight, way_of(tree->scene, &branch->ray.direction));
         }
     }
 }

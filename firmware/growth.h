@@ -30,23 +30,23 @@ struct kept_branches {
     struct branch branches[KEPT_MOST];
 };
 
-enum { LESSON_LEVELS = FEATURE_KEPT > 0 ? ESTIMATE_LEVELS : 1 };
+enum { TRAINING_LEVELS = FEATURE_KEPT > 0 ? ESTIMATE_LEVELS : 1 };
 
 /* What one pixel teaches of the branches that a threshold cuts, by the way that they were going. */
-struct lesson_level {
-    int64_t worth[WAYS][3];  /* in steps of 2^-16 level */
-    int64_t weight[WAYS][3]; /* of what was cut, in steps of 2^-30 */
-    int64_t rest[WAYS][3];   /* of that, what ended beyond the cut without having been seen */
-    int64_t squares;         /* of the largest weights that were cut, in steps of 2^-52 */
+struct training_level {
+    int64_t radiance[WAYS][3]; /* in steps of 2^-16 level */
+    int64_t weight[WAYS][3];   /* of what was cut, in steps of 2^-30 */
+    int64_t rest[WAYS][3];     /* of that, what ended beyond the cut without having been seen */
+    int64_t squares;           /* of the largest weights that were cut, in steps of 2^-52 */
 };
 
-struct lesson {
+struct training {
     int32_t first;      /* the threshold of level 0, in steps of 2^-30; each next one is half */
     int32_t last;       /* beyond the cut, branches are followed down to this */
-    uint8_t levels;     /* 1..LESSON_LEVELS */
+    uint8_t levels;     /* 1..TRAINING_LEVELS */
     uint8_t last_depth; /* and to this depth level */
     bool of_depth;      /* what the scene's depth level cuts counts as cut at level 0 */
-    struct lesson_level level[LESSON_LEVELS];
+    struct training_level level[TRAINING_LEVELS];
 };
 
 struct tree {
@@ -54,7 +54,7 @@ struct tree {
     struct render_counts *counts;
     const struct tree_observer *observer;
     struct kept_branches *kept; /* NULL: what is cut is cut */
-    struct lesson *lesson;      /* NULL: nothing is learned */
+    struct training *training;  /* NULL: nothing is learned */
     struct colours sum;
     real_energy threshold;
     uint64_t rays_before; /* counts->rays when the pixel began */

@@ -52,7 +52,7 @@ enum { ESTIMATE_LEVELS = 20 };
  * depth level, up to level 255. An image needs room for these events. */
 enum { ESTIMATE_EVENTS = 16 };
 
-/* The lesson that is learned of a scene. Level 0 is of the scene's own threshold, each next level
+/* The training pass over a scene. Level 0 is of the scene's own threshold, each next level
  * of half the threshold before. All levels but level 0 are for an accuracy that is asked for. */
 struct estimate {
     struct estimate_level level[ESTIMATE_LEVELS];

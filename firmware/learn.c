@@ -34,11 +34,11 @@ enum { LEVELS_ABOVE = 8 };
 
 /* Sums over pixels, of one level and one primary. */
 struct level_sum {
-    int64_t worth[WAYS];  /* in steps of 2^-16 level */
-    int64_t weight[WAYS]; /* whose worth that is, in steps of 2^-30 */
+    int64_t radiance[WAYS]; /* in steps of 2^-16 level */
+    int64_t weight[WAYS];   /* whose radiance that is, in steps of 2^-30 */
 
-    /* Of each pixel's worth a, in steps of 2^-8 level, and weights b, down, and c, up, in steps of
-     * 2^-18. */
+    /* Of each pixel's radiance a, in steps of 2^-8 level, and weights b, down, and c, up, in steps
+     * of 2^-18. */
     int64_t aa, ab, ac, bb, bc, cc;
 };
 
@@ -53,7 +53,7 @@ struct sums {
     uint16_t exhausted; /* pixels */
     const int32_t
         *rest_mean; /* what ends unseen is worth, in steps of 2^-16 level; NULL: unknown */
-    struct level_sums level[LESSON_LEVELS];
+    struct level_sums level[TRAINING_LEVELS];
 };
 
 /* Returns a / b for a, b >= 0, bit by bit, so that no library's 64-bit division is called. b = 0
@@ -85,10 +85,10 @@ static int64_t scaled_quotient(int64_t a, int64_t b, uint8_t bits) {
     return quotient(a, b);
 }
 
-/* Returns worth (steps of 2^-16 level) over weight (steps of 2^-30) in steps of 2^-16 level, up to
- * INT32_MAX. */
-static int32_t per_weight(int64_t worth, int64_t weight) {
-    int64_t mean = scaled_quotient(worth, weight, 30);
+/* Returns radiance (steps of 2^-16 level) over weight (steps of 2^-30) in steps of 2^-16 level, up
+ * to INT32_MAX. */
+static int32_t per_weight(int64_t radiance, int64_t weight) {
+    int64_t mean = scaled_quotient(radiance, weight, 30);
     return mean > INT32_MAX ? INT32_MAX : (int32_t)mean;
 }
 
@@ -104,7 +104,7 @@ uint32_t learn_root(int64_t square) {
 }
 
 /* Looks at the middle pixel of a cell of the grid; false where the budget ended the pixel. */
-static bool look_at(const struct scene *scene, struct lesson *lesson, uint16_t cell,
+static bool look_at(const struct scene *scene, struct training *training, uint16_t cell,
                     struct render_counts *counts) {
     /* The middle of the cell; a 16-bit int holds 2 * 31 + 1 times 640. */
     uint16_t column = (uint16_t)(cell % COLUMNS), row = (uint16_t)(cell / COLUMNS);
@@ -113,18 +113,18 @@ static bool look_at(const struct scene *scene, struct lesson *lesson, uint16_t c
     const struct ray ray = camera_ray(scene, x, y);
     struct tree tree;
     growth_start(&tree, scene, &ray, counts);
-    tree.lesson = lesson;
+    tree.training = training;
     tree.ray_budget = scene->ray_budget / BUDGET_PART;
     growth_finish(&tree);
     return !tree.exhausted;
 }
 
-static void clear_lesson(struct lesson *lesson) {
-    for (uint8_t i = 0; i < lesson->levels; i++) {
-        struct lesson_level *level = &lesson->level[i];
+static void clear_training(struct training *training) {
+    for (uint8_t i = 0; i < training->levels; i++) {
+        struct training_level *level = &training->level[i];
         for (uint8_t j = 0; j < 3; j++) {
             for (uint8_t way = 0; way < WAYS; way++) {
-                level->worth[way][j] = level->weight[way][j] = level->rest[way][j] = 0;
+                level->radiance[way][j] = level->weight[way][j] = level->rest[way][j] = 0;
             }
         }
         level->squares = 0;
@@ -141,16 +141,16 @@ static void clear_sums(struct sums *sums) {
     }
 }
 
-/* Adds one primary of a pixel. In the products a worth above white counts as white: the screen does
- * not show more, so more is no error. */
-static void add_primary(struct level_sum *to, const int64_t worth[WAYS],
+/* Adds one primary of a pixel. In the products a radiance above white counts as white: the screen
+ * does not show more, so more is no error. */
+static void add_primary(struct level_sum *to, const int64_t radiance[WAYS],
                         const int64_t weight[WAYS]) {
     const int64_t white = (int64_t)255 << 8;
     for (uint8_t way = 0; way < WAYS; way++) {
-        to->worth[way] += worth[way];
+        to->radiance[way] += radiance[way];
         to->weight[way] += weight[way];
     }
-    int64_t a = (worth[WAY_DOWN] + worth[WAY_UP]) >> 8;
+    int64_t a = (radiance[WAY_DOWN] + radiance[WAY_UP]) >> 8;
     int64_t b = weight[WAY_DOWN] >> 12, c = weight[WAY_UP] >> 12;
     a = a < white ? a : white;
     to->aa += a * a;
@@ -161,47 +161,47 @@ static void add_primary(struct level_sum *to, const int64_t worth[WAYS],
     to->cc += c * c;
 }
 
-static void add_pixel(struct sums *sums, const struct lesson *lesson) {
-    for (uint8_t i = 0; i < lesson->levels; i++) {
-        const struct lesson_level *from = &lesson->level[i];
+static void add_pixel(struct sums *sums, const struct training *training) {
+    for (uint8_t i = 0; i < training->levels; i++) {
+        const struct training_level *from = &training->level[i];
         struct level_sums *to = &sums->level[i];
         for (uint8_t j = 0; j < 3; j++) {
-            int64_t worth[WAYS], weight[WAYS];
+            int64_t radiance[WAYS], weight[WAYS];
             for (uint8_t way = 0; way < WAYS; way++) {
                 int64_t rest = from->rest[way][j];
                 bool is_known = sums->rest_mean != 0;
-                worth[way] = from->worth[way][j];
-                worth[way] += is_known ? (rest * sums->rest_mean[j]) >> 30 : 0;
+                radiance[way] = from->radiance[way][j];
+                radiance[way] += is_known ? (rest * sums->rest_mean[j]) >> 30 : 0;
                 weight[way] = from->weight[way][j] - (is_known ? 0 : rest);
             }
-            add_primary(&to->of[j], worth, weight);
+            add_primary(&to->of[j], radiance, weight);
         }
         to->squares += from->squares;
         to->pixels = (uint16_t)(to->pixels + (from->squares > 0));
     }
 }
 
-static void look(const struct scene *scene, struct lesson *lesson, struct sums *sums,
+static void look(const struct scene *scene, struct training *training, struct sums *sums,
                  const int32_t *rest_mean, struct render_counts *counts) {
     sums->rest_mean = rest_mean;
-    sums->levels = lesson->levels;
+    sums->levels = training->levels;
     sums->exhausted = 0;
     clear_sums(sums);
     for (uint16_t i = 0; i < COLUMNS * ROWS; i++) {
-        clear_lesson(lesson);
-        sums->exhausted = (uint16_t)(sums->exhausted + !look_at(scene, lesson, i, counts));
-        add_pixel(sums, lesson);
+        clear_training(training);
+        sums->exhausted = (uint16_t)(sums->exhausted + !look_at(scene, training, i, counts));
+        add_pixel(sums, training);
     }
 }
 
 static void conclude_mean(const struct level_sums *sums, struct estimate_level *level) {
     for (uint8_t i = 0; i < 3; i++) {
         const struct level_sum *of = &sums->of[i];
-        int64_t worth = of->worth[WAY_DOWN] + of->worth[WAY_UP];
+        int64_t radiance = of->radiance[WAY_DOWN] + of->radiance[WAY_UP];
         int64_t weight = of->weight[WAY_DOWN] + of->weight[WAY_UP];
-        level->mean[WAY_ANY][i] = per_weight(worth, weight);
+        level->mean[WAY_ANY][i] = per_weight(radiance, weight);
         for (uint8_t way = 0; way < WAYS; way++) {
-            level->mean[way][i] = per_weight(of->worth[way] + worth / SHARED_PART,
+            level->mean[way][i] = per_weight(of->radiance[way] + radiance / SHARED_PART,
                                              of->weight[way] + weight / SHARED_PART);
         }
     }
@@ -288,39 +288,39 @@ static void conclude(const struct sums *sums, uint32_t error, struct estimate *e
 }
 
 /* Looks deeper until the harder pixels' level is known, with enough levels below it. */
-static void learn_levels(const struct scene *scene, struct lesson *lesson,
+static void learn_levels(const struct scene *scene, struct training *training,
                          struct estimate *estimate, struct render_counts *counts) {
     struct sums sums;
     int32_t rest_mean[3];
-    lesson->last_depth = scene->depth;
-    lesson->of_depth = false;
-    lesson->levels = FIRST_LEVELS;
-    lesson->last = lesson->first >> (lesson->levels - 1);
-    look(scene, lesson, &sums, 0, counts);
+    training->last_depth = scene->depth;
+    training->of_depth = false;
+    training->levels = FIRST_LEVELS;
+    training->last = training->first >> (training->levels - 1);
+    look(scene, training, &sums, 0, counts);
     for (;;) {
         conclude(&sums, scene->error, estimate);
-        if (estimate->typical + LEVELS_BELOW < lesson->levels - 1 || is_trapped(&sums) ||
-            lesson->levels + MORE_LEVELS > LESSON_LEVELS) {
+        if (estimate->typical + LEVELS_BELOW < training->levels - 1 || is_trapped(&sums) ||
+            training->levels + MORE_LEVELS > TRAINING_LEVELS) {
             return;
         }
         for (uint8_t i = 0; i < 3; i++) {
-            rest_mean[i] = estimate->level[lesson->levels - FIRST_LEVELS].mean[WAY_ANY][i];
+            rest_mean[i] = estimate->level[training->levels - FIRST_LEVELS].mean[WAY_ANY][i];
         }
-        lesson->levels = (uint8_t)(lesson->levels + MORE_LEVELS);
-        lesson->last = lesson->first >> (lesson->levels - 1);
-        look(scene, lesson, &sums, rest_mean, counts);
+        training->levels = (uint8_t)(training->levels + MORE_LEVELS);
+        training->last = training->first >> (training->levels - 1);
+        look(scene, training, &sums, rest_mean, counts);
     }
 }
 
-static void learn_level(const struct scene *scene, struct lesson *lesson, struct estimate *estimate,
-                        struct render_counts *counts) {
+static void learn_level(const struct scene *scene, struct training *training,
+                        struct estimate *estimate, struct render_counts *counts) {
     struct sums sums;
     uint16_t depth = (uint16_t)(scene->depth + ESTIMATE_EVENTS);
-    lesson->last_depth = (uint8_t)(depth < UINT8_MAX ? depth : UINT8_MAX);
-    lesson->of_depth = true;
-    lesson->levels = 1;
-    lesson->last = lesson->first >> LESS_WEIGHT_BITS;
-    look(scene, lesson, &sums, 0, counts);
+    training->last_depth = (uint8_t)(depth < UINT8_MAX ? depth : UINT8_MAX);
+    training->of_depth = true;
+    training->levels = 1;
+    training->last = training->first >> LESS_WEIGHT_BITS;
+    look(scene, training, &sums, 0, counts);
     conclude_mean(&sums.level[0], &estimate->level[0]);
     estimate->level[0].spread = 0;
     estimate->level[0].squares_most = 0;
@@ -329,14 +329,14 @@ static void learn_level(const struct scene *scene, struct lesson *lesson, struct
 
 void learn_estimate(const struct scene *scene, struct estimate *estimate,
                     struct render_counts *counts) {
-    struct lesson lesson;
+    struct training training;
     if (!FEATURE_ESTIMATE) {
         return;
     }
-    lesson.first = energy_steps(scene->threshold);
+    training.first = energy_steps(scene->threshold);
     if (FEATURE_KEPT > 0 && scene->error > 0) {
-        learn_levels(scene, &lesson, estimate, counts);
+        learn_levels(scene, &training, estimate, counts);
     } else {
-        learn_level(scene, &lesson, estimate, counts);
+        learn_level(scene, &training, estimate, counts);
     }
 }

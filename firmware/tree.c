@@ -276,24 +276,24 @@ static int64_t open_half(const struct losses *losses, const struct estimate_leve
  * the error asked for of both pictures. Otherwise the picture of that level is meant. */
 static struct colours worth_of(const struct losses *losses, const struct estimate_level *level,
                                bool counts_open) {
-    int32_t worth[3];
+    int32_t radiance[3];
     for (uint8_t i = 0; i < 3; i++) {
         int64_t sum = weighed(losses->weight[WAY_DOWN][i], level->mean[WAY_DOWN][i]) +
                       weighed(losses->weight[WAY_UP][i], level->mean[WAY_UP][i]);
         if (counts_open) {
             sum += weighed(losses->ended[i] / 2, level->mean[WAY_ANY][i]);
         }
-        worth[i] = sum < INT32_MAX ? (int32_t)sum : INT32_MAX;
+        radiance[i] = sum < INT32_MAX ? (int32_t)sum : INT32_MAX;
     }
-    const struct colours colours = {colour_of_steps(worth[0]), colour_of_steps(worth[1]),
-                                    colour_of_steps(worth[2])};
+    const struct colours colours = {colour_of_steps(radiance[0]), colour_of_steps(radiance[1]),
+                                    colour_of_steps(radiance[2])};
     return colours;
 }
 
 /* Notes a pixel's errors where they are the worst of all pixels that are counted. */
-static void note_error(const struct scene *scene, const struct losses *losses, int64_t doubt,
+static void note_error(const struct scene *scene, const struct losses *losses, int64_t uncertainty,
                        struct render_counts *counts) {
-    uint32_t estimated = doubt < (int64_t)UINT32_MAX ? (uint32_t)doubt : UINT32_MAX;
+    uint32_t estimated = uncertainty < (int64_t)UINT32_MAX ? (uint32_t)uncertainty : UINT32_MAX;
     uint32_t proved = (uint32_t)(((losses->depth >> 20) * scene->brightest) >> 10);
     if (estimated > counts->estimated_error) {
         counts->estimated_error = estimated;
@@ -318,8 +318,8 @@ static struct colours refined_colour(const struct scene *scene, const struct ray
     lose_kept(&tree);
     int64_t open = open_half(losses, level);
     bool counts_open = open <= (int64_t)scene->error;
-    int64_t doubt = (((int64_t)learn_root(losses->squares) * level->spread) >> 26) + open;
-    note_error(scene, losses, doubt, counts);
+    int64_t uncertainty = (((int64_t)learn_root(losses->squares) * level->spread) >> 26) + open;
+    note_error(scene, losses, uncertainty, counts);
     counts->exhausted_pixels += tree.exhausted;
     return colours_add(tree.sum, worth_of(losses, level, counts_open));
 }

@@ -27,12 +27,12 @@ struct branch {
     uint8_t events;         /* boundary events on its path: their number is held against N */
     uint8_t channel;        /* 0, 1, 2 or CHANNEL_ALL */
     uint8_t kind;           /* enum branch_kind */
-    uint8_t beyond;         /* the levels that cut it, of a lesson: 0 is what is seen anyway */
+    uint8_t beyond; /* the levels that cut it, of a training pass: 0 is what is seen anyway */
 
-    /* No observer looks on at a lesson: both members have one place. */
+    /* No observer looks on at a training pass: both members have one place. */
     union {
         uint32_t parent; /* for an observer: the node where it began; 0: the eye */
-        uint32_t ups;    /* of a lesson, bit i: the way that level i cut was going up */
+        uint32_t ups;    /* of a training pass, bit i: the way that level i cut was going up */
     } noted;
 };
 

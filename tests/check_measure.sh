@@ -49,14 +49,14 @@ for file in points.csv table.csv report.md report.html plots.gp plots.dat; do
 done
 whole=$(wc -l < m/points.csv)
 [ "$whole" -gt 10 ] || wrong "points.csv has $whole lines"
-grep -q '^ball,fx,3,0,16,10,full,fresnel,black,0,' m/points.csv || wrong 'a point is lacking'
+grep -q '^ball,fx,3,0,16,10,full,fresnel,black,0,' m/points.csv || wrong 'a point is missing'
 grep -q '^ball,fx,3,0,16,10,full,fresnel,estimate,1,' m/points.csv || wrong 'no point of --error 1'
 head -n 4 m/points.csv > kept.csv
 { cat kept.csv && printf 'ball,fx,3,0.0009765625,16,10,full,fresnel,black,0,12,'; } > m/points.csv
 # shellcheck disable=SC2086
 expect 0 '' measure ball.scene $points -o m
 [ "$(head -n 4 m/points.csv)" = "$(cat kept.csv)" ] || wrong 'what was there was measured again'
-[ "$(grep -c '^ball,fx,3.*,[0-9a-f]\{16\}$' m/points.csv)" -ge $((whole - 1)) ] || wrong 'points are lacking'
+[ "$(grep -c '^ball,fx,3.*,[0-9a-f]\{16\}$' m/points.csv)" -ge $((whole - 1)) ] || wrong 'points are missing'
 cp m/points.csv before.csv
 # shellcheck disable=SC2086
 expect 0 '' measure ball.scene $points -o m
@@ -68,7 +68,7 @@ for bytes in 0 1 100; do
     # shellcheck disable=SC2086
     expect 0 '' measure ball.scene $points -o early
     [ "$(head -n 1 early/points.csv)" = "$(head -n 1 before.csv)" ] || wrong "$bytes bytes of points.csv: no head"
-    [ "$(wc -l < early/points.csv)" -eq "$whole" ] || wrong "$bytes bytes of points.csv: points are lacking"
+    [ "$(wc -l < early/points.csv)" -eq "$whole" ] || wrong "$bytes bytes of points.csv: points are missing"
     rm -r early
 done
 # shellcheck disable=SC2086
@@ -135,7 +135,7 @@ rays=$("$program" render ball.scene --error 0.7 --size 16x10 --colour full --qui
     wrong "--error 0.7: not the $rays rays of render"
 grep -q 'fx|0.7|' e/report.md || wrong 'the report lacks the accuracy asked for'
 
-expect 2 'measure: -o FOLDER is lacking' measure ball.scene
+expect 2 'measure: -o FOLDER is missing' measure ball.scene
 expect 2 'exposures is not measured' measure ball.scene --colour exposures -o n
 expect 2 'allowed is: up to 320 x 200, or another colour' measure ball.scene --colour dither --size 321x1 -o n
 expect 2 'nothing' measure nothing -o n
@@ -145,7 +145,7 @@ for name in 'a,b' 'a|b' 'a<b' 'a>b' 'a&b' "a'b" 'a"b'; do
     cp ball.scene "$name.scene"
     expect 2 'allowed are: names without' measure "$name.scene" -o n
 done
-[ ! -e n ] || wrong 'a folder was made for a scene whose name is not allowed'
+[ ! -e n ] || wrong 'a folder was made for a scene whose name is invalid'
 expect 2 'two scenes are called' measure ball.scene ./ball.scene -o n
 expect 1 'cannot be written' measure ball.scene -o /dev/null/n
 mkdir -p other && echo 'a,b' > other/points.csv
@@ -170,9 +170,9 @@ expect 0 '' compare --signatures a.sig b.sig --json
 grep -q '"flips": 0' out.txt || wrong 'compare --json: no flips'
 expect 0 '' render ball.scene --depth 0 -o c.png --signatures c.sig --quiet
 expect 3 'of the signatures are equal' compare --signatures a.sig c.sig
-expect 2 'is lacking' compare --signatures a.sig
-expect 2 'B.sig is lacking' compare a.png b.png --signatures a.sig
-expect 2 'B.png is lacking' compare a.png
+expect 2 'is missing' compare --signatures a.sig
+expect 2 'B.sig is missing' compare a.png b.png --signatures a.sig
+expect 2 'B.png is missing' compare a.png
 expect 2 'one too many' compare a.png b.png c.png
 expect 2 'two pictures only' compare --signatures a.sig b.sig --difference e.png
 # Also from pipes, and in any place; a file that is damaged is what is complained about.

@@ -30,7 +30,7 @@ for command in 'render fig3' 'measure fig3 -o /dev/null' 'tree fig3 0 0'; do
     # shellcheck disable=SC2086 # a list of words
     expect 2 "$missing" $command --arith f128
 done
-expect 2 '--arith: "f16" is not allowed; allowed is: fx, f32 or f64$' render fig3 --arith f16
+expect 2 '--arith: "f16" is invalid; allowed is: fx, f32 or f64$' render fig3 --arith f16
 expect 0 'allowed: fx, f32 or f64$' render --help
 expect 0 '^f64 *holds it$' check fig3
 if grep -q f128 "$out"; then

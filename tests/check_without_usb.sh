@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # Without libusb and hidapi the program is built all the same: it draws, and says of --bus usb and hid
-# what is lacking.
+# what is missing.
 #
 # $BUILD/superframe_without_usb is made by make. Exit status: 0 it holds, 1 not.
 set -u

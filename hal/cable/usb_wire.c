@@ -149,7 +149,7 @@ const char *usb_status_text(uint8_t status) {
         [USB_STATUS_DUPLICATE] = "run before",
         [USB_STATUS_BAD_CHECK] = "damaged on the way",
         [USB_STATUS_BAD_OP] = "an operation that the adapter does not know",
-        [USB_STATUS_GAP] = "a frame before it is lacking",
+        [USB_STATUS_GAP] = "a frame before it is missing",
         [USB_STATUS_UNKNOWN_SESSION] = "the adapter does not know the session",
         [USB_STATUS_BAD_VERSION] = "the adapter speaks another version of the protocol",
         [USB_STATUS_BAD_BASE] = "the adapter does not serve that base address",

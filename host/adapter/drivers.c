@@ -72,7 +72,7 @@ enum usb_open_status usb_choose(const struct usb_found *found, unsigned count, c
 
 void usb_explain_access(char *reason, const char *path) {
     (void)snprintf(reason, USB_LINK_REASON_SIZE,
-                   "%.60s: this user may not open it; the udev rule 70-superframe.rules is lacking "
+                   "%.60s: this user may not open it; the udev rule 70-superframe.rules is missing "
                    "(make install puts it there) or came after the adapter, or this user does "
                    "not sit at the machine",
                    path);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* One client of a USB/IP server: the bytes that the client sends, taken apart and done on a device.
  *
- * No sockets: bytes go in by usbip_guest_take() and come out by a function of the caller's. The
+ * No sockets: bytes go in by usbip_client_take() and come out by a function of the caller's. The
  * protocol is the Linux kernel's, version 1.1.1 (Documentation/usb/usbip_protocol.rst). */
 #ifndef SUPERFRAME_EMULATOR_USBIP_H
 #define SUPERFRAME_EMULATOR_USBIP_H
@@ -25,7 +25,7 @@ struct usbip_parked {
 };
 
 /* A client. About 66 KB. */
-struct usbip_guest {
+struct usbip_client {
     struct usb_device *device;
     void (*send)(void *context, const uint8_t *bytes, size_t count);
     void *context;
@@ -40,14 +40,14 @@ struct usbip_guest {
 };
 
 /* Begins with a client that has come. is_busy: another client has the device. */
-void usbip_guest_init(struct usbip_guest *guest, struct usb_device *device, bool is_busy,
-                      void (*send)(void *context, const uint8_t *bytes, size_t count),
-                      void *context);
+void usbip_client_init(struct usbip_client *client, struct usb_device *device, bool is_busy,
+                       void (*send)(void *context, const uint8_t *bytes, size_t count),
+                       void *context);
 
 /* Takes bytes and does what they ask for. Once is_over, nothing more is taken. */
-void usbip_guest_take(struct usbip_guest *guest, const uint8_t *bytes, size_t count);
+void usbip_client_take(struct usbip_client *client, const uint8_t *bytes, size_t count);
 
 /* Ends a client's visit: to the device, the cable was pulled. */
-void usbip_guest_leave(struct usbip_guest *guest);
+void usbip_client_leave(struct usbip_client *client);
 
 #endif

@@ -18,12 +18,12 @@
 #include "board/session.h"
 #include "command/command.h"
 
-enum { GUESTS_MOST = 4, SEND_SECONDS = 10, NAME_SIZE = 256, POLL_MS = 200, PORT_MOST = 65535 };
+enum { CLIENTS_MOST = 4, SEND_SECONDS = 10, NAME_SIZE = 256, POLL_MS = 200, PORT_MOST = 65535 };
 
 /* A connection. */
-struct guest {
+struct client {
     int socket; /* -1: none */
-    struct usbip_guest usbip;
+    struct usbip_client usbip;
 };
 
 /* One run of the command. */
@@ -32,7 +32,7 @@ struct server {
     int listener;
     struct session session;
     struct usb_device device;
-    struct guest guests[GUESTS_MOST];
+    struct client clients[CLIENTS_MOST];
     bool is_over; /* with --once: the client that had the device has left */
     int status;
 };
@@ -96,7 +96,7 @@ static int start_listening(struct server *server) {
         server->listener >= 0 &&
         setsockopt(server->listener, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes) == 0 &&
         bind(server->listener, found->ai_addr, found->ai_addrlen) == 0 &&
-        listen(server->listener, GUESTS_MOST) == 0;
+        listen(server->listener, CLIENTS_MOST) == 0;
     error = errno;
     freeaddrinfo(found);
     if (!is_listening) {
@@ -107,15 +107,15 @@ static int start_listening(struct server *server) {
     return STATUS_DONE;
 }
 
-static void send_to_guest(void *context, const uint8_t *bytes, size_t count) {
-    struct guest *guest = context;
-    while (count > 0 && guest->socket >= 0) {
-        ssize_t sent = send(guest->socket, bytes, count, MSG_NOSIGNAL);
+static void send_to_client(void *context, const uint8_t *bytes, size_t count) {
+    struct client *client = context;
+    while (count > 0 && client->socket >= 0) {
+        ssize_t sent = send(client->socket, bytes, count, MSG_NOSIGNAL);
         if (sent < 0 && errno == EINTR) {
             continue;
         }
         if (sent <= 0) {
-            guest->usbip.is_over = true; /* the client is gone, or does not read */
+            client->usbip.is_over = true; /* the client is gone, or does not read */
             return;
         }
         bytes += sent;
@@ -136,14 +136,14 @@ static void write_screen(struct server *server) {
     }
 }
 
-static void part(struct server *server, struct guest *guest) {
-    bool had_device = guest->usbip.is_attached;
-    if (guest->usbip.reason[0] != '\0' && had_device) {
-        complain("a guest was sent away: %s", guest->usbip.reason);
+static void part(struct server *server, struct client *client) {
+    bool had_device = client->usbip.is_attached;
+    if (client->usbip.reason[0] != '\0' && had_device) {
+        complain("a client was sent away: %s", client->usbip.reason);
     }
-    usbip_guest_leave(&guest->usbip);
-    (void)close(guest->socket);
-    guest->socket = -1;
+    usbip_client_leave(&client->usbip);
+    (void)close(client->socket);
+    client->socket = -1;
     if (had_device) {
         write_screen(server);
         server->is_over = server->options->adapter.once;
@@ -151,8 +151,8 @@ static void part(struct server *server, struct guest *guest) {
 }
 
 static bool is_attached(const struct server *server) {
-    for (unsigned i = 0; i < GUESTS_MOST; i++) {
-        if (server->guests[i].socket >= 0 && server->guests[i].usbip.is_attached) {
+    for (unsigned i = 0; i < CLIENTS_MOST; i++) {
+        if (server->clients[i].socket >= 0 && server->clients[i].usbip.is_attached) {
             return true;
         }
     }
@@ -167,51 +167,51 @@ static void welcome(struct server *server) {
     }
     (void)setsockopt(socket, SOL_SOCKET, SO_SNDTIMEO, &patience, sizeof patience);
     (void)setsockopt(socket, IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
-    for (unsigned i = 0; i < GUESTS_MOST; i++) {
-        struct guest *guest = &server->guests[i];
-        if (guest->socket < 0) {
-            guest->socket = socket;
-            usbip_guest_init(&guest->usbip, &server->device, false, send_to_guest, guest);
+    for (unsigned i = 0; i < CLIENTS_MOST; i++) {
+        struct client *client = &server->clients[i];
+        if (client->socket < 0) {
+            client->socket = socket;
+            usbip_client_init(&client->usbip, &server->device, false, send_to_client, client);
             return;
         }
     }
     (void)close(socket);
 }
 
-static void listen_to(struct server *server, struct guest *guest) {
+static void listen_to(struct server *server, struct client *client) {
     uint8_t bytes[16384];
-    ssize_t count = recv(guest->socket, bytes, sizeof bytes, 0);
+    ssize_t count = recv(client->socket, bytes, sizeof bytes, 0);
     if (count < 0 && (errno == EINTR || errno == EAGAIN)) {
         return;
     }
     if (count > 0) {
-        guest->usbip.is_busy = !guest->usbip.is_attached && is_attached(server);
-        usbip_guest_take(&guest->usbip, bytes, (size_t)count);
+        client->usbip.is_busy = !client->usbip.is_attached && is_attached(server);
+        usbip_client_take(&client->usbip, bytes, (size_t)count);
     }
-    if (count <= 0 || guest->usbip.is_over) {
-        part(server, guest);
+    if (count <= 0 || client->usbip.is_over) {
+        part(server, client);
     }
 }
 
 static void serve(struct server *server) {
     while (!server->is_over && *interrupt_noted() == 0) {
-        struct pollfd watched[GUESTS_MOST + 1];
-        watched[GUESTS_MOST].fd = server->listener;
-        watched[GUESTS_MOST].events = POLLIN;
-        for (unsigned i = 0; i < GUESTS_MOST; i++) {
-            watched[i].fd = server->guests[i].socket; /* poll() passes over -1 */
+        struct pollfd watched[CLIENTS_MOST + 1];
+        watched[CLIENTS_MOST].fd = server->listener;
+        watched[CLIENTS_MOST].events = POLLIN;
+        for (unsigned i = 0; i < CLIENTS_MOST; i++) {
+            watched[i].fd = server->clients[i].socket; /* poll() passes over -1 */
             watched[i].events = POLLIN;
             watched[i].revents = 0;
         }
-        if (poll(watched, GUESTS_MOST + 1, POLL_MS) <= 0) {
+        if (poll(watched, CLIENTS_MOST + 1, POLL_MS) <= 0) {
             continue;
         }
-        for (unsigned i = 0; i < GUESTS_MOST; i++) {
-            if (watched[i].revents != 0 && server->guests[i].socket >= 0) {
-                listen_to(server, &server->guests[i]);
+        for (unsigned i = 0; i < CLIENTS_MOST; i++) {
+            if (watched[i].revents != 0 && server->clients[i].socket >= 0) {
+                listen_to(server, &server->clients[i]);
             }
         }
-        if ((watched[GUESTS_MOST].revents & POLLIN) != 0) {
+        if ((watched[CLIENTS_MOST].revents & POLLIN) != 0) {
             welcome(server);
         }
     }
@@ -227,9 +227,9 @@ static void work(struct server *server) {
         return;
     }
     serve(server);
-    for (unsigned i = 0; i < GUESTS_MOST; i++) {
-        if (server->guests[i].socket >= 0) {
-            part(server, &server->guests[i]);
+    for (unsigned i = 0; i < CLIENTS_MOST; i++) {
+        if (server->clients[i].socket >= 0) {
+            part(server, &server->clients[i]);
         }
     }
     if (!server->is_over) {
@@ -245,8 +245,8 @@ int run_adapter(const struct options *options) {
     }
     server->options = options;
     server->listener = -1;
-    for (unsigned i = 0; i < GUESTS_MOST; i++) {
-        server->guests[i].socket = -1;
+    for (unsigned i = 0; i < CLIENTS_MOST; i++) {
+        server->clients[i].socket = -1;
     }
     server->status = session_begin(&server->session, &options->board, NULL);
     if (server->status == STATUS_DONE) {

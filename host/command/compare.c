@@ -73,7 +73,7 @@ static bool read_signatures(const struct operand *operand, struct signatures *si
 }
 
 static const char lacks_picture[] =
-    "compare: B.png is lacking; usage: superframe compare A.png B.png";
+    "compare: B.png is missing; usage: superframe compare A.png B.png";
 
 /* Checks that no operand is missing or too many, as far as the number of operands tells. */
 static int check_count(const struct options *options) {
@@ -102,7 +102,7 @@ static int sort_operands(struct compared *all, const struct operand *operands, i
         }
     }
     if (all->signature_files[0].path != NULL && all->signature_files[1].path == NULL) {
-        return bad_input("compare: B.sig is lacking; usage: --signatures A.sig B.sig");
+        return bad_input("compare: B.sig is missing; usage: --signatures A.sig B.sig");
     }
     if (pictures == 1) {
         return bad_input("%s", lacks_picture);

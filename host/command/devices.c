@@ -20,7 +20,7 @@ static bool list_adapters(const char *name) {
         (void)printf("%s\t%s\t%s%s\n", name, found[i].serial[0] != '\0' ? found[i].serial : "-",
                      found[i].path,
                      found[i].is_accessible ? ""
-                                            : "\tno permission: 70-superframe.rules is lacking");
+                                            : "\tno permission: 70-superframe.rules is missing");
     }
     return true;
 }

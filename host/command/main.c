@@ -36,7 +36,7 @@ static int run_command(const struct command *command, int argc, char **argv) {
 
 static int dispatch(int argc, char **argv) {
     if (argc < 2) {
-        return bad_input("a command is lacking; superframe --help lists them");
+        return bad_input("a command is missing; superframe --help lists them");
     }
     if (strcmp(argv[1], "--help") == 0) {
         print_help();

@@ -62,7 +62,7 @@ int run_tree(const struct options *options) {
     int status;
     if (!value_whole(options->operands[1], 0, compiled->width - 1u, &x) ||
         !value_whole(options->operands[2], 0, compiled->height - 1u, &y)) {
-        status = bad_input("tree: pixel %.40s %.40s is not allowed; allowed is: X 0..%d, Y 0..%d",
+        status = bad_input("tree: pixel %.40s %.40s is invalid; allowed is: X 0..%d, Y 0..%d",
                            options->operands[1], options->operands[2], compiled->width - 1,
                            compiled->height - 1);
     } else {

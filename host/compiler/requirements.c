@@ -109,7 +109,7 @@ static void print_dead(FILE *out, const struct compiled_scene *scene) {
         (void)fprintf(out, "dead        total reflection: %s\n",
                       !features_has_transparency(scene) ? "nothing is transparent to a path"
                       : scene->simple                   ? "the simplified model bends no ray"
-                                      : "no border is between two indices of refraction");
+                                      : "no boundary is between two indices of refraction");
     }
     if (!features_has_dispersion(scene)) {
         (void)fprintf(out, "dead        dispersion: no material's indices differ by wavelength%s\n",
@@ -149,7 +149,7 @@ static void print_nesting(FILE *out, const struct compiled_scene *scene) {
     }
     (void)fprintf(out,
                   "nesting     %d deep; the longest CSG program has %d bytes; a way meets up to %u "
-                  "borders\n",
+                  "boundaries\n",
                   requirements_nesting(scene), longest, scene->depth + 1u);
 }
 

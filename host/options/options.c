@@ -77,7 +77,7 @@ static bool take(const struct option_entry *entry, const char *value, struct opt
     case VALUE_TAKEN:
         return true;
     case VALUE_WRONG:
-        return refuse(error, "--%s: \"%.100s\" is not allowed; allowed is: %s", entry->name, value,
+        return refuse(error, "--%s: \"%.100s\" is invalid; allowed is: %s", entry->name, value,
                       entry->allowed);
     case VALUE_NOT_BUILT:
         break;
@@ -154,22 +154,22 @@ static bool check_needs(enum command_id command, const struct options *options,
                         struct options_error *error) {
     static const struct {
         enum command_id command;
-        const char *lacking;
+        const char *missing;
     } needs[] = {
-        {COMMAND_MEASURE, "measure: -o FOLDER is lacking"},
-        {COMMAND_PAPER, "paper: -o FOLDER is lacking"},
-        {COMMAND_EXPORT, "export: -o FILE is lacking; -o - is standard output"},
-        {COMMAND_COMPILE, "compile: -o FILE.c is lacking; -o - is standard output"},
-        {COMMAND_REPLAY, "replay: -o FILE.png is lacking (or --stats or --strict)"},
+        {COMMAND_MEASURE, "measure: -o FOLDER is missing"},
+        {COMMAND_PAPER, "paper: -o FOLDER is missing"},
+        {COMMAND_EXPORT, "export: -o FILE is missing; -o - is standard output"},
+        {COMMAND_COMPILE, "compile: -o FILE.c is missing; -o - is standard output"},
+        {COMMAND_REPLAY, "replay: -o FILE.png is missing (or --stats or --strict)"},
     };
     if (command == COMMAND_EXPORT && !options->pov) {
-        return refuse(error, "export: --pov is lacking; it is the only kind of source");
+        return refuse(error, "export: --pov is missing; it is the only kind of source");
     }
     for (size_t i = 0; i < sizeof needs / sizeof needs[0]; i++) {
         bool has_other =
             command == COMMAND_REPLAY && (options->stats != NULL || options->board.strict);
         if (needs[i].command == command && options->output == NULL && !has_other) {
-            return refuse(error, "%s", needs[i].lacking);
+            return refuse(error, "%s", needs[i].missing);
         }
     }
     return true;
@@ -218,7 +218,7 @@ static bool check_operands(const struct command *command, const struct options *
                            struct options_error *error) {
     int count = options->operand_count;
     if (count < command->least) {
-        return refuse(error, "%s: %s is lacking; usage: superframe %s %s [options]", command->name,
+        return refuse(error, "%s: %s is missing; usage: superframe %s %s [options]", command->name,
                       command->operands, command->name, command->operands);
     }
     if (count > command->most) {

@@ -137,14 +137,14 @@ static bool take_word(struct checker *checker, const struct token *token) {
     static const char *const truths[] = {"yes", "no", "on", "off"};
     if (token_is_infinite_or_nan(token)) {
         return scene_fail(checker->reader, token->line,
-                          "'%.*s' is not allowed: every number must be finite", token_shown(token),
+                          "'%.*s' is invalid: every number must be finite", token_shown(token),
                           token->start);
     }
     for (size_t i = 0; i < sizeof truths / sizeof *truths; i++) {
         if (strlen(truths[i]) == token->length &&
             strncasecmp(truths[i], token->start, token->length) == 0) {
             return scene_fail(checker->reader, token->line,
-                              "'%.*s' is not allowed: write true or false", token_shown(token),
+                              "'%.*s' is invalid: write true or false", token_shown(token),
                               token->start);
         }
     }

@@ -268,7 +268,7 @@ static bool scan_number(struct scanner *scanner, struct token *token) {
     if (token->kind == TOKEN_END) {
         return scene_fail(scanner->reader, token->line,
                           token_is_infinite_or_nan(token)
-                              ? "'%.*s' is not allowed: every number must be finite"
+                              ? "'%.*s' is invalid: every number must be finite"
                               : "'%.*s' is no number: numbers look like 12, -0.5 or 1.5e-3",
                           token_shown(token), token->start);
     }
@@ -305,9 +305,9 @@ bool scanner_next(struct scanner *scanner, struct token *token) {
     }
     if (first > 0x20 && first < 0x7F) {
         return scene_fail(scanner->reader, scanner->line,
-                          "'%c' is not allowed here: a scene is made of NAME = VALUE;", first);
+                          "'%c' is invalid here: a scene is made of NAME = VALUE;", first);
     }
     return scene_fail(scanner->reader, scanner->line,
-                      "byte %02Xh is not allowed outside of strings and comments",
+                      "byte %02Xh is invalid outside of strings and comments",
                       (unsigned char)first);
 }

@@ -14,42 +14,43 @@ struct passage_lanes {
 /* Applies Snell's law: sets `passes` to 1 where light gets through, and then the cosine of its
  * angle. */
 static void find_cosines(const struct hit_lanes *restrict hit,
-                         const struct border_lanes *restrict border,
+                         const struct boundary_lanes *restrict boundary,
                          real_unit refracted[restrict LANES], uint32_t passes[restrict LANES]) {
     for (int i = 0; i < LANES; i++) {
         real_unit cosine = REAL_UNIT(0.0);
-        bool gets_through = unit_refracted_cosine(hit->cosine[i], border->eta[i], &cosine);
+        bool gets_through = unit_refracted_cosine(hit->cosine[i], boundary->eta[i], &cosine);
         refracted[i] = cosine;
         passes[i] = gets_through ? 1 : 0;
     }
 }
 
 static void find_shares(const struct hit_lanes *restrict hit,
-                        const struct border_lanes *restrict border,
+                        const struct boundary_lanes *restrict boundary,
                         const real_unit refracted[restrict LANES],
                         const uint32_t passes[restrict LANES],
                         struct passage_lanes *restrict passage) {
     const real_energy none = REAL_ENERGY(0.0), all = REAL_ENERGY(1.0);
     for (int i = 0; i < LANES; i++) {
-        bool bends = border->bends[i] != 0, clear = border->clear[i] != 0, through = passes[i] != 0;
-        real_energy part = fresnel_reflectance(hit->cosine[i], refracted[i], border->n[i]);
+        bool bends = boundary->bends[i] != 0, clear = boundary->clear[i] != 0,
+             through = passes[i] != 0;
+        real_energy part = fresnel_reflectance(hit->cosine[i], refracted[i], boundary->n[i]);
         real_energy reflectance = through ? part : all;
         real_energy transmittance = through ? energy_complement(part) : none;
         reflectance = bends ? reflectance : none;
         transmittance = bends ? transmittance : all;
-        passage->reflectance[i] = clear ? reflectance : border->specular[i];
+        passage->reflectance[i] = clear ? reflectance : boundary->specular[i];
         passage->transmittance[i] = clear ? transmittance : none;
     }
 }
 
 static void find_refracted(const struct direction_lanes *restrict direction,
                            const struct hit_lanes *restrict hit,
-                           const struct border_lanes *restrict border,
+                           const struct boundary_lanes *restrict boundary,
                            const real_unit refracted[restrict LANES],
                            struct direction_lanes *restrict bent) {
     for (int i = 0; i < LANES; i++) {
-        bool bends = border->bends[i] != 0;
-        real_index eta = border->eta[i];
+        bool bends = boundary->bends[i] != 0;
+        real_index eta = boundary->eta[i];
         real_index bend = index_bend(eta, hit->cosine[i], refracted[i]);
         real_unit x = unit_bent(direction->x[i], eta, bend, hit->normal.x[i]);
         real_unit y = unit_bent(direction->y[i], eta, bend, hit->normal.y[i]);
@@ -63,12 +64,12 @@ static void find_refracted(const struct direction_lanes *restrict direction,
 /* Finds the refracted direction and the shares of both rays: optics_passage() of
  * firmware/optics.c. */
 static void find_passages(const struct direction_lanes *direction, const struct hit_lanes *hit,
-                          const struct border_lanes *border, struct passage_lanes *passage) {
+                          const struct boundary_lanes *boundary, struct passage_lanes *passage) {
     real_unit refracted[LANES];
     uint32_t passes[LANES];
-    find_cosines(hit, border, refracted, passes);
-    find_shares(hit, border, refracted, passes, passage);
-    find_refracted(direction, hit, border, refracted, &passage->refracted);
+    find_cosines(hit, boundary, refracted, passes);
+    find_shares(hit, boundary, refracted, passes, passage);
+    find_refracted(direction, hit, boundary, refracted, &passage->refracted);
 }
 
 /* Tells whether a child is followed, by the largest of its three weights. hit, path and largest are
@@ -170,11 +171,11 @@ static void send(const struct scene *scene, const struct ray_lanes *rays,
 }
 
 void children_grow(const struct scene *scene, const struct ray_lanes *rays,
-                   const struct hit_lanes *hit, const struct border_lanes *border,
+                   const struct hit_lanes *hit, const struct boundary_lanes *boundary,
                    struct queue *queue, struct cut_lanes cut[2]) {
     struct passage_lanes passage;
     struct start_lanes start;
-    find_passages(&rays->direction, hit, border, &passage);
+    find_passages(&rays->direction, hit, boundary, &passage);
     set_starts(rays, hit, &start);
     const struct kind_of_children mirrored = {&hit->mirrored, hit->before, hit->inside_before,
                                               passage.reflectance};

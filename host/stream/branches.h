@@ -4,7 +4,7 @@
 #define SUPERFRAME_CHILDREN_H
 
 #include "image.h"
-#include "stream/borders.h"
+#include "stream/boundaries.h"
 #include "stream/queue.h"
 
 /* What is not followed, by lane: its weight, 0 where all is followed, and an enum estimate_way. */
@@ -16,7 +16,7 @@ struct cut_lanes {
 /* Puts the mirrored and the refracted rays that depth and threshold let through into the queue. cut
  * gets the other rays, where the scene has an estimate of what those are worth. */
 void children_grow(const struct scene *scene, const struct ray_lanes *rays,
-                   const struct hit_lanes *hit, const struct border_lanes *border,
+                   const struct hit_lanes *hit, const struct boundary_lanes *boundary,
                    struct queue *queue, struct cut_lanes cut[2]);
 
 #endif

@@ -13,7 +13,7 @@ static inline uint32_t place_of(uint32_t surface, uint32_t face) {
 }
 
 /* An interval of a ray inside a primitive: see struct segment. */
-struct stretch {
+struct interval {
     real_length in, out;
     uint32_t in_place, out_place;
     bool hit;
@@ -27,19 +27,19 @@ struct meeting {
 };
 
 /* Returns the interval that is all of a ray; place is that of face 0. */
-static inline struct stretch stretch_everything(uint32_t place) {
-    const struct stretch all = {length_negate(LENGTH_FAR), LENGTH_FAR, place, place, true};
+static inline struct interval interval_everything(uint32_t place) {
+    const struct interval all = {length_negate(LENGTH_FAR), LENGTH_FAR, place, place, true};
     return all;
 }
 
-static inline struct stretch stretch_entered(struct stretch s, real_length t, uint32_t place) {
+static inline struct interval interval_entered(struct interval s, real_length t, uint32_t place) {
     bool later = length_less(s.in, t);
     s.in = later ? t : s.in;
     s.in_place = later ? place : s.in_place;
     return s;
 }
 
-static inline struct stretch stretch_left(struct stretch s, real_length t, uint32_t place) {
+static inline struct interval interval_left(struct interval s, real_length t, uint32_t place) {
     bool earlier = length_less(t, s.out);
     s.out = earlier ? t : s.out;
     s.out_place = earlier ? place : s.out_place;
@@ -47,13 +47,13 @@ static inline struct stretch stretch_left(struct stretch s, real_length t, uint3
 }
 
 /* Finds where a ray leaves a single interval: leaving_crossing() of firmware/ray.c. */
-static inline struct meeting meeting_leaving(struct stretch s, real_length from) {
+static inline struct meeting meeting_leaving(struct interval s, real_length from) {
     const struct meeting meeting = {length_less(from, s.out) ? s.out : from, s.out_place, true};
     return meeting;
 }
 
 /* Finds where a ray enters a single interval: entering_crossing() of firmware/ray.c. */
-static inline struct meeting meeting_entering(struct stretch s, real_length from,
+static inline struct meeting meeting_entering(struct interval s, real_length from,
                                               bool starts_there) {
     bool in_front = length_less(from, s.in);
     bool begun = !starts_there & length_less(LENGTH_NOISE, length_subtract(s.out, from));
@@ -63,13 +63,13 @@ static inline struct meeting meeting_entering(struct stretch s, real_length from
 }
 
 /* Finds where a ray leaves or enters an interval; inside is a constant at each call. */
-static inline struct meeting meeting_of(struct stretch s, real_length from, bool inside,
+static inline struct meeting meeting_of(struct interval s, real_length from, bool inside,
                                         bool starts_there) {
     return inside ? meeting_leaving(s, from) : meeting_entering(s, from, starts_there);
 }
 
 /* Finds where a ray leaves the interval that it is in. There is one interval, or two in order. */
-static inline struct meeting meeting_leaving_two(struct stretch a, struct stretch b, bool two,
+static inline struct meeting meeting_leaving_two(struct interval a, struct interval b, bool two,
                                                  real_length from) {
     bool second = two & !length_less(from, a.out) &
                   !length_less(length_subtract(from, a.out), length_subtract(b.in, from));
@@ -87,9 +87,9 @@ struct slab {
 
 /* Cuts an interval by a slab. inside and may_be_level are constants at each call. A ray that is
  * inside is asked only where it leaves, and mostly no ray of a block runs level. */
-static inline struct stretch stretch_slab(struct stretch s, struct slab slab, real_length origin,
-                                          real_slope slope, bool level, bool falling,
-                                          uint32_t start, bool inside, bool may_be_level) {
+static inline struct interval interval_slab(struct interval s, struct slab slab, real_length origin,
+                                            real_slope slope, bool level, bool falling,
+                                            uint32_t start, bool inside, bool may_be_level) {
     real_length ahead_in = length_subtract(falling ? slab.high : slab.low, origin);
     real_length ahead_out = length_subtract(falling ? slab.low : slab.high, origin);
     uint32_t in_place = falling ? slab.high_place : slab.low_place;
@@ -103,8 +103,8 @@ static inline struct stretch stretch_slab(struct stretch s, struct slab slab, re
         out = level ? LENGTH_FAR : out;
         s.hit = s.hit & (within | !level);
     }
-    s = stretch_left(s, out, out_place);
-    return inside ? s : stretch_entered(s, in, in_place);
+    s = interval_left(s, out, out_place);
+    return inside ? s : interval_entered(s, in, in_place);
 }
 
 #endif

@@ -37,7 +37,7 @@ struct meeting_lanes {
 };
 
 /* The intervals of lanes in a quadric: the second one only where `two` is 1. */
-struct quadric_stretches {
+struct quadric_intervals {
     real_length in[2][LANES], out[2][LANES];
     uint32_t in_place[2][LANES], out_place[2][LANES], hit[2][LANES];
     uint32_t two[LANES];
@@ -136,7 +136,7 @@ static void pin_starts(const struct quadric_lanes *restrict lanes,
 
 static void set_stretches(const struct quadric_lanes *restrict lanes, uint32_t place,
                           const struct root_lanes *restrict roots,
-                          struct quadric_stretches *restrict found) {
+                          struct quadric_intervals *restrict found) {
     const real_length far_back = length_negate(LENGTH_FAR);
     for (int i = 0; i < LANES; i++) {
         real_length near = roots->near[i], far = roots->far[i], start = lanes->nearest[i];
@@ -157,7 +157,7 @@ static void set_stretches(const struct quadric_lanes *restrict lanes, uint32_t p
 }
 
 /* Sets what is the same for all second intervals: all but where they begin. */
-static void set_second(uint32_t place, struct quadric_stretches *restrict found) {
+static void set_second(uint32_t place, struct quadric_intervals *restrict found) {
     for (int i = 0; i < LANES; i++) {
         found->out[1][i] = LENGTH_FAR;
         found->hit[1][i] = 1;
@@ -167,7 +167,7 @@ static void set_second(uint32_t place, struct quadric_stretches *restrict found)
 
 static void find_stretches(const struct search_lanes *search, const struct quadric *quadric,
                            uint8_t frame, const struct quadric_lanes *lanes,
-                           const struct local_lanes *local, struct quadric_stretches *found) {
+                           const struct local_lanes *local, struct quadric_intervals *found) {
     struct root_lanes roots;
     find_forms(search->scene, *quadric, frame, lanes, local, &roots);
     find_squares(&roots);
@@ -182,18 +182,18 @@ static void find_stretches(const struct search_lanes *search, const struct quadr
 static void cut_stretches(const struct search_lanes *restrict search, uint32_t bit,
                           const struct slab slab, const real_length origin[restrict LANES],
                           const struct local_lanes *restrict local, int axis, int which,
-                          struct quadric_stretches *restrict found) {
+                          struct quadric_intervals *restrict found) {
     for (int i = 0; i < LANES; i++) {
         uint32_t start = search->surface[i];
         bool level = local->level[axis][i] != 0, falling = local->falling[axis][i] != 0;
         real_slope slope = local->slope[axis][i];
-        const struct stretch before = {found->in[which][i], found->out[which][i],
-                                       found->in_place[which][i], found->out_place[which][i],
-                                       found->hit[which][i] != 0};
-        struct stretch left =
-            stretch_slab(before, slab, origin[i], slope, level, falling, start, true, true);
-        struct stretch entered =
-            stretch_slab(before, slab, origin[i], slope, level, falling, start, false, true);
+        const struct interval before = {found->in[which][i], found->out[which][i],
+                                        found->in_place[which][i], found->out_place[which][i],
+                                        found->hit[which][i] != 0};
+        struct interval left =
+            interval_slab(before, slab, origin[i], slope, level, falling, start, true, true);
+        struct interval entered =
+            interval_slab(before, slab, origin[i], slope, level, falling, start, false, true);
         bool inside = (search->inside[i] & bit) != 0;
         found->in[which][i] = inside ? left.in : entered.in;
         found->in_place[which][i] = inside ? left.in_place : entered.in_place;
@@ -205,7 +205,7 @@ static void cut_stretches(const struct search_lanes *restrict search, uint32_t b
 
 static void cut_by_box(const struct search_lanes *search, uint32_t bit,
                        const struct quadric *quadric, const struct local_lanes *local, int which,
-                       struct quadric_stretches *found) {
+                       struct quadric_intervals *found) {
     const struct slabs slabs = slabs_of(&search->scene->boxes[quadric->box]);
     if (quadric->cuts & 1) {
         cut_stretches(search, bit, slabs.x, local->origin.x, local, 0, which, found);
@@ -223,9 +223,9 @@ static void cut_by_box(const struct search_lanes *search, uint32_t bit,
     }
 }
 
-static inline struct stretch stretch_of(const struct quadric_stretches *found, int which, int i) {
-    const struct stretch s = {found->in[which][i], found->out[which][i], found->in_place[which][i],
-                              found->out_place[which][i], found->hit[which][i] != 0};
+static inline struct interval interval_of(const struct quadric_intervals *found, int which, int i) {
+    const struct interval s = {found->in[which][i], found->out[which][i], found->in_place[which][i],
+                               found->out_place[which][i], found->hit[which][i] != 0};
     return s;
 }
 
@@ -239,10 +239,10 @@ static inline void set_meeting(struct meeting_lanes *meetings, int i, struct mee
  * have two intervals. */
 static inline void find_leaving(const struct search_lanes *restrict search, uint32_t place,
                                 const struct quadric_lanes *restrict lanes,
-                                const struct quadric_stretches *restrict found, bool may_open,
+                                const struct quadric_intervals *restrict found, bool may_open,
                                 struct meeting_lanes *restrict meetings) {
     for (int i = 0; i < LANES; i++) {
-        struct stretch first = stretch_of(found, 0, i), second = stretch_of(found, 1, i);
+        struct interval first = interval_of(found, 0, i), second = interval_of(found, 1, i);
         bool passes = lanes->passes[i] != 0, two = (found->two[i] != 0) & !passes;
         first.out = passes ? lanes->nearest[i] : first.out;
         first.out_place = passes ? place : first.out_place;
@@ -255,19 +255,19 @@ static inline void find_leaving(const struct search_lanes *restrict search, uint
 /* Finds where lanes enter one of the two intervals. */
 static void find_entering(const struct search_lanes *restrict search, uint32_t bit,
                           const struct quadric_lanes *restrict lanes,
-                          const struct quadric_stretches *restrict found, int which,
+                          const struct quadric_intervals *restrict found, int which,
                           struct meeting_lanes *restrict meetings) {
     for (int i = 0; i < LANES; i++) {
         bool starts_there = (search->touch[i] & bit) != 0, passes = lanes->passes[i] != 0;
         struct meeting meeting =
-            meeting_entering(stretch_of(found, which, i), search->from[i], starts_there);
+            meeting_entering(interval_of(found, which, i), search->from[i], starts_there);
         meeting.valid = meeting.valid & !passes;
         set_meeting(meetings, i, meeting);
     }
 }
 
 /* Takes the second interval's entry in lanes that have two intervals and the first not ahead. */
-static void prefer_first(const struct quadric_stretches *restrict found,
+static void prefer_first(const struct quadric_intervals *restrict found,
                          const struct meeting_lanes *restrict second,
                          struct meeting_lanes *restrict first) {
     for (int i = 0; i < LANES; i++) {
@@ -310,7 +310,7 @@ static bool quadric_may_open(const struct quadric *quadric) {
 
 static void find_all_stretches(const struct search_lanes *search, uint8_t index,
                                const struct quadric_lanes *lanes, const struct local_lanes *local,
-                               bool may_open, struct quadric_stretches *found) {
+                               bool may_open, struct quadric_intervals *found) {
     const struct primitive *primitive = &search->scene->primitives[index];
     const struct quadric *quadric = &search->scene->quadrics[primitive->index];
     const uint32_t bit = (uint32_t)1 << index;
@@ -332,7 +332,7 @@ void search_quadric(struct search_lanes *search, uint8_t index, const struct qua
     const struct quadric *quadric = &scene->quadrics[scene->primitives[index].index];
     const uint32_t place = place_of(quadric->surface, QUADRIC_FACE), bit = (uint32_t)1 << index;
     const bool may_open = quadric_may_open(quadric);
-    struct quadric_stretches found;
+    struct quadric_intervals found;
     struct meeting_lanes meetings;
     find_all_stretches(search, index, lanes, local, may_open, &found);
     if (chosen->leaving > 0) {

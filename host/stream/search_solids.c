@@ -10,13 +10,13 @@ static inline struct meeting box_meeting(const struct search_lanes *search, int 
                                          const struct slabs *slabs, const struct local_lanes *local,
                                          bool inside, bool may_be_level) {
     uint32_t start = search->surface[i];
-    struct stretch s = stretch_everything(slabs->x.low_place);
-    s = stretch_slab(s, slabs->x, local->origin.x[i], local->slope[0][i], local->level[0][i] != 0,
-                     local->falling[0][i] != 0, start, inside, may_be_level);
-    s = stretch_slab(s, slabs->y, local->origin.y[i], local->slope[1][i], local->level[1][i] != 0,
-                     local->falling[1][i] != 0, start, inside, may_be_level);
-    s = stretch_slab(s, slabs->z, local->origin.z[i], local->slope[2][i], local->level[2][i] != 0,
-                     local->falling[2][i] != 0, start, inside, may_be_level);
+    struct interval s = interval_everything(slabs->x.low_place);
+    s = interval_slab(s, slabs->x, local->origin.x[i], local->slope[0][i], local->level[0][i] != 0,
+                      local->falling[0][i] != 0, start, inside, may_be_level);
+    s = interval_slab(s, slabs->y, local->origin.y[i], local->slope[1][i], local->level[1][i] != 0,
+                      local->falling[1][i] != 0, start, inside, may_be_level);
+    s = interval_slab(s, slabs->z, local->origin.z[i], local->slope[2][i], local->level[2][i] != 0,
+                      local->falling[2][i] != 0, start, inside, may_be_level);
     s.hit = s.hit & length_less(s.in, s.out);
     return meeting_of(s, search->from[i], inside, (search->touch[i] & bit) != 0);
 }
@@ -95,8 +95,8 @@ static inline struct meeting ball_meeting(const struct search_lanes *search, int
                                           const struct ball_lanes *lanes, uint32_t place,
                                           bool inside) {
     real_length middle = lanes->middle[i], half = length_root(lanes->square[i]);
-    const struct stretch s = {length_subtract(middle, half), length_add(middle, half), place, place,
-                              !area_is_negative(lanes->square[i])};
+    const struct interval s = {length_subtract(middle, half), length_add(middle, half), place,
+                               place, !area_is_negative(lanes->square[i])};
     return meeting_of(s, search->from[i], inside, (search->touch[i] & bit) != 0);
 }
 
@@ -138,10 +138,10 @@ void search_ball(struct search_lanes *search, uint8_t index, const struct chosen
 
 /* Cuts a lane's interval by one plane of a polyhedron: see polyhedron_segment() of
  * firmware/solids.c. */
-static inline struct stretch stretch_plane(struct stretch s, const struct plane plane,
-                                           uint32_t place, bool upper, struct point origin,
-                                           struct direction direction, uint32_t start,
-                                           bool inside) {
+static inline struct interval interval_plane(struct interval s, const struct plane plane,
+                                             uint32_t place, bool upper, struct point origin,
+                                             struct direction direction, uint32_t start,
+                                             bool inside) {
     real_length ahead = length_subtract(plane.offset, point_dot(origin, plane.normal));
     real_unit along = direction_dot(direction, plane.normal);
     bool level = unit_is_zero(along), falling = unit_is_negative(along);
@@ -150,8 +150,8 @@ static inline struct stretch stretch_plane(struct stretch s, const struct plane 
     t = on_it ? REAL_LENGTH(0.0) : t;
     bool behind = length_less(REAL_LENGTH(0.0), ahead) | (upper & length_is_zero(ahead));
     bool enters = falling & !level, leaves = !falling & !level & !(on_it & inside);
-    s = stretch_entered(s, enters ? t : length_negate(LENGTH_FAR), place);
-    s = stretch_left(s, leaves ? t : LENGTH_FAR, place);
+    s = interval_entered(s, enters ? t : length_negate(LENGTH_FAR), place);
+    s = interval_left(s, leaves ? t : LENGTH_FAR, place);
     s.hit = s.hit & (behind | !level);
     return s;
 }
@@ -177,9 +177,9 @@ static void cross_polyhedron(struct search_lanes *restrict search, uint8_t index
         for (int i = 0; i < LANES; i++) {
             const struct point origin = point_in(&search->world.origin, i);
             const struct direction direction = direction_in(&search->world.direction, i);
-            struct stretch s = {in[i], out[i], in_place[i], out_place[i], hit[i] != 0};
-            s = stretch_plane(s, plane, place, upper, origin, direction, search->surface[i],
-                              inside);
+            struct interval s = {in[i], out[i], in_place[i], out_place[i], hit[i] != 0};
+            s = interval_plane(s, plane, place, upper, origin, direction, search->surface[i],
+                               inside);
             in[i] = s.in;
             out[i] = s.out;
             in_place[i] = s.in_place;
@@ -188,8 +188,8 @@ static void cross_polyhedron(struct search_lanes *restrict search, uint8_t index
         }
     }
     for (int i = 0; i < LANES; i++) {
-        const struct stretch s = {in[i], out[i], in_place[i], out_place[i],
-                                  (hit[i] != 0) & length_less(in[i], out[i])};
+        const struct interval s = {in[i], out[i], in_place[i], out_place[i],
+                                   (hit[i] != 0) & length_less(in[i], out[i])};
         real_length from = search->from[i];
         struct meeting leaving = meeting_leaving(s, from);
         struct meeting entering = meeting_entering(s, from, (search->touch[i] & bit) != 0);

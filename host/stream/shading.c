@@ -113,7 +113,7 @@ static void find_alpha(const struct hit_lanes *restrict hit, const struct way_la
 /* Raises the cosine of the highlight's angle to the gloss: highlight() of firmware/shade.c. */
 static void find_glints(const struct scene *scene, const struct direction_lanes *restrict direction,
                         const struct hit_lanes *restrict hit, const struct way_lanes *restrict way,
-                        const struct border_lanes *restrict border,
+                        const struct boundary_lanes *restrict boundary,
                         real_energy glint[restrict LANES]) {
     real_unit cosine[LANES];
     real_power square[LANES], power[LANES];
@@ -127,10 +127,10 @@ static void find_glints(const struct scene *scene, const struct direction_lanes 
             power_of(energy_of_cosine(unit_is_negative(cosine[i]) ? REAL_UNIT(0.0) : cosine[i]));
         power[i] = POWER_ONE;
     }
-    for (uint32_t bit = 1; bit <= border->gloss_most; bit <<= 1) {
+    for (uint32_t bit = 1; bit <= boundary->gloss_most; bit <<= 1) {
         for (int i = 0; i < LANES; i++) {
             real_power product = power_product(power[i], square[i]);
-            power[i] = (border->gloss[i] & bit) != 0 ? product : power[i];
+            power[i] = (boundary->gloss[i] & bit) != 0 ? product : power[i];
             square[i] = power_product(square[i], square[i]);
         }
     }
@@ -140,17 +140,17 @@ static void find_glints(const struct scene *scene, const struct direction_lanes 
 }
 
 static void add_light(const struct light *source, const struct way_lanes *restrict way,
-                      const struct border_lanes *restrict border,
+                      const struct boundary_lanes *restrict boundary,
                       const real_energy glint[restrict LANES],
                       struct colour_lanes *restrict direct) {
     const struct colours light = source->colour;
     for (int i = 0; i < LANES; i++) {
-        const struct colours tinted = {colour_lit(border->colour.red[i], light.red),
-                                       colour_lit(border->colour.green[i], light.green),
-                                       colour_lit(border->colour.blue[i], light.blue)};
+        const struct colours tinted = {colour_lit(boundary->colour.red[i], light.red),
+                                       colour_lit(boundary->colour.green[i], light.green),
+                                       colour_lit(boundary->colour.blue[i], light.blue)};
         struct colours sum = colours_scaled(
-            tinted, energy_product(border->diffuse[i], energy_of_cosine(way->cosine[i])));
-        real_energy share = energy_product(glint[i], border->specular[i]);
+            tinted, energy_product(boundary->diffuse[i], energy_of_cosine(way->cosine[i])));
+        real_energy share = energy_product(glint[i], boundary->specular[i]);
         sum = colours_add(sum, colours_scaled(light, share));
         bool lit = way->lit[i] != 0;
         direct->red[i] = lit ? colour_add(direct->red[i], sum.red) : direct->red[i];
@@ -172,13 +172,13 @@ static void fade(const struct scene *scene, const struct hit_lanes *hit,
 }
 
 void shading_local(const struct scene *scene, const struct direction_lanes *direction,
-                   const struct hit_lanes *hit, const struct border_lanes *border,
+                   const struct hit_lanes *hit, const struct boundary_lanes *boundary,
                    struct colour_lanes *local, struct search_lanes *scratch,
                    const uint32_t touches[TOUCHES], struct render_counts *counts) {
     struct way_lanes way;
     struct colour_lanes direct;
     real_energy glint[LANES];
-    *local = border->ambient;
+    *local = boundary->ambient;
     if (scene->light_count == 0) {
         return;
     }
@@ -194,8 +194,8 @@ void shading_local(const struct scene *scene, const struct direction_lanes *dire
         if (!lanes_any(way.lit)) {
             continue;
         }
-        find_glints(scene, direction, hit, &way, border, glint);
-        add_light(light, &way, border, glint, &direct);
+        find_glints(scene, direction, hit, &way, boundary, glint);
+        add_light(light, &way, boundary, glint, &direct);
     }
     if (scene->fades) {
         fade(scene, hit, &direct);

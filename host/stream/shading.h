@@ -4,13 +4,13 @@
 #define SUPERFRAME_SHADING_H
 
 #include "image.h"
-#include "stream/borders.h"
+#include "stream/boundaries.h"
 
 /* Finds the intensity that each boundary sends along its ray. scratch is a search to use for
  * shadows, whose content is lost: the search that found the boundaries will do. touches is the
  * scene's table. */
 void shading_local(const struct scene *scene, const struct direction_lanes *direction,
-                   const struct hit_lanes *hit, const struct border_lanes *border,
+                   const struct hit_lanes *hit, const struct boundary_lanes *boundary,
                    struct colour_lanes *local, struct search_lanes *scratch,
                    const uint32_t touches[TOUCHES], struct render_counts *counts);
 

@@ -197,7 +197,7 @@ static void absorb(struct stream *stream) {
     }
 }
 
-/* Adds what the cut branches are worth: cut_worth() of firmware/growth.c. */
+/* Adds what the cut branches are worth: cut_radiance() of firmware/growth.c. */
 static void add_estimate(struct stream *stream, const struct cut_lanes *cut) {
     const struct estimate_level *level = &stream->scene->estimate->level[0];
     const uint32_t uncounted[LANES] = {0};
@@ -235,16 +235,16 @@ static void add_arrivals(struct stream *stream, const struct colour_lanes *local
 /* Absorbs, shades and splits the rays that have come to a boundary; *local gets what boundaries
  * send. What the search has found is lost to the shadows. */
 static void meet_boundaries(struct stream *stream, struct colour_lanes *local) {
-    struct border_lanes border;
+    struct boundary_lanes boundary;
     struct cut_lanes cut[2];
     hits_describe(&stream->search, &stream->hit);
     if (stream->absorbs) {
         absorb(stream);
     }
-    borders_find(stream->scene, &stream->hit, &border);
-    shading_local(stream->scene, &stream->rays->direction, &stream->hit, &border, local,
+    boundaries_find(stream->scene, &stream->hit, &boundary);
+    shading_local(stream->scene, &stream->rays->direction, &stream->hit, &boundary, local,
                   &stream->search, stream->touches, &stream->counts);
-    children_grow(stream->scene, stream->rays, &stream->hit, &border, &stream->queue, cut);
+    children_grow(stream->scene, stream->rays, &stream->hit, &boundary, &stream->queue, cut);
     if (stream->scene->estimate) {
         add_estimate(stream, &cut[0]);
         add_estimate(stream, &cut[1]);

@@ -89,8 +89,8 @@ static enum side side_of(const struct shape *leaf, long double value, const long
         }
         square += along * along;
     }
-    const long double doubt = leaf->slack * sqrtl(square) + ROUNDING * terms;
-    return value < -doubt ? SIDE_INSIDE : value > doubt ? SIDE_OUTSIDE : SIDE_NEAR;
+    const long double uncertainty = leaf->slack * sqrtl(square) + ROUNDING * terms;
+    return value < -uncertainty ? SIDE_INSIDE : value > uncertainty ? SIDE_OUTSIDE : SIDE_NEAR;
 }
 
 static enum side least(enum side a, enum side b) {

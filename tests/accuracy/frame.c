@@ -59,7 +59,7 @@ static void render_row(struct frame_work *work, int row, struct render_counts *s
         memset(&counts, 0, sizeof counts);
         work->arithmetic->pixel(work->scene, (uint16_t)x, (uint16_t)row, pixel->level, &counts,
                                 work->detail == DETAIL_CUT ? &observer : NULL);
-        pixel->doubt = counts.estimated_error / 65536.0;
+        pixel->uncertainty = counts.estimated_error / 65536.0;
         add_counts(sums, &counts);
     }
 }
@@ -293,7 +293,7 @@ void frame_compare(const struct frame *frame, const struct frame *converged, dou
         double black = distance(&frame->pixels[i], &converged->pixels[i], false);
         within += black <= most;
         within_open += distance(&frame->pixels[i], &converged->pixels[i], true) <= most;
-        doubted += black <= frame->pixels[i].doubt + 0.01;
+        doubted += black <= frame->pixels[i].uncertainty + 0.01;
         errors->square += black * black / pixels;
         if (black > errors->worst) {
             errors->worst = black;

@@ -26,7 +26,7 @@ struct frame_settings {
 struct frame_pixel {
     double level[3];
     double cut[3], ended[3];
-    double doubt; /* the estimated error in levels, where an error was asked for */
+    double uncertainty; /* the estimated error in levels, where an error was asked for */
 };
 
 struct frame {

@@ -29,7 +29,7 @@ static uint16_t read_port(struct bus *bus, uint16_t port, unsigned width) {
 static const struct bus_operations operations = {write_port, read_port, NULL};
 static struct bus board = {&operations, BUS_OK};
 static struct usb_device device;
-static struct usbip_guest guest;
+static struct usbip_client client;
 
 static void plug_in(void) {
     static const uint8_t set_configuration[8] = {0, 9, 1};
@@ -227,9 +227,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t count) {
         take_packets(USB_HID_OUT, bytes + 1, count - 1);
         break;
     case 3:
-        usbip_guest_init(&guest, &device, false, drop, NULL);
-        usbip_guest_take(&guest, bytes + 1, count - 1);
-        usbip_guest_leave(&guest);
+        usbip_client_init(&client, &device, false, drop, NULL);
+        usbip_client_take(&client, bytes + 1, count - 1);
+        usbip_client_leave(&client);
         break;
     case 4:
         take_replies(bytes + 1, count - 1);

@@ -90,7 +90,7 @@ expect 0 '^usb.*no permission' 'without the rule devices says that the bulk node
 expect 0 '^hid.*no permission' 'without the rule devices says that the hidraw node may not be opened'
 for way in usb hid; do
     as artist render fig3 --bus $way
-    expect 1 '70-superframe.rules is lacking' "without the rule render --bus $way names it"
+    expect 1 '70-superframe.rules is missing' "without the rule render --bus $way names it"
 done
 pull 1
 

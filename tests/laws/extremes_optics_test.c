@@ -62,7 +62,7 @@ static struct first_event look_from_within(double aside, const char *arithmetic)
 }
 
 /* Halves the interval of angles down to one bit of the arithmetic's directions: on one side next to
- * nothing passes, on the other nothing at all, and the border is where Snell's law has it. */
+ * nothing passes, on the other nothing at all, and the boundary is where Snell's law has it. */
 static void a_bit_decides_at_the_critical_angle(void **state) {
     (void)state;
     static const double exactness[EXTREME_ARITHMETICS] = {1e-8, 1e-6, 1e-14};

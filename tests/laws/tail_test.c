@@ -222,7 +222,8 @@ static void a_branch_is_worth_what_is_where_it_goes(void **state) {
     }
 }
 
-/* White wherever one looks: what the lesson did not follow to the end is left out, not black. */
+/* White wherever one looks: what the training pass did not follow to the end is left out, not
+ * black. */
 static void what_was_not_seen_says_nothing(void **state) {
     (void)state;
     static const char text[] =

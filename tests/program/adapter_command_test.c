@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The virtual adapter as a program of its own: a guest over TCP draws on it by bulk and by HID, and
- * the picture that it writes is the emulator's. */
+/* The virtual adapter as a program of its own: a client over TCP draws on it by bulk and by HID,
+ * and the picture that it writes is the emulator's. */
 #include <arpa/inet.h>
 #include <signal.h>
 #include <stdio.h>
@@ -131,12 +131,12 @@ static void draw_over(bool is_hid) {
     compare_with_emulator();
 }
 
-static void a_guest_draws_by_bulk(void **state) {
+static void a_client_draws_by_bulk(void **state) {
     (void)state;
     draw_over(false);
 }
 
-static void a_guest_draws_by_hid(void **state) {
+static void a_client_draws_by_hid(void **state) {
     (void)state;
     draw_over(true);
 }
@@ -177,7 +177,7 @@ static void a_rendered_scene_is_the_same_behind_the_cable(void **state) {
     assert_int_equal(system(command), 0);
 }
 
-static void the_list_is_shown_and_a_second_guest_is_refused(void **state) {
+static void the_list_is_shown_and_a_second_client_is_refused(void **state) {
     static const uint8_t list[8] = {0x01, 0x11, 0x80, 0x05};
     uint8_t bytes[400], import[40] = {0x01, 0x11, 0x80, 0x03};
     (void)state;
@@ -249,17 +249,17 @@ static void what_cannot_be_served_is_refused_before_anybody_comes(void **state) 
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(a_guest_draws_by_bulk, start_server, stop_server),
-        cmocka_unit_test_setup_teardown(a_guest_draws_by_hid, start_server, stop_server),
+        cmocka_unit_test_setup_teardown(a_client_draws_by_bulk, start_server, stop_server),
+        cmocka_unit_test_setup_teardown(a_client_draws_by_hid, start_server, stop_server),
         cmocka_unit_test_setup_teardown(a_rendered_scene_is_the_same_behind_the_cable, start_server,
                                         stop_server),
-        cmocka_unit_test_setup_teardown(the_list_is_shown_and_a_second_guest_is_refused,
+        cmocka_unit_test_setup_teardown(the_list_is_shown_and_a_second_client_is_refused,
                                         start_server, stop_server),
         cmocka_unit_test_setup_teardown(what_cannot_be_served_is_refused_before_anybody_comes,
                                         start_server, stop_server),
         cmocka_unit_test_setup_teardown(an_interrupt_ends_it_with_its_picture, start_server,
                                         stop_server),
     };
-    (void)alarm(120); /* a guest that waits for ever is a failure */
+    (void)alarm(120); /* a client that waits for ever is a failure */
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -21,14 +21,14 @@ static const struct {
     int status;
     const char *fragment;
 } wrong[] = {
-    {"superframe", 2, "superframe: a command is lacking"},
+    {"superframe", 2, "superframe: a command is missing"},
     {"superframe rendre fig3", 2, "superframe: no command \"rendre\""},
-    {"superframe export fig3 -o x", 2, "superframe: export: --pov is lacking"},
-    {"superframe export fig3 --pov", 2, "superframe: export: -o FILE is lacking"},
+    {"superframe export fig3 -o x", 2, "superframe: export: --pov is missing"},
+    {"superframe export fig3 --pov", 2, "superframe: export: -o FILE is missing"},
     {"superframe export fig3 --pov --model wavelength -o x.png", 2, "superframe: fig3: model wave"},
     {"superframe export fig3 --pov -o no/x.png", 1, "superframe: no/x.png: cannot be written"},
-    {"superframe measure", 2, "superframe: measure: -o FOLDER is lacking"},
-    {"superframe paper", 2, "superframe: paper: -o FOLDER is lacking"},
+    {"superframe measure", 2, "superframe: measure: -o FOLDER is missing"},
+    {"superframe paper", 2, "superframe: paper: -o FOLDER is missing"},
     {"superframe render fig4a --colour dither -o x.png", 2, "superframe: fig4a: colour \"dither\""},
     {"superframe render " TINY "--keep-exposures e -o x.png", 2, "superframe: --keep-exposures"},
     {"superframe render " TINY "--colour exposures --keep-exposures no/e -o x.png", 1,
@@ -38,7 +38,7 @@ static const struct {
     {"superframe adapter --listen nowhere", 2, "superframe: --listen nowhere"},
     {"superframe boot x", 2, "superframe: x: cannot be read: No such file"},
     {"echo > i; superframe boot i -o x.png", 2, "superframe: i: no 2HD image: less than 1261568"},
-    {"superframe compare a", 2, "superframe: compare: B.png is lacking"},
+    {"superframe compare a", 2, "superframe: compare: B.png is missing"},
     {"superframe render nothing -o x.png", 2, "superframe: nothing: cannot be read: No such file"},
     {"superframe render . -o x.png", 2, "superframe: .: is a folder"},
     {"superframe render /dev/null -o x.png", 2, "superframe: /dev/null"},

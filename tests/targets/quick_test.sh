@@ -127,33 +127,33 @@ exposures() {
 # An image that lacks a feature refuses the scene by the feature's name, when it is built: each feature
 # that these scenes require is taken away once, a number is made one less.
 lacking_feature() {
-    lacking=$work/lacking
-    mkdir -p "$lacking"
-    : > "$lacking/names.txt"
+    missing=$work/missing
+    mkdir -p "$missing"
+    : > "$missing/names.txt"
     lacks_each fig6b --error 1 --highlight blinn
     lacks_each fig5 --model wavelength --tail estimate
     lacks_each fig4b --model simple --colour full
     lacks_each fig7-frustum
     lacks_each tests/targets/features.scene
     # Who looks on is no scene's matter.
-    sort -u "$lacking/names.txt" > "$lacking/tried.txt"
-    sed 's/ =.*//' "$work/full.txt" | grep -v FEATURE_OBSERVER | diff - "$lacking/tried.txt" >&2 ||
+    sort -u "$missing/names.txt" > "$missing/tried.txt"
+    sed 's/ =.*//' "$work/full.txt" | grep -v FEATURE_OBSERVER | diff - "$missing/tried.txt" >&2 ||
         wrong 'no scene above requires these features'
 }
 
 # lacks_each SCENE OPTION...
 lacks_each() {
-    "$SUPERFRAME" compile "$@" --minimal -o "$lacking/all.h"
-    "$SUPERFRAME" compile "$@" -o "$lacking/scene.c"
-    compile="gcc -std=c99 -fsyntax-only -Ifirmware/real/fx -I$lacking -Ifirmware -Ihal $lacking/scene.c"
-    cp "$lacking/all.h" "$lacking/feature_set.h"
+    "$SUPERFRAME" compile "$@" --minimal -o "$missing/all.h"
+    "$SUPERFRAME" compile "$@" -o "$missing/scene.c"
+    compile="gcc -std=c99 -fsyntax-only -Ifirmware/real/fx -I$missing -Ifirmware -Ihal $missing/scene.c"
+    cp "$missing/all.h" "$missing/feature_set.h"
     $compile || wrong "$*: its own features do not do"
-    for feature in $(sed -n 's/^ *\(FEATURE_[A-Z_]*\) = [1-9].*/\1/p' "$lacking/all.h"); do
+    for feature in $(sed -n 's/^ *\(FEATURE_[A-Z_]*\) = [1-9].*/\1/p' "$missing/all.h"); do
         awk -v feature="$feature" '$1 == feature { sub($3, $3 - 1 (/,/ ? "," : "")) } { print }' \
-            "$lacking/all.h" > "$lacking/feature_set.h"
+            "$missing/all.h" > "$missing/feature_set.h"
         # shellcheck disable=SC2086 # a list of words
         expect 1 "image_lacks_$feature[^A-Z_]" $compile
-        echo "$feature" >> "$lacking/names.txt"
+        echo "$feature" >> "$missing/names.txt"
     done
 }
 

@@ -34,7 +34,7 @@ static const struct {
     {COMMAND_RENDER, "render a --faults burning", "with commas between"},
     {COMMAND_RENDER, "render a --faults seed=11111111111111111111111111111111", "seed=N"},
     {COMMAND_REPLAY, "replay a -o b --stop 0", "1..4294967295"},
-    {COMMAND_TRACE, "trace", "TRACE is lacking"},
+    {COMMAND_TRACE, "trace", "TRACE is missing"},
     {COMMAND_TRACE, "trace a b", "\"b\" is one too many"},
     {COMMAND_TRACE, "trace a --to words", "binary or text"},
     {COMMAND_TRACE, "trace a --compare b --statistics", "--compare goes with"},

@@ -76,12 +76,12 @@ static const struct {
     enum command_id command;
     const char *line, *fragment;
 } refused[] = {
-    {COMMAND_RENDER, "render", "SCENE is lacking"},
+    {COMMAND_RENDER, "render", "SCENE is missing"},
     {COMMAND_RENDER, "render a b", "\"b\" is one too many"},
     {COMMAND_RENDER, "render a --depth", "--depth lacks its value"},
     {COMMAND_RENDER, "render a -o", "-o lacks its value"},
     {COMMAND_RENDER, "render a --depth -1", "a whole number 0..255"},
-    {COMMAND_RENDER, "render a --depth 256", "\"256\" is not allowed"},
+    {COMMAND_RENDER, "render a --depth 256", "\"256\" is invalid"},
     {COMMAND_RENDER, "render a --depth 99999999999999999999", "0..255"},
     {COMMAND_RENDER, "render a --depth 1.5", "0..255"},
     {COMMAND_RENDER, "render a --depth 10x", "0..255"},
@@ -98,7 +98,7 @@ static const struct {
     {COMMAND_RENDER, "render a --size 640x401", "1x1..640x400"},
     {COMMAND_RENDER, "render a --size 640", "1x1..640x400"},
     {COMMAND_RENDER, "render a --size 640X400", "1x1..640x400"},
-    {COMMAND_RENDER, "render a --arith f16", "\"f16\" is not allowed; allowed is: fx, f32"},
+    {COMMAND_RENDER, "render a --arith f16", "\"f16\" is invalid; allowed is: fx, f32"},
     {COMMAND_RENDER, "render a --rows 5:5", "A < B"},
     {COMMAND_RENDER, "render a --rows 7:5", "A < B"},
     {COMMAND_RENDER, "render a --rows 0:401", "A < B"},
@@ -120,7 +120,7 @@ static const struct {
     {COMMAND_RENDER, "render a --seed -1", "0..4294967295"},
     {COMMAND_RENDER, "render a --seed 4294967296", "0..4294967295"},
     {COMMAND_RENDER, "render a --bus trace:t --keep-exposures e", "--keep-exposures"},
-    {COMMAND_PAPER, "paper", "-o FOLDER is lacking"},
+    {COMMAND_PAPER, "paper", "-o FOLDER is missing"},
     {COMMAND_PAPER, "paper -o -", "allowed is: a folder's name"},
     {COMMAND_MEASURE, "measure -o -", "allowed is: a folder's name"},
     {COMMAND_MEASURE, "measure -o x --colour exposures", "allowed is: full, bits:1..bits:8 or"},
@@ -132,7 +132,7 @@ static const struct {
     {COMMAND_RENDER, "render a --bus trace", "emulator, trace:FILE"},
     {COMMAND_RENDER, "render a --frobnicate", "no option --frobnicate"},
     {COMMAND_RENDER, "render a --s", "--s is ambiguous; allowed are --size, --seed, --stats, "},
-    {COMMAND_RENDER, "render a --siz=3", "--size: \"3\" is not allowed"},
+    {COMMAND_RENDER, "render a --siz=3", "--size: \"3\" is invalid"},
     {COMMAND_RENDER, "render a --st=3", "--st=3 is ambiguous; allowed are --stats, --strict"},
     {COMMAND_RENDER, "render a -x", "no option -x"},
     {COMMAND_TREE, "tree fig3 -1 5", "no option -1, and no number below 0 is allowed"},
@@ -141,9 +141,9 @@ static const struct {
     /* Known, but not built into this version. */
     {COMMAND_RENDER, "render a --bus usb -o x", "--output goes with --bus emulator only"},
     {COMMAND_RENDER, "render a --bus hid: -o x", "hid[:SERIAL]"},
-    {COMMAND_RENDER, "render a --tail grey", "--tail: \"grey\" is not allowed"},
-    {COMMAND_RENDER, "render a --error 0", "--error: \"0\" is not allowed"},
-    {COMMAND_RENDER, "render a --error nan", "--error: \"nan\" is not allowed"},
+    {COMMAND_RENDER, "render a --tail grey", "--tail: \"grey\" is invalid"},
+    {COMMAND_RENDER, "render a --error 0", "--error: \"0\" is invalid"},
+    {COMMAND_RENDER, "render a --error nan", "--error: \"nan\" is invalid"},
     {COMMAND_RENDER, "render a --error 1 --tail black", "exclude each other"},
     {COMMAND_RENDER, "render a --verify", "--verify goes with --bus usb and --bus hid only"},
     {COMMAND_RENDER, "render a --wait", "--wait goes with --bus usb and --bus hid only"},
@@ -156,10 +156,10 @@ static const struct {
     {COMMAND_RENDER, "render a --bus trace:x -o y", "--output goes with --bus emulator only"},
     {COMMAND_RENDER, "render a --bus trace:x --trace y", "--trace goes with --bus emulator only"},
     {COMMAND_RENDER, "render a --bus trace:x --strict", "--strict goes with --bus emulator only"},
-    {COMMAND_COMPILE, "compile a", "-o FILE.c is lacking"},
+    {COMMAND_COMPILE, "compile a", "-o FILE.c is missing"},
     {COMMAND_COMPILE, "compile a -o b --jobs 2", "no option --jobs"},
-    {COMMAND_REPLAY, "replay a", "-o FILE.png is lacking"},
-    {COMMAND_REPLAY, "replay", "TRACE... is lacking"},
+    {COMMAND_REPLAY, "replay a", "-o FILE.png is missing"},
+    {COMMAND_REPLAY, "replay", "TRACE... is missing"},
     {COMMAND_COMPARE, "compare a b --within 256", "0..255"},
     {COMMAND_COMPARE, "compare a b --share 100.1", "0..100"},
     {COMMAND_SCENES, "scenes fig3", "\"fig3\" is one too many"},
@@ -201,7 +201,7 @@ static void a_short_option_is_that_of_the_command(void **state) {
     assert_true(parse(COMMAND_COMPILE, "compile fig3 -o -", &options, &error));
     assert_string_equal(options.output, "-");
     assert_false(parse(COMMAND_MEASURE, "measure -o -", &options, &error));
-    assert_string_equal(error.text, "--output: \"-\" is not allowed; allowed is: a folder's name");
+    assert_string_equal(error.text, "--output: \"-\" is invalid; allowed is: a folder's name");
 }
 
 static void help_is_not_refused_for_what_is_lacking(void **state) {

@@ -63,7 +63,7 @@ static const struct refusal text_refusals[] = {
     {"\"blinn\"", "\"bl\" \"inn\"", 7, "stands where", "';'"},
     {"*/", "", 53, "comment that begins here", "needs */"},
     {"[1, 2, 3]", "\x80", 10, "byte 80h", "outside of strings"},
-    {"[1, 2, 3]", "$1", 10, "'$' is not allowed", "NAME = VALUE"},
+    {"[1, 2, 3]", "$1", 10, "'$' is invalid", "NAME = VALUE"},
     {"depth = 3;", "@include \"/etc/passwd\"", 4, "include", "may not include other files"},
     /* Keys and brackets. */
     {"depth = 3", "dpeth = 3", 4, "unknown key 'dpeth' of the scene", "did you mean 'depth'"},

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The USB/IP server's side of one guest, byte by byte: the list, attaching, transfers, and what
+/* The USB/IP server's side of one client, byte by byte: the list, attaching, transfers, and what
  * ends the visit. */
 #include "board_fixture.h"
 
@@ -8,8 +8,8 @@
 enum { HEADER = 48, SEEN_SIZE = 4096 };
 
 static struct usb_device device;
-static struct usbip_guest guest;
-static uint8_t seen[SEEN_SIZE]; /* what the guest was sent */
+static struct usbip_client client;
+static uint8_t seen[SEEN_SIZE]; /* what the client was sent */
 static size_t seen_count;
 
 static void see(void *context, const uint8_t *bytes, size_t count) {
@@ -34,7 +34,7 @@ static void put_number(uint8_t *bytes, uint32_t value) {
 static void arrive(bool is_busy, bool is_high_speed) {
     power_on(BOARD_1987);
     usb_device_init(&device, &board_bus.bus, 0x00D0, "GUEST", is_high_speed);
-    usbip_guest_init(&guest, &device, is_busy, see, &seen);
+    usbip_client_init(&client, &device, is_busy, see, &seen);
     seen_count = 0;
 }
 
@@ -42,7 +42,7 @@ static void arrive(bool is_busy, bool is_high_speed) {
 static void import(const char *name) {
     uint8_t request[40] = {0x01, 0x11, 0x80, 0x03};
     strcpy((char *)request + 8, name);
-    usbip_guest_take(&guest, request, sizeof request);
+    usbip_client_take(&client, request, sizeof request);
 }
 
 /* Fills the stack below its caller: what a function leaves as it found it there shows. */
@@ -66,8 +66,8 @@ static void command(const uint32_t fields[8], const uint8_t *setup, const uint8_
     }
     seen_count = 0;
     poison_stack();
-    usbip_guest_take(&guest, bytes, sizeof bytes);
-    usbip_guest_take(&guest, data, count);
+    usbip_client_take(&client, bytes, sizeof bytes);
+    usbip_client_take(&client, data, count);
 }
 
 /* A transfer with a number; is_in: from the device. */
@@ -92,7 +92,7 @@ static void attach(void) {
     static const uint8_t set_configuration[8] = {0, 9, 1};
     arrive(false, true);
     import("1-1");
-    assert_true(guest.is_attached && !guest.is_over);
+    assert_true(client.is_attached && !client.is_over);
     submit(1, 0, false, 0, set_configuration, NULL);
     assert_answer(3, 1, 0, 0);
     assert_int_equal(device.configuration, 1);
@@ -103,7 +103,7 @@ static void the_list_names_the_device(void **state) {
     (void)state;
     for (int is_high = 0; is_high < 2; is_high++) {
         arrive(true, is_high); /* also to who comes while another has the device */
-        usbip_guest_take(&guest, request, sizeof request);
+        usbip_client_take(&client, request, sizeof request);
         assert_int_equal(seen_count, 8 + 4 + 312 + 8);
         assert_int_equal(number_at(0), 0x01110005);
         assert_int_equal(number_at(4), 0);
@@ -111,7 +111,7 @@ static void the_list_names_the_device(void **state) {
         assert_string_equal((const char *)seen + 12 + 256, "1-1");
         assert_int_equal(number_at(12 + 296), is_high ? 3 : 2);
         assert_int_equal(number_at(12 + 300), 0x12099801);
-        assert_true(guest.is_over);
+        assert_true(client.is_over);
     }
 }
 
@@ -172,7 +172,7 @@ static void every_byte_of_the_records_is_set(void **state) {
         if (is_import) {
             import("1-1");
         } else {
-            usbip_guest_take(&guest, request, sizeof request);
+            usbip_client_take(&client, request, sizeof request);
         }
         device = before; /* attaching resets it */
         assert_record(seen + (is_import ? 8 : 12), is_high ? 3 : 2);
@@ -189,11 +189,11 @@ static void only_a_free_device_of_that_name_is_given(void **state) {
     import("1-2");
     assert_int_equal(number_at(0), 0x01110003);
     assert_int_equal(number_at(4), 1);
-    assert_true(guest.is_over && !guest.is_attached);
+    assert_true(client.is_over && !client.is_attached);
     arrive(true, true);
     import("1-1");
     assert_int_equal(number_at(4), 2);
-    assert_string_equal(guest.reason, "another guest has the device");
+    assert_string_equal(client.reason, "another client has the device");
     arrive(false, true);
     import("1-1");
     assert_int_equal(number_at(4), 0);
@@ -206,9 +206,9 @@ static void bytes_may_come_one_by_one(void **state) {
     arrive(false, true);
     for (size_t i = 0; i < sizeof request; i++) {
         assert_int_equal(seen_count, 0);
-        usbip_guest_take(&guest, request + i, 1);
+        usbip_client_take(&client, request + i, 1);
     }
-    assert_true(guest.is_attached);
+    assert_true(client.is_attached);
 }
 
 static void strangers_are_sent_away(void **state) {
@@ -220,10 +220,10 @@ static void strangers_are_sent_away(void **state) {
     (void)state;
     for (size_t i = 0; i < 2; i++) {
         arrive(false, true);
-        usbip_guest_take(&guest, cases[i].request, 8);
-        assert_true(guest.is_over);
-        assert_non_null(strstr(guest.reason, cases[i].reason));
-        usbip_guest_take(&guest, cases[i].request, 8); /* nothing more is taken */
+        usbip_client_take(&client, cases[i].request, 8);
+        assert_true(client.is_over);
+        assert_non_null(strstr(client.reason, cases[i].reason));
+        usbip_client_take(&client, cases[i].request, 8); /* nothing more is taken */
         assert_int_equal(seen_count, 0);
     }
 }
@@ -249,7 +249,7 @@ static void control_transfers(void **state) {
     assert_answer(3, 6, -32, 0);
     submit(7, 0, false, 0, device_descriptor, NULL); /* setup says in, and 18 bytes */
     assert_answer(3, 7, -32, 0);
-    assert_false(guest.is_over);
+    assert_false(client.is_over);
 }
 
 static void transfers_wait_and_may_be_taken_back(void **state) {
@@ -261,13 +261,13 @@ static void transfers_wait_and_may_be_taken_back(void **state) {
     submit(11, 1, true, 512, NULL, NULL);
     submit(12, 1, true, 512, NULL, NULL);
     assert_int_equal(seen_count, 0);
-    assert_int_equal(guest.parked_count, 3);
+    assert_int_equal(client.parked_count, 3);
     command(unlink, NULL, NULL, 0);
     assert_answer(4, 20, -104, 0);
-    assert_int_equal(guest.parked_count, 2);
+    assert_int_equal(client.parked_count, 2);
     command(again, NULL, NULL, 0);
     assert_answer(4, 21, 0, 0); /* it is not there any more */
-    assert_int_equal(guest.parked[1].number, 12);
+    assert_int_equal(client.parked[1].number, 12);
 }
 
 /* A greeting over bulk is answered in the transfer that waits. */
@@ -284,7 +284,7 @@ static void what_waits_is_answered_when_there_is_something(void **state) {
     assert_int_equal(number_at(HEADER + 4), 30);
     assert_int_equal(seen_count, 2 * HEADER + number_at(HEADER + 24));
     assert_true(number_at(HEADER + 24) > 0);
-    assert_int_equal(guest.parked_count, 0);
+    assert_int_equal(client.parked_count, 0);
 }
 
 static void endpoints_that_are_none_stall(void **state) {
@@ -317,16 +317,16 @@ static void what_ends_the_visit(void **state) {
             put_number(bytes + 4 * j, cases[i].fields[j]);
         }
         put_number(bytes + 32, cases[i].packets);
-        usbip_guest_take(&guest, bytes, sizeof bytes);
-        assert_true(guest.is_over);
-        assert_non_null(strstr(guest.reason, cases[i].reason));
+        usbip_client_take(&client, bytes, sizeof bytes);
+        assert_true(client.is_over);
+        assert_non_null(strstr(client.reason, cases[i].reason));
     }
     attach();
     for (uint32_t i = 0; i <= USBIP_PARKED_MOST; i++) {
-        assert_false(guest.is_over);
+        assert_false(client.is_over);
         submit(100 + i, 1, true, 64, NULL, NULL);
     }
-    assert_string_equal(guest.reason, "too many of its transfers wait");
+    assert_string_equal(client.reason, "too many of its transfers wait");
 }
 
 static void packets_of_no_number_are_as_good_as_none(void **state) {
@@ -335,19 +335,19 @@ static void packets_of_no_number_are_as_good_as_none(void **state) {
     attach();
     put_number(bytes + 24, 64);
     put_number(bytes + 32, 0xFFFFFFFF);
-    usbip_guest_take(&guest, bytes, sizeof bytes);
-    assert_false(guest.is_over);
-    assert_int_equal(guest.parked_count, 1);
+    usbip_client_take(&client, bytes, sizeof bytes);
+    assert_false(client.is_over);
+    assert_int_equal(client.parked_count, 1);
 }
 
 static void leaving_resets_the_device(void **state) {
     (void)state;
     attach();
-    usbip_guest_leave(&guest);
-    assert_false(guest.is_attached);
+    usbip_client_leave(&client);
+    assert_false(client.is_attached);
     assert_int_equal(device.configuration, 0);
-    usbip_guest_leave(&guest); /* harmless when repeated */
-    assert_false(guest.is_attached);
+    usbip_client_leave(&client); /* harmless when repeated */
+    assert_false(client.is_attached);
 }
 
 int main(void) {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The finish and the optics of boundaries: one pair of objects after the other. */
-#include "stream/borders.h"
+#include "stream/boundaries.h"
 
 #include <string.h>
 
@@ -93,11 +93,11 @@ static struct meeting_place meeting_place(const struct scene *scene, uint32_t be
     return place;
 }
 
-/* Gives what a meeting place says to the lanes that are `here`. fresh: *border holds nothing yet,
+/* Gives what a meeting place says to the lanes that are `here`. fresh: *boundary holds nothing yet,
  * and the other lanes get 0. */
 static void apply_place(const struct meeting_place place, const uint32_t here[restrict LANES],
                         const uint32_t odd[restrict LANES], bool fresh,
-                        struct border_lanes *restrict border) {
+                        struct boundary_lanes *restrict boundary) {
     const real_colour black = REAL_COLOUR(0.0);
     const real_energy none = REAL_ENERGY(0.0);
     const real_index nought = REAL_INDEX(0.0);
@@ -109,27 +109,29 @@ static void apply_place(const struct meeting_place place, const uint32_t here[re
         struct colours ambient = {is_odd ? place.other_ambient.red : place.own_ambient.red,
                                   is_odd ? place.other_ambient.green : place.own_ambient.green,
                                   is_odd ? place.other_ambient.blue : place.own_ambient.blue};
-        border->colour.red[i] = is ? colour.red : fresh ? black : border->colour.red[i];
-        border->colour.green[i] = is ? colour.green : fresh ? black : border->colour.green[i];
-        border->colour.blue[i] = is ? colour.blue : fresh ? black : border->colour.blue[i];
-        border->ambient.red[i] = is ? ambient.red : fresh ? black : border->ambient.red[i];
-        border->ambient.green[i] = is ? ambient.green : fresh ? black : border->ambient.green[i];
-        border->ambient.blue[i] = is ? ambient.blue : fresh ? black : border->ambient.blue[i];
-        border->diffuse[i] = is ? place.diffuse : fresh ? none : border->diffuse[i];
-        border->specular[i] = is ? place.specular : fresh ? none : border->specular[i];
-        border->gloss[i] = is ? place.gloss : fresh ? 0 : border->gloss[i];
-        border->eta[i] = is ? place.eta : fresh ? nought : border->eta[i];
-        border->n[i] = is ? place.n : fresh ? nought : border->n[i];
-        border->bends[i] = is ? place.bends : fresh ? 0 : border->bends[i];
-        border->clear[i] = is ? place.clear : fresh ? 0 : border->clear[i];
+        boundary->colour.red[i] = is ? colour.red : fresh ? black : boundary->colour.red[i];
+        boundary->colour.green[i] = is ? colour.green : fresh ? black : boundary->colour.green[i];
+        boundary->colour.blue[i] = is ? colour.blue : fresh ? black : boundary->colour.blue[i];
+        boundary->ambient.red[i] = is ? ambient.red : fresh ? black : boundary->ambient.red[i];
+        boundary->ambient.green[i] = is      ? ambient.green
+                                     : fresh ? black
+                                             : boundary->ambient.green[i];
+        boundary->ambient.blue[i] = is ? ambient.blue : fresh ? black : boundary->ambient.blue[i];
+        boundary->diffuse[i] = is ? place.diffuse : fresh ? none : boundary->diffuse[i];
+        boundary->specular[i] = is ? place.specular : fresh ? none : boundary->specular[i];
+        boundary->gloss[i] = is ? place.gloss : fresh ? 0 : boundary->gloss[i];
+        boundary->eta[i] = is ? place.eta : fresh ? nought : boundary->eta[i];
+        boundary->n[i] = is ? place.n : fresh ? nought : boundary->n[i];
+        boundary->bends[i] = is ? place.bends : fresh ? 0 : boundary->bends[i];
+        boundary->clear[i] = is ? place.clear : fresh ? 0 : boundary->clear[i];
     }
 }
 
-void borders_find(const struct scene *scene, const struct hit_lanes *restrict hit,
-                  struct border_lanes *restrict border) {
+void boundaries_find(const struct scene *scene, const struct hit_lanes *restrict hit,
+                     struct boundary_lanes *restrict boundary) {
     uint32_t left[LANES], here[LANES], odd[LANES];
     bool fresh = true;
-    border->gloss_most = 0;
+    boundary->gloss_most = 0;
     for (int i = 0; i < LANES; i++) {
         left[i] = hit->is[i];
     }
@@ -146,11 +148,12 @@ void borders_find(const struct scene *scene, const struct hit_lanes *restrict hi
         if (place.pattern) {
             find_cells(scene, place.pattern, hit, place.is_behind, odd);
         }
-        apply_place(place, here, odd, fresh, border);
+        apply_place(place, here, odd, fresh, boundary);
         fresh = false;
-        border->gloss_most = place.gloss > border->gloss_most ? place.gloss : border->gloss_most;
+        boundary->gloss_most =
+            place.gloss > boundary->gloss_most ? place.gloss : boundary->gloss_most;
     }
     if (fresh) {
-        memset(border, 0, sizeof *border);
+        memset(boundary, 0, sizeof *boundary);
     }
 }

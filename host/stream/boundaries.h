@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /* What the two objects on both sides of each lane's boundary make of that boundary. */
-#ifndef SUPERFRAME_BORDERS_H
-#define SUPERFRAME_BORDERS_H
+#ifndef SUPERFRAME_BOUNDARIES_H
+#define SUPERFRAME_BOUNDARIES_H
 
 #include "stream/hits.h"
 
 /* All of it is 0 in the lanes without a boundary. */
-struct border_lanes {
+struct boundary_lanes {
     struct colour_lanes colour;  /* Ic there */
     struct colour_lanes ambient; /* the ambient term of Eq. (1) */
     real_energy diffuse[LANES];
@@ -19,7 +19,7 @@ struct border_lanes {
     uint32_t gloss_most;
 };
 
-void borders_find(const struct scene *scene, const struct hit_lanes *hit,
-                  struct border_lanes *border);
+void boundaries_find(const struct scene *scene, const struct hit_lanes *hit,
+                     struct boundary_lanes *boundary);
 
 #endif
