@@ -22,7 +22,7 @@ entries() {
         grep -o -- '--[a-z][a-z-]*[a-z]' | sort -u
 }
 
-commands=$("$SUPERFRAME" --help | sed -n 's/^  \([a-z]*\) .*/\1/p')
+commands=$("$SUPERFRAME" --help | sed -n '/^superframe help/q; s/^  \([a-z]*\) .*/\1/p')
 [ -n "$commands" ] || complain "$SUPERFRAME --help lists no command"
 known=$(entries $page docs/superframe-trace.1)
 all=

@@ -237,7 +237,7 @@ static void work(struct server *server) {
     }
 }
 
-int run_adapter(const struct options *options) {
+static int run_adapter(const struct options *options) {
     struct server *server = calloc(1, sizeof *server);
     if (server == NULL) {
         complain("out of memory");
@@ -263,3 +263,58 @@ int run_adapter(const struct options *options) {
     free(server);
     return status;
 }
+
+static const char *printed(const struct options *options) {
+    (void)options;
+    return "where the adapter listens";
+}
+
+static enum value_verdict set_serial(struct options *options, const char *value) {
+    size_t length =
+        strspn(value, "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-");
+    options->adapter.serial = value;
+    return option_verdict(length >= 1 && length <= USB_SERIAL_MOST && value[length] == '\0');
+}
+
+static const struct option_entry own_entries[] = {
+    {.name = "output",
+     .letter = 'o',
+     .value = "FILE.png",
+     .type = OPTION_TEXT,
+     OPTION_MEMBER(output),
+     .role = ROLE_RESULT,
+     .help = "the board's picture when the adapter ends"},
+    {.name = "listen",
+     .value = "ADDRESS[:PORT]",
+     .type = OPTION_TEXT,
+     OPTION_MEMBER(adapter.listen),
+     .allowed = "an address in numbers, a port",
+     .help = "where clients may come from USB/IP (127.0.0.1:3240)"},
+    {.name = "serial",
+     .value = "SERIAL",
+     .type = OPTION_OWN,
+     .set = set_serial,
+     .allowed = "1 to 31 letters, digits and dashes",
+     .help = "the virtual adapter's serial number (VIRTUAL)"},
+    {.name = "once",
+     .type = OPTION_FLAG,
+     OPTION_MEMBER(adapter.once),
+     .help = "end when the first client leaves"},
+    {.name = NULL}};
+static const struct option_group group_own = {"Adapter", own_entries};
+
+static const struct option_group *const groups[] = {&group_own, &group_board, NULL};
+static const char *const examples[] = {"adapter -o screen.png",
+                                       "adapter --listen 127.0.0.1:0 --once", NULL};
+
+const struct command command_adapter = {
+    .name = "adapter",
+    .operands = "",
+    .summary = "Be a virtual USB adapter with the emulated board behind it.",
+    .least = 0,
+    .most = 0,
+    .kind = OPERANDS_NONE,
+    .groups = groups,
+    .examples = examples,
+    .printed = printed,
+    .run = run_adapter};

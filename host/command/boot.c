@@ -128,7 +128,7 @@ static int judge(const struct boot_run *run) {
     return session_judge(&run->session);
 }
 
-int run_boot(const struct options *options) {
+static int run_boot(const struct options *options) {
     struct boot_run run;
     memset(&run, 0, sizeof run);
     run.options = options;
@@ -148,3 +148,43 @@ int run_boot(const struct options *options) {
     free(run.disk);
     return status;
 }
+
+static const char *const cpus[] = {"386", NULL};
+static const struct option_entry own_entries[] = {
+    {.name = "cpu",
+     .value = "CPU",
+     .type = OPTION_WORD,
+     .words = cpus,
+     .help = "the CPU that runs the image (386)"},
+    {.name = "instructions",
+     .value = "N",
+     .type = OPTION_WHOLE,
+     OPTION_MEMBER(instructions_most),
+     .least = 1,
+     .most = 1e15,
+     .help = "end as failed after so many (200000000000)"},
+    {.name = "escape",
+     .value = "N",
+     .type = OPTION_WHOLE,
+     OPTION_MEMBER(escape_after),
+     .least = 1,
+     .most = 1e15,
+     .help = "press Esc when the keyboard has been asked N times"},
+    {.name = NULL}};
+static const struct option_group group_own = {"CPU", own_entries};
+
+static const struct option_group *const groups[] = {
+    &group_result, &group_statistics, &group_recording, &group_own, &group_quiet,
+    &group_board,  &group_screen,     &group_faults,    NULL};
+static const char *const examples[] = {
+    "boot fig3.hdm -o screen.png", "boot probe.hdm --escape 100 --instructions 1000000000", NULL};
+
+const struct command command_boot = {.name = "boot",
+                                     .operands = "IMAGE.hdm",
+                                     .summary = "Run a PC-98 floppy image on an emulated CPU.",
+                                     .least = 1,
+                                     .most = 1,
+                                     .kind = OPERANDS_FILES,
+                                     .groups = groups,
+                                     .examples = examples,
+                                     .run = run_boot};

@@ -125,7 +125,7 @@ static int print_check(const struct scene_description *scene, const struct compi
     return status != STATUS_DONE ? status : held;
 }
 
-int run_check(const struct options *options) {
+static int run_check(const struct options *options) {
     struct scene_error error;
     struct scene_description *scene = load_scene(options->operands[0], &error);
     if (scene == NULL) {
@@ -143,3 +143,25 @@ int run_check(const struct options *options) {
     scene_description_free(scene);
     return status;
 }
+
+static const struct option_entry own_entries[] = {
+    {.name = "validate",
+     .type = OPTION_FLAG,
+     OPTION_MEMBER(validates),
+     .help =
+         "hold the tables against the scene after each step of the compiler; exit status 3 if not"},
+    {.name = NULL}};
+static const struct option_group group_own = {"Result", own_entries};
+
+static const struct option_group *const groups[] = {&group_own, &group_scene, NULL};
+static const char *const examples[] = {"check fig3", "check my.scene --validate", NULL};
+
+const struct command command_check = {.name = "check",
+                                      .operands = "SCENE",
+                                      .summary = "Read and analyse a scene; say what it requires.",
+                                      .least = 1,
+                                      .most = 1,
+                                      .kind = OPERANDS_SCENES,
+                                      .groups = groups,
+                                      .examples = examples,
+                                      .run = run_check};

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The sub-commands of superframe: their table, and the function that runs each. */
+/* The sub-commands of superframe, each of which describes itself at the end of its own file. */
 #ifndef SUPERFRAME_COMMAND_H
 #define SUPERFRAME_COMMAND_H
 
@@ -8,21 +8,17 @@
 
 #define SUPERFRAME_VERSION "0.1.0"
 
-extern const struct command commands[]; /* in the order of enum command_id */
+/* The commands in the order of the help, in a list that make writes; NULL ends the list. */
+extern const struct command *const commands_built[];
 
-int run_render(const struct options *options);
-int run_scenes(const struct options *options);
-int run_check(const struct options *options);
-int run_boot(const struct options *options);
-int run_compile(const struct options *options);
-int run_export(const struct options *options);
-int run_tree(const struct options *options);
-int run_replay(const struct options *options);
-int run_devices(const struct options *options);
-int run_adapter(const struct options *options);
-int run_compare(const struct options *options);
-int run_measure(const struct options *options);
-int run_paper(const struct options *options);
-int run_trace(const struct options *options);
+/* Finds a command; NULL if there is none of that name. */
+const struct command *command_find(const char *name);
+
+/* Refuses a command that there is none of, with the one that may be meant. Returns an exit status.
+ */
+int command_unknown(const char *name);
+
+/* Prints what the program is, its commands and its exit statuses. */
+void program_print_help(FILE *out);
 
 #endif

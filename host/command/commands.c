@@ -1,32 +1,46 @@
 /* SPDX-License-Identifier: MIT */
-/* The table of sub-commands. */
-#include <stddef.h>
+/* The list of sub-commands: found, misspelled, told of. */
+#include <string.h>
 
+#include "base/nearest.h"
 #include "command/command.h"
 
-const struct command commands[] = {
-    {COMMAND_RENDER, "render", "SCENE",
-     "Render a scene through firmware, ports and board to a picture.", 1, 1, run_render},
-    {COMMAND_SCENES, "scenes", "", "List the built-in scenes: name, tab, one sentence.", 0, 0,
-     run_scenes},
-    {COMMAND_CHECK, "check", "SCENE", "Read and analyse a scene; say what it requires.", 1, 1,
-     run_check},
-    {COMMAND_COMPILE, "compile", "SCENE", "Write a scene as const tables for a firmware image.", 1,
-     1, run_compile},
-    {COMMAND_EXPORT, "export", "SCENE", "Write a scene for POV-Ray.", 1, 1, run_export},
-    {COMMAND_TREE, "tree", "SCENE X Y", "Print the tree of rays of one pixel.", 3, 3, run_tree},
-    {COMMAND_REPLAY, "replay", "TRACE...", "Play port traces on the emulated board.", 1, 1000,
-     run_replay},
-    {COMMAND_COMPARE, "compare", "A.png B.png",
-     "Measure how far two pictures of the same size are apart.", 1, 3, run_compare},
-    {COMMAND_MEASURE, "measure", "[SCENE...]", "Measure speed against accuracy.", 0, 1000,
-     run_measure},
-    {COMMAND_PAPER, "paper", "", "Make every figure of the paper, and measure its claims.", 0, 0,
-     run_paper},
-    {COMMAND_DEVICES, "devices", "", "List the adapters that are plugged in.", 0, 0, run_devices},
-    {COMMAND_ADAPTER, "adapter", "", "Be a virtual USB adapter with the emulated board behind it.",
-     0, 0, run_adapter},
-    {COMMAND_TRACE, "trace", "TRACE", "Tell a port trace in words.", 1, 1, run_trace},
-    {COMMAND_BOOT, "boot", "IMAGE.hdm", "Run a PC-98 floppy image on an emulated CPU.", 1, 1,
-     run_boot},
-    {COMMAND_COUNT, NULL, NULL, NULL, 0, 0, NULL}};
+enum { COMMANDS_MOST = 32, SUMMARY_COLUMN = 27 };
+
+const struct command *command_find(const char *name) {
+    for (size_t i = 0; commands_built[i] != NULL; i++) {
+        if (strcmp(commands_built[i]->name, name) == 0) {
+            return commands_built[i];
+        }
+    }
+    return NULL;
+}
+
+int command_unknown(const char *name) {
+    const char *names[COMMANDS_MOST + 1] = {NULL};
+    for (size_t i = 0; i < COMMANDS_MOST && commands_built[i] != NULL; i++) {
+        names[i] = commands_built[i]->name;
+    }
+    const char *near = nearest_word(name, names);
+    return near != NULL ? bad_input("no command \"%.100s\"; did you mean %s?", name, near)
+                        : bad_input("no command \"%.100s\"; superframe --help lists them", name);
+}
+
+void program_print_help(FILE *out) {
+    (void)fputs("superframe renders ray-traced scenes for the SuperFrame board.\n\n"
+                "usage: superframe COMMAND ...\n\n",
+                out);
+    for (size_t i = 0; commands_built[i] != NULL; i++) {
+        const struct command *command = commands_built[i];
+        int used = fprintf(out, "  %-10s %s", command->name, command->operands);
+        (void)fprintf(out, "%*s", used < SUMMARY_COLUMN ? SUMMARY_COLUMN - used : 1, "");
+        help_print_wrapped(out, command->summary, SUMMARY_COLUMN, SUMMARY_COLUMN);
+    }
+    (void)fputs("\nsuperframe help COMMAND says more. superframe --version is the version.\n"
+                "Exit status: 0 done, 1 failed while working, 2 bad usage or input,\n"
+                "3 a strict check or a comparison did not hold, 130 interrupted.\n\n"
+                "For example:\n"
+                "  superframe render fig3\n"
+                "  superframe help render\n",
+                out);
+}

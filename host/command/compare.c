@@ -316,7 +316,7 @@ static int take_operands(struct compared *all) {
     return status;
 }
 
-int run_compare(const struct options *options) {
+static int run_compare(const struct options *options) {
     struct compared all;
     memset(&all, 0, sizeof all);
     all.options = options;
@@ -344,3 +344,55 @@ int run_compare(const struct options *options) {
     }
     return status;
 }
+
+static const char *printed(const struct options *options) {
+    (void)options;
+    return "the report";
+}
+
+static const struct option_entry own_entries[] = {
+    {.name = "within",
+     .value = "LSB",
+     .type = OPTION_WHOLE,
+     OPTION_MEMBER(within),
+     .most = 255,
+     .help = "the difference that a channel may have (1)"},
+    {.name = "share",
+     .value = "PERCENT",
+     .type = OPTION_REAL,
+     OPTION_MEMBER(share),
+     .most = 100,
+     .help = "the pixels that must be within it (99.9)"},
+    {.name = "json", .type = OPTION_FLAG, OPTION_MEMBER(json), .help = "print JSON"},
+    {.name = "difference",
+     .value = "FILE.png",
+     .type = OPTION_TEXT,
+     OPTION_MEMBER(difference),
+     .role = ROLE_RESULT,
+     .allowed = "a file's name or -",
+     .help =
+         "write a picture of where they differ: blue 1 LSB, green 2, yellow 4, red 9, white 33"},
+    {.name = "signatures",
+     .value = "FILE",
+     .type = OPTION_TEXT,
+     OPTION_MEMBER(signatures),
+     .role = ROLE_INPUT,
+     .help = "the hashes of paths that render wrote; one more file is an operand"},
+    {.name = NULL}};
+static const struct option_group group_own = {"Result", own_entries};
+
+static const struct option_group *const groups[] = {&group_own, NULL};
+static const char *const examples[] = {"compare a.png b.png --within 2 --share 99",
+                                       "compare a.png b.png --json --difference where.png", NULL};
+
+const struct command command_compare = {
+    .name = "compare",
+    .operands = "A.png B.png",
+    .summary = "Measure how far two pictures of the same size are apart.",
+    .least = 1,
+    .most = 3,
+    .kind = OPERANDS_FILES,
+    .groups = groups,
+    .examples = examples,
+    .printed = printed,
+    .run = run_compare};

@@ -12,7 +12,7 @@
 
 enum { NAME_SIZE = 128 };
 
-int run_compile(const struct options *options) {
+static int run_compile(const struct options *options) {
     struct output output;
     struct scene_error error;
     char name[NAME_SIZE];
@@ -37,3 +37,32 @@ int run_compile(const struct options *options) {
     free(compiled);
     return status;
 }
+
+static bool check_compile(const struct options *options, struct options_error *error) {
+    return options->output != NULL ||
+           options_refuse(error, "compile: -o FILE.c is missing; -o - is standard output");
+}
+
+static const struct option_entry own_entries[] = {
+    {.name = "minimal",
+     .type = OPTION_FLAG,
+     OPTION_MEMBER(minimal),
+     .help = "write the feature_set.h of an image for this scene alone"},
+    {.name = NULL}};
+static const struct option_group group_own = {"Result", own_entries};
+
+static const struct option_group *const groups[] = {&group_result, &group_own, &group_scene, NULL};
+static const char *const examples[] = {"compile fig3 -o fig3.c",
+                                       "compile my.scene --minimal -o feature_set.h", NULL};
+
+const struct command command_compile = {.name = "compile",
+                                        .operands = "SCENE",
+                                        .summary =
+                                            "Write a scene as const tables for a firmware image.",
+                                        .least = 1,
+                                        .most = 1,
+                                        .kind = OPERANDS_SCENES,
+                                        .groups = groups,
+                                        .examples = examples,
+                                        .check = check_compile,
+                                        .run = run_compile};

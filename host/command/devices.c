@@ -25,7 +25,7 @@ static bool list_adapters(const char *name) {
     return true;
 }
 
-int run_devices(const struct options *options) {
+static int run_devices(const struct options *options) {
     (void)options;
     bool is_any_listed = false;
     for (size_t i = 0; usb_backend_names[i] != NULL; i++) {
@@ -33,3 +33,16 @@ int run_devices(const struct options *options) {
     }
     return is_any_listed ? STATUS_DONE : STATUS_FAILED;
 }
+
+static const struct option_group *const groups[] = {NULL};
+static const char *const examples[] = {"devices", "devices | grep ^usb", NULL};
+
+const struct command command_devices = {.name = "devices",
+                                        .operands = "",
+                                        .summary = "List the adapters that are plugged in.",
+                                        .least = 0,
+                                        .most = 0,
+                                        .kind = OPERANDS_NONE,
+                                        .groups = groups,
+                                        .examples = examples,
+                                        .run = run_devices};

@@ -25,7 +25,7 @@ static int write_source(const char *path, const struct scene_description *descri
     return output_commit(&output) ? STATUS_DONE : STATUS_FAILED;
 }
 
-int run_export(const struct options *options) {
+static int run_export(const struct options *options) {
     struct scene_error error;
     struct scene_description *description = load_scene(options->operands[0], &error);
     if (description == NULL) {
@@ -43,3 +43,33 @@ int run_export(const struct options *options) {
     scene_description_free(description);
     return status;
 }
+
+static bool check_export(const struct options *options, struct options_error *error) {
+    if (!options->pov) {
+        return options_refuse(error, "export: --pov is missing; it is the only kind of source");
+    }
+    return options->output != NULL ||
+           options_refuse(error, "export: -o FILE is missing; -o - is standard output");
+}
+
+static const struct option_entry own_entries[] = {{.name = "pov",
+                                                   .type = OPTION_FLAG,
+                                                   OPTION_MEMBER(pov),
+                                                   .help = "write source for POV-Ray 3.7"},
+                                                  {.name = NULL}};
+static const struct option_group group_own = {"Result", own_entries};
+
+static const struct option_group *const groups[] = {&group_result, &group_own, &group_scene, NULL};
+static const char *const examples[] = {"export fig3 --pov -o fig3.pov",
+                                       "export my.scene --pov --depth 20 -o -", NULL};
+
+const struct command command_export = {.name = "export",
+                                       .operands = "SCENE",
+                                       .summary = "Write a scene for POV-Ray.",
+                                       .least = 1,
+                                       .most = 1,
+                                       .kind = OPERANDS_SCENES,
+                                       .groups = groups,
+                                       .examples = examples,
+                                       .check = check_export,
+                                       .run = run_export};

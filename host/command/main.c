@@ -8,17 +8,6 @@
 
 #include "command/command.h"
 
-static void print_help(void) {
-    (void)printf("superframe renders ray-traced scenes for the SuperFrame board.\n\n"
-                 "usage: superframe COMMAND ...\n\n");
-    for (const struct command *command = commands; command->name != NULL; command++) {
-        (void)printf("  %-9s %-12s %s\n", command->name, command->operands, command->summary);
-    }
-    (void)printf("\nsuperframe COMMAND --help says more. superframe --version is the version.\n"
-                 "Exit status: 0 done, 1 failed while working, 2 bad usage or input,\n"
-                 "3 a strict check or a comparison did not hold, 130 interrupted.\n");
-}
-
 static int run_command(const struct command *command, int argc, char **argv) {
     struct options options;
     struct options_error error = {""};
@@ -26,9 +15,7 @@ static int run_command(const struct command *command, int argc, char **argv) {
         return bad_input("%s", error.text);
     }
     if (options.help) {
-        (void)printf("%s\n\nusage: superframe %s %s [options]\n\n", command->summary, command->name,
-                     command->operands);
-        options_print(stdout, command->id);
+        command_print_help(stdout, command);
         return STATUS_DONE;
     }
     return command->run(&options);
@@ -38,20 +25,17 @@ static int dispatch(int argc, char **argv) {
     if (argc < 2) {
         return bad_input("a command is missing; superframe --help lists them");
     }
-    if (strcmp(argv[1], "--help") == 0) {
-        print_help();
+    const char *name = argv[1];
+    if (strcmp(name, "--help") == 0 || strcmp(name, "-h") == 0) {
+        program_print_help(stdout);
         return STATUS_DONE;
     }
-    if (strcmp(argv[1], "--version") == 0) {
+    if (strcmp(name, "--version") == 0 || strcmp(name, "-V") == 0) {
         (void)printf("superframe %s\n", SUPERFRAME_VERSION);
         return STATUS_DONE;
     }
-    for (const struct command *command = commands; command->name != NULL; command++) {
-        if (strcmp(argv[1], command->name) == 0) {
-            return run_command(command, argc - 1, argv + 1);
-        }
-    }
-    return bad_input("no command \"%.100s\"; superframe --help lists them", argv[1]);
+    const struct command *command = command_find(name);
+    return command != NULL ? run_command(command, argc - 1, argv + 1) : command_unknown(name);
 }
 
 /* Occupies standard streams that are closed when the program starts. The next file opened would

@@ -55,7 +55,7 @@ static int make_folder(struct measure *measure) {
     return STATUS_DONE;
 }
 
-int run_measure(const struct options *options) {
+static int run_measure(const struct options *options) {
     static int (*const steps[])(struct measure *) = {take_scenes,    measure_plan, make_folder,
                                                      measure_resume, measure_run,  measure_plot,
                                                      measure_report};
@@ -75,3 +75,27 @@ int run_measure(const struct options *options) {
     free(measure);
     return status;
 }
+
+static bool check_measure(const struct options *options, struct options_error *error) {
+    if (options->overrides.has_colour && options->overrides.colour == COLOUR_EXPOSURES) {
+        return options_refuse(error, "measure: --colour exposures is not measured; allowed is: "
+                                     "full, bits:1..bits:8 or dither");
+    }
+    return options->output != NULL || options_refuse(error, "measure: -o FOLDER is missing");
+}
+
+static const struct option_group *const groups[] = {&group_folder, &group_measured, &group_jobs,
+                                                    &group_quiet, NULL};
+static const char *const examples[] = {"measure -o trade --jobs 2",
+                                       "measure my.scene --arith fx --size 160x100 -o trade", NULL};
+
+const struct command command_measure = {.name = "measure",
+                                        .operands = "[SCENE...]",
+                                        .summary = "Measure speed against accuracy.",
+                                        .least = 0,
+                                        .most = 1000,
+                                        .kind = OPERANDS_SCENES,
+                                        .groups = groups,
+                                        .examples = examples,
+                                        .check = check_measure,
+                                        .run = run_measure};

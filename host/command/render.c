@@ -6,11 +6,13 @@
 
 #include "adapter/open.h"
 #include "base/interrupt.h"
+#include "base/numbers.h"
 #include "base/output.h"
 #include "base/stopwatch.h"
 #include "board/camera.h"
 #include "board/session.h"
 #include "command/command.h"
+#include "options/bus.h"
 #include "ports_linux.h"
 #include "render/arithmetic.h"
 #include "render/progress.h"
@@ -36,23 +38,21 @@ struct render_run {
     struct render_totals totals;
 };
 
-/* Returns the name of the file where the picture goes; NULL: there is no picture. */
-static const char *picture_name(struct render_run *run) {
-    if (run->options->bus != BUS_CHOICE_EMULATOR) {
+/* Names the picture where -o is not given; NULL: there is no picture. */
+static const char *default_output(const struct options *options, char *buffer, size_t size) {
+    if (options->bus != BUS_CHOICE_EMULATOR) {
         return NULL;
     }
-    if (run->options->output != NULL) {
-        return run->options->output;
-    }
-    scene_picture_name(run->scene_name, run->default_name, NAME_SIZE);
-    return run->default_name;
+    scene_picture_name(options->operands[0], buffer, size);
+    return buffer;
 }
 
 /* Opens all results before the work begins: a name that can't be written is known at once. */
 static int open_results(struct render_run *run) {
     const struct options *options = run->options;
     const struct session_files files = {
-        .picture = picture_name(run),
+        .picture = options->output != NULL ? options->output
+                                           : default_output(options, run->default_name, NAME_SIZE),
         .trace = options->bus == BUS_CHOICE_TRACE ? options->bus_file : options->trace,
         .stats = options->stats};
     int status = session_open(&run->session, &files);
@@ -266,7 +266,7 @@ static int judge(const struct render_run *run) {
     return session_judge(&run->session);
 }
 
-int run_render(const struct options *options) {
+static int run_render(const struct options *options) {
     struct render_run run;
     memset(&run, 0, sizeof run);
     run.options = options;
@@ -292,3 +292,60 @@ int run_render(const struct options *options) {
     free(run.compiled);
     return status;
 }
+
+/* ---- The command ---------------------------------------------------------------------------- */
+
+static enum value_verdict set_rows(struct options *options, const char *value) {
+    uint64_t first, last;
+    if (!value_pair(value, ':', 0, BOARD_HEIGHT, BOARD_HEIGHT, &first, &last) || first >= last) {
+        return VALUE_WRONG;
+    }
+    options->has_rows = true;
+    options->first_row = (unsigned)first;
+    options->last_row = (unsigned)last;
+    return VALUE_TAKEN;
+}
+
+static const struct option_entry own_entries[] = {
+    {.name = "rows",
+     .value = "A:B",
+     .type = OPTION_OWN,
+     .set = set_rows,
+     .allowed = "A:B with 0 <= A < B <= 400",
+     .help = "only rows A..B-1; the others are not touched"},
+    {.name = "keep-exposures",
+     .value = "FOLDER",
+     .type = OPTION_TEXT,
+     OPTION_MEMBER(keep_exposures),
+     .role = ROLE_EXPOSURES,
+     .allowed = "a folder's name",
+     .help = "write the eight 8-colour pictures of --colour exposures too"},
+    {.name = "signatures",
+     .value = "FILE",
+     .type = OPTION_TEXT,
+     OPTION_MEMBER(signatures),
+     .role = ROLE_RESULT,
+     .help = "write a hash of each pixel's path, for compare"},
+    {.name = NULL}};
+static const struct option_group group_own = {"Result", own_entries};
+
+static const struct option_group *const groups[] = {
+    &group_result, &group_statistics, &group_recording, &group_own,
+    &group_scene,  &group_arithmetic, &group_jobs,      &group_quiet,
+    &group_board,  &group_screen,     &group_faults,    &group_bus,
+    NULL};
+static const char *const examples[] = {"render fig3 --depth 4 -o four.png",
+                                       "render my.scene --error 1 --arith f64 --jobs 4", NULL};
+
+const struct command command_render = {
+    .name = "render",
+    .operands = "SCENE",
+    .summary = "Render a scene through firmware, ports and board to a picture.",
+    .least = 1,
+    .most = 1,
+    .kind = OPERANDS_SCENES,
+    .groups = groups,
+    .examples = examples,
+    .default_output = default_output,
+    .check = bus_check,
+    .run = run_render};

@@ -80,7 +80,7 @@ static int write_results(struct replay_run *run) {
                                                                          : STATUS_FAILED;
 }
 
-int run_replay(const struct options *options) {
+static int run_replay(const struct options *options) {
     struct replay_run run;
     memset(&run, 0, sizeof run);
     run.options = options;
@@ -99,3 +99,26 @@ int run_replay(const struct options *options) {
     free(run.reader);
     return status;
 }
+
+static bool check_replay(const struct options *options, struct options_error *error) {
+    return options->output != NULL || options->stats != NULL || options->board.strict ||
+           options_refuse(error, "replay: -o FILE.png is missing (or --stats or --strict)");
+}
+
+static const struct option_group *const groups[] = {
+    &group_result, &group_statistics, &group_board_of_trace,
+    &group_screen, &group_faults,     &group_stop,
+    NULL};
+static const char *const examples[] = {"replay my.trace -o screen.png",
+                                       "replay my.trace --strict --stop 10000 --stats -", NULL};
+
+const struct command command_replay = {.name = "replay",
+                                       .operands = "TRACE...",
+                                       .summary = "Play port traces on the emulated board.",
+                                       .least = 1,
+                                       .most = 1000,
+                                       .kind = OPERANDS_FILES,
+                                       .groups = groups,
+                                       .examples = examples,
+                                       .check = check_replay,
+                                       .run = run_replay};

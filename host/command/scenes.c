@@ -6,7 +6,7 @@
 #include "scene/builtin.h"
 #include "scene/load.h"
 
-int run_scenes(const struct options *options) {
+static int run_scenes(const struct options *options) {
     (void)options;
     for (size_t i = 0; i < builtin_scene_count; i++) {
         struct scene_error error;
@@ -19,3 +19,17 @@ int run_scenes(const struct options *options) {
     }
     return STATUS_DONE;
 }
+
+static const struct option_group *const groups[] = {NULL};
+static const char *const examples[] = {"scenes", "scenes | cut -f 1", NULL};
+
+const struct command command_scenes = {.name = "scenes",
+                                       .operands = "",
+                                       .summary =
+                                           "List the built-in scenes: name, tab, one sentence.",
+                                       .least = 0,
+                                       .most = 0,
+                                       .kind = OPERANDS_NONE,
+                                       .groups = groups,
+                                       .examples = examples,
+                                       .run = run_scenes};

@@ -244,7 +244,7 @@ static int compare(const struct options *options) {
     return status;
 }
 
-int run_trace(const struct options *options) {
+static int run_trace(const struct options *options) {
     if (options->tracing.against != NULL) {
         return compare(options);
     }
@@ -259,3 +259,73 @@ int run_trace(const struct options *options) {
                                                 .board = &options->board};
     return trace_convert(&conversion);
 }
+
+static const char *printed(const struct options *options) {
+    const struct trace_options *tracing = &options->tracing;
+    return tracing->lists || tracing->counts || tracing->judges ? "what is told" : NULL;
+}
+
+/* Checks that no options of the command exclude each other. */
+static bool check_trace(const struct options *options, struct options_error *error) {
+    const struct trace_options *tracing = &options->tracing;
+    bool tells = printed(options) != NULL || options->board.strict;
+    if (tracing->against != NULL && (tracing->converts || tells || options->output != NULL)) {
+        return options_refuse(error, "--compare goes with --profile and --base only");
+    }
+    if (tracing->converts && tells) {
+        return options_refuse(error, "--to goes with --profile, --base, --stop and -o only");
+    }
+    if (tracing->converts &&
+        (options->board.native != NULL || options->board.picture != PICTURE_KIND_SCREEN)) {
+        return options_refuse(error,
+                              "--to makes a trace, no picture: not with --native or --picture");
+    }
+    return true;
+}
+
+static const char *const forms[] = {[TRACE_BINARY] = "binary", [TRACE_TEXT] = "text", NULL};
+static const struct option_entry own_entries[] = {
+    {.name = "list",
+     .type = OPTION_FLAG,
+     OPTION_MEMBER(tracing.lists),
+     .help = "print every access in words"},
+    {.name = "statistics",
+     .type = OPTION_FLAG,
+     OPTION_MEMBER(tracing.counts),
+     .help = "print what was written how often, pixels touched, and what it costs"},
+    {.name = "violations",
+     .type = OPTION_FLAG,
+     OPTION_MEMBER(tracing.judges),
+     .help = "print each violation with the number of its access"},
+    {.name = "compare",
+     .value = "TRACE",
+     .type = OPTION_TEXT,
+     OPTION_MEMBER(tracing.against),
+     .role = ROLE_INPUT,
+     .help = "print the first difference from another trace; none: exit status 0, else 3"},
+    {.name = "to",
+     .value = "FORM",
+     .type = OPTION_WORD,
+     OPTION_MEMBER(tracing.to),
+     OPTION_GIVEN(tracing.converts),
+     .words = forms,
+     .help = "convert to -o FILE"},
+    {.name = NULL}};
+static const struct option_group group_own = {"Trace", own_entries};
+
+static const struct option_group *const groups[] = {
+    &group_result, &group_own, &group_board_of_trace, &group_screen, &group_stop, NULL};
+static const char *const examples[] = {"trace my.trace --list | head",
+                                       "trace my.trace --statistics --violations", NULL};
+
+const struct command command_trace = {.name = "trace",
+                                      .operands = "TRACE",
+                                      .summary = "Tell a port trace in words.",
+                                      .least = 1,
+                                      .most = 1,
+                                      .kind = OPERANDS_FILES,
+                                      .groups = groups,
+                                      .examples = examples,
+                                      .printed = printed,
+                                      .check = check_trace,
+                                      .run = run_trace};

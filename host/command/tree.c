@@ -51,7 +51,7 @@ static int grow_and_print(const struct options *options, const struct compiled_s
     return status;
 }
 
-int run_tree(const struct options *options) {
+static int run_tree(const struct options *options) {
     struct scene_error error;
     uint64_t x, y;
     struct compiled_scene *compiled =
@@ -71,3 +71,23 @@ int run_tree(const struct options *options) {
     free(compiled);
     return status;
 }
+
+static const struct option_entry own_entries[] = {
+    {.name = "dot", .type = OPTION_FLAG, OPTION_MEMBER(dot), .help = "a graph for Graphviz"},
+    {.name = NULL}};
+static const struct option_group group_own = {"Result", own_entries};
+
+static const struct option_group *const groups[] = {&group_result, &group_own, &group_scene,
+                                                    &group_arithmetic, NULL};
+static const char *const examples[] = {"tree fig3 100 80",
+                                       "tree fig3 100 80 --dot | dot -Tpng -o tree.png", NULL};
+
+const struct command command_tree = {.name = "tree",
+                                     .operands = "SCENE X Y",
+                                     .summary = "Print the tree of rays of one pixel.",
+                                     .least = 3,
+                                     .most = 3,
+                                     .kind = OPERANDS_SCENE_FIRST,
+                                     .groups = groups,
+                                     .examples = examples,
+                                     .run = run_tree};

@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* The command line: which options a sub-command takes, and their values, checked. */
+/* The command line as data: options in groups, and commands that take groups. The parser, the help
+ * and the completion of shells come from these tables. */
 #ifndef SUPERFRAME_OPTIONS_H
 #define SUPERFRAME_OPTIONS_H
 
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
 
@@ -12,24 +14,6 @@
 #include "board/options.h"
 #include "scene/overrides.h"
 #include "trace.h"
-
-enum command_id {
-    COMMAND_RENDER,
-    COMMAND_SCENES,
-    COMMAND_CHECK,
-    COMMAND_COMPILE,
-    COMMAND_EXPORT,
-    COMMAND_TREE,
-    COMMAND_REPLAY,
-    COMMAND_COMPARE,
-    COMMAND_MEASURE,
-    COMMAND_PAPER,
-    COMMAND_DEVICES,
-    COMMAND_ADAPTER,
-    COMMAND_TRACE,
-    COMMAND_BOOT,
-    COMMAND_COUNT
-};
 
 enum bus_choice {
     BUS_CHOICE_EMULATOR,
@@ -47,23 +31,11 @@ struct trace_options {
     enum trace_format to;
 };
 
-struct options;
-
-/* A sub-command. */
-struct command {
-    enum command_id id;
-    const char *name;
-    const char *operands;                      /* for the usage line */
-    const char *summary;                       /* one sentence */
-    int least, most;                           /* how many operands it takes */
-    int (*run)(const struct options *options); /* returns an exit status */
-};
-
 /* The options of a command line. Strings point into argv. */
 struct options {
-    bool help;
     char **operands; /* what is no option */
     int operand_count;
+    bool help;
 
     const char *output;     /* -o; NULL: not given; "-": standard output */
     const char *arithmetic; /* a name that arithmetic_find() knows */
@@ -88,7 +60,7 @@ struct options {
     bool minimal;               /* compile writes a feature_set.h instead of the tables */
     uint64_t instructions_most; /* that an emulated CPU may run */
     uint64_t escape_after;      /* Esc when the keyboard has been asked so many times; 0: never */
-    int within;                 /* LSB, 0..255 */
+    unsigned within;            /* LSB, 0..255 */
     double share;               /* per cent, 0..100 */
     bool json;
     const char *difference; /* NULL: no picture of it */
@@ -105,29 +77,149 @@ struct options_error {
     char text[512];
 };
 
+/* ---- Options -------------------------------------------------------------------------------- */
+
 /* What an option's value turned out to be. */
 enum value_verdict { VALUE_TAKEN, VALUE_WRONG, VALUE_NOT_BUILT };
 
-/* One option of the table. */
-struct option_entry {
-    const char *name;  /* without the dashes */
-    char letter;       /* of the short form, or 0 */
-    const char *value; /* what the help calls the value; NULL: none; "[=X]": may be left out */
-    unsigned commands; /* bit 1 << command_id for each command that takes the option */
-    enum value_verdict (*set)(struct options *options, const char *value);
-    const char *allowed; /* what the value may be, for messages and the help */
-    const char *help;    /* NULL: known, but not built into this version; the help leaves it out */
+/* How an option's value is read, and what its member of struct options is. */
+enum option_type {
+    OPTION_FLAG,   /* bool; the option takes no value */
+    OPTION_TEXT,   /* const char *: any text but "" */
+    OPTION_FOLDER, /* const char *: any text but "" and "-" */
+    OPTION_WHOLE,  /* unsigned, int or uint64_t, by its size: least..most */
+    OPTION_REAL,   /* double, least..most; a fraction will do */
+    OPTION_WORD,   /* bool or an enum, by its size: the place among words */
+    OPTION_OWN     /* set() reads it */
 };
 
-/* Ended by an entry without a name. */
-extern const struct option_entry option_table[];
+/* What an option that names a file means to that file. */
+enum option_role {
+    ROLE_NONE,
+    ROLE_RESULT,   /* it is written */
+    ROLE_INPUT,    /* it is read */
+    ROLE_EXPOSURES /* the folder of the eight pictures of a multiple exposure */
+};
+
+/* One option. Zero or NULL: there is no such thing. */
+struct option_entry {
+    const char *name;  /* without the dashes */
+    char letter;       /* of the short form */
+    const char *value; /* what the help calls the value; "[=X]": may be left out */
+    enum option_type type;
+    size_t offset, size; /* of its member in struct options */
+    size_t given;        /* offset of the bool that says the option was given */
+    double least, most;
+    const char *const *words; /* ended by NULL */
+    enum value_verdict (*set)(struct options *options, const char *value);
+    enum option_role role;
+    const char *shown;   /* what messages about files call the option, if not by its name */
+    const char *allowed; /* what the value may be; NULL: as type, range and words say */
+    const char *help;
+};
+
+/* The place of an option's member, for the tables. */
+#define OPTION_MEMBER(member)                                                                      \
+    .offset = offsetof(struct options, member), .size = sizeof((struct options *)0)->member
+#define OPTION_GIVEN(member) .given = offsetof(struct options, member)
+
+/* Options that belong together. */
+struct option_group {
+    const char *title;                  /* "Scene" */
+    const struct option_entry *entries; /* ended by one without a name */
+};
+
+/* The groups that more than one command takes; groups.c has them. Two are of one subject where the
+ * same options say something else to other commands. */
+extern const struct option_group group_result;     /* -o FILE */
+extern const struct option_group group_folder;     /* -o FOLDER */
+extern const struct option_group group_scene;      /* what a scene's settings may become */
+extern const struct option_group group_measured;   /* the same settings, for measure */
+extern const struct option_group group_arithmetic; /* --arith */
+extern const struct option_group group_small_size; /* --size, for paper */
+extern const struct option_group group_jobs;       /* --jobs */
+extern const struct option_group group_quiet;      /* --quiet */
+extern const struct option_group group_board;      /* --profile, --base of a board that is made */
+extern const struct option_group group_board_of_trace; /* the same where traces say it */
+extern const struct option_group group_screen;         /* --picture, --native, --strict, costs */
+extern const struct option_group group_faults;         /* --faults */
+extern const struct option_group group_statistics;     /* --stats */
+extern const struct option_group group_recording;      /* --trace */
+extern const struct option_group group_stop;           /* --stop */
+extern const struct option_group group_help;           /* --help, which every command takes */
+
+/* ---- Commands ------------------------------------------------------------------------------- */
+
+/* What the operands of a command are. */
+enum operand_kind { OPERANDS_NONE, OPERANDS_SCENES, OPERANDS_SCENE_FIRST, OPERANDS_FILES };
+
+/* A sub-command. Its file ends in its description. */
+struct command {
+    const char *name;
+    const char *operands; /* for the usage line; "": there are none */
+    const char *summary;  /* one sentence */
+    int least, most;      /* how many operands it takes */
+    enum operand_kind kind;
+    const struct option_group *const *groups; /* ended by NULL */
+    const char *const *examples; /* command lines without "superframe "; ended by NULL */
+
+    /* Returns the name of the result that is written where -o is not given, perhaps in `buffer`;
+     * NULL: none. The member may be NULL. */
+    const char *(*default_output)(const struct options *options, char *buffer, size_t size);
+
+    /* Names what goes to standard output besides the results of options; NULL: nothing. The member
+     * may be NULL. */
+    const char *(*printed)(const struct options *options);
+
+    /* Checks what the command needs, and what excludes what. Returns false with *error filled. The
+     * member may be NULL. */
+    bool (*check)(const struct options *options, struct options_error *error);
+
+    int (*run)(const struct options *options); /* returns an exit status */
+};
+
+/* ---- Reading a command line ----------------------------------------------------------------- */
 
 /* Reads what stands after the sub-command's name; argv[0] is that name. argv is permuted: options
  * may stand anywhere. False with *error filled where the command line is refused. */
 bool options_parse(const struct command *command, int argc, char **argv, struct options *options,
                    struct options_error *error);
 
-/* Prints the options of a sub-command. */
-void options_print(FILE *out, enum command_id command);
+/* Fills *error, and returns false. */
+bool options_refuse(struct options_error *error, const char *format, ...)
+#if defined(__GNUC__)
+    __attribute__((format(printf, 2, 3)))
+#endif
+    ;
+
+/* Returns the verdict on a value that is allowed or not. */
+static inline enum value_verdict option_verdict(bool is_allowed) {
+    return is_allowed ? VALUE_TAKEN : VALUE_WRONG;
+}
+
+/* Puts a value into an option's member. */
+enum value_verdict option_take(const struct option_entry *entry, const char *value,
+                               struct options *options);
+
+enum { OPTION_ALLOWED_SIZE = 160 };
+
+/* Writes what an option's value may be; "" for a flag. */
+void option_allowed(const struct option_entry *entry, char text[OPTION_ALLOWED_SIZE]);
+
+/* Returns entry i of all groups of a command, --help the last; NULL beyond that. */
+const struct option_entry *command_option(const struct command *command, size_t i);
+
+/* Tells whether the value of an option may be left out, as in "--strict[=GRADE]". */
+bool option_is_optional(const struct option_entry *entry);
+
+/* Prints what a command does, its options by group, and its examples, in at most 80 columns. */
+void command_print_help(FILE *out, const struct command *command);
+
+/* The columns of a page of help. */
+enum { HELP_COLUMNS = 80 };
+
+/* Prints words, from column `at` on, in lines of at most HELP_COLUMNS that begin at column `left`.
+ * Ends the last line. */
+void help_print_wrapped(FILE *out, const char *words, unsigned at, unsigned left);
 
 #endif

@@ -11,7 +11,7 @@
 #include "board/camera.h"
 #include "scene/load.h"
 
-enum { RESULTS_MOST = 7 + RENDER_EXPOSURES, NAME_SIZE = 256 };
+enum { RESULTS_MOST = 8 + RENDER_EXPOSURES, NAME_SIZE = 256, WHAT_SIZE = 32 };
 
 /* A name, and what the system knows of it. */
 struct place {
@@ -25,6 +25,7 @@ struct place {
 /* All results of a command line. */
 struct results {
     struct place places[RESULTS_MOST];
+    char what[RESULTS_MOST][WHAT_SIZE];
     unsigned count;
     char picture[NAME_SIZE]; /* render's, where -o is not given */
     char *exposures[RENDER_EXPOSURES];
@@ -85,44 +86,54 @@ static void add_result(struct results *results, const char *what, const char *na
     }
 }
 
-/* Returns the name of what a command prints besides the results that options ask for; NULL:
- * nothing. */
-static const char *printed(enum command_id command, const struct options *options) {
-    const struct trace_options *tracing = &options->tracing;
-    switch (command) {
-    case COMMAND_COMPARE:
-        return "the report";
-    case COMMAND_ADAPTER:
-        return "where the adapter listens";
-    case COMMAND_TRACE:
-        return tracing->lists || tracing->counts || tracing->judges ? "what is told" : NULL;
-    default:
-        return NULL;
-    }
-}
-
-static void add_exposures(struct results *results, const char *folder) {
+static void add_exposures(struct results *results, const char *what, const char *folder) {
     for (unsigned i = 0; folder != NULL && i < RENDER_EXPOSURES; i++) {
         results->exposures[i] = camera_exposure_name(folder, i);
-        add_result(results, "--keep-exposures", results->exposures[i]);
+        add_result(results, what, results->exposures[i]);
     }
 }
 
-static void add_results(struct results *results, enum command_id command,
-                        const struct options *options) {
-    const char *output = options->output;
-    if (command == COMMAND_RENDER && output == NULL && options->bus == BUS_CHOICE_EMULATOR) {
-        scene_picture_name(options->operands[0], results->picture, sizeof results->picture);
-        output = results->picture;
+/* Returns the name that an option was given; NULL: none. */
+static const char *name_of(const struct option_entry *entry, const struct options *options) {
+    const char *name;
+    memcpy(&name, (const unsigned char *)options + entry->offset, sizeof name);
+    return name;
+}
+
+/* Names an option in messages: "-o", "--stats". */
+static const char *shown(const struct option_entry *entry, char text[WHAT_SIZE]) {
+    if (entry->shown != NULL) {
+        return entry->shown;
     }
-    add_result(results, "-o", output);
-    add_result(results, "--stats", options->stats);
-    add_result(results, "--trace", options->trace);
-    add_result(results, "--bus trace", options->bus_file);
-    add_result(results, "--difference", options->difference);
-    add_result(results, "--signatures", command == COMMAND_RENDER ? options->signatures : NULL);
-    add_result(results, printed(command, options), printed(command, options) != NULL ? "-" : NULL);
-    add_exposures(results, options->keep_exposures);
+    if (entry->letter != 0) {
+        (void)snprintf(text, WHAT_SIZE, "-%c", entry->letter);
+    } else {
+        (void)snprintf(text, WHAT_SIZE, "--%s", entry->name);
+    }
+    return text;
+}
+
+static void add_results(struct results *results, const struct command *command,
+                        const struct options *options) {
+    const struct option_entry *entry;
+    if (options->output == NULL && command->default_output != NULL) {
+        add_result(results, "-o",
+                   command->default_output(options, results->picture, sizeof results->picture));
+    }
+    for (size_t i = 0; (entry = command_option(command, i)) != NULL; i++) {
+        if (entry->role == ROLE_RESULT) {
+            add_result(results, shown(entry, results->what[results->count]),
+                       name_of(entry, options));
+        }
+    }
+    if (command->printed != NULL && command->printed(options) != NULL) {
+        add_result(results, command->printed(options), "-");
+    }
+    for (size_t i = 0; (entry = command_option(command, i)) != NULL; i++) {
+        if (entry->role == ROLE_EXPOSURES) {
+            add_exposures(results, "--keep-exposures", name_of(entry, options));
+        }
+    }
 }
 
 static void free_results(struct results *results) {
@@ -169,29 +180,36 @@ static bool stays(const char *name, const struct results *results, struct option
     return stays;
 }
 
-static bool reads_scenes(enum command_id command) {
-    return command == COMMAND_RENDER || command == COMMAND_COMPILE || command == COMMAND_EXPORT ||
-           command == COMMAND_TREE || command == COMMAND_MEASURE;
+/* Tells how many of the operands are files or scenes. */
+static int count_inputs(const struct command *command, const struct options *options) {
+    switch (command->kind) {
+    case OPERANDS_NONE:
+        break;
+    case OPERANDS_SCENE_FIRST:
+        return 1;
+    case OPERANDS_SCENES:
+    case OPERANDS_FILES:
+        return options->operand_count;
+    }
+    return 0;
 }
 
-static bool do_inputs_stay(enum command_id command, const struct options *options,
+static bool do_inputs_stay(const struct command *command, const struct options *options,
                            const struct results *results, struct options_error *error) {
-    const char *const others[] = {options->board.native, options->tracing.against,
-                                  command == COMMAND_COMPARE ? options->signatures : NULL};
-    int operands = command == COMMAND_TREE ? 1 : options->operand_count; /* then X and Y */
-    bool all_stay = true;
-    for (int i = 0; i < operands && all_stay; i++) {
+    const struct option_entry *entry;
+    bool has_scenes = command->kind != OPERANDS_FILES, all_stay = true;
+    for (int i = 0; i < count_inputs(command, options) && all_stay; i++) {
         const char *operand = options->operands[i];
-        all_stay =
-            (reads_scenes(command) && scene_is_builtin(operand)) || stays(operand, results, error);
+        all_stay = (has_scenes && scene_is_builtin(operand)) || stays(operand, results, error);
     }
-    for (size_t i = 0; i < sizeof others / sizeof others[0] && all_stay; i++) {
-        all_stay = others[i] == NULL || stays(others[i], results, error);
+    for (size_t i = 0; all_stay && (entry = command_option(command, i)) != NULL; i++) {
+        const char *name = entry->role == ROLE_INPUT ? name_of(entry, options) : NULL;
+        all_stay = name == NULL || stays(name, results, error);
     }
     return all_stay;
 }
 
-bool places_are_apart(enum command_id command, const struct options *options,
+bool places_are_apart(const struct command *command, const struct options *options,
                       struct options_error *error) {
     struct results results;
     memset(&results, 0, sizeof results);

@@ -9,7 +9,7 @@
  * However two names are spelled, they are one place where they lead to the same file, existing or
  * not. Devices may be shared (/dev/null), a terminal's standard output may not. False with *error
  * filled where two places clash. */
-bool places_are_apart(enum command_id command, const struct options *options,
+bool places_are_apart(const struct command *command, const struct options *options,
                       struct options_error *error);
 
 #endif

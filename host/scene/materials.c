@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/nearest.h"
 #include "scene/values.h"
 
 enum { GLOSS_MOST = 65535, GLOSS_DEFAULT = 32 };
@@ -209,7 +210,7 @@ bool scene_find_material(struct scene_reader *reader, const char *name, unsigned
             return true;
         }
     }
-    const char *nearest = scene_nearest_word(name, names);
+    const char *nearest = nearest_word(name, names);
     if (nearest) {
         return scene_fail(reader, line, "unknown material '%.40s'; did you mean '%.40s'?", name,
                           nearest);

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/nearest.h"
 #include "scene/values.h"
 
 static const struct scene_range RANGE_ANGLE = {-3600, 3600};
@@ -151,7 +152,7 @@ static bool read_part_use(const struct scene_scope *scope, struct solid_node *no
     for (size_t i = 0; i < reader->part_count && i < SCENE_NODES_MOST; i++) {
         names[i] = reader->parts[i].name;
     }
-    const char *nearest = scene_nearest_word(name, names);
+    const char *nearest = nearest_word(name, names);
     if (nearest) {
         return scene_fail(reader, scope_line(scope, "part"),
                           "unknown part '%.40s'; did you mean '%.40s'?", name, nearest);

@@ -6,12 +6,14 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/nearest.h"
+
 const struct scene_range RANGE_LENGTH = {1e-9, 1e9};
 const struct scene_range RANGE_COORDINATE = {-1e9, 1e9};
 const struct scene_range RANGE_SHARE = {0, 1};
 const struct scene_range RANGE_COLOUR = {0, 255};
 
-enum { WORD_MOST = 40, KEY_LIST_MOST = 400 };
+enum { KEY_LIST_MOST = 400 };
 
 static const char *type_name(const config_setting_t *setting) {
     switch (config_setting_type(setting)) {
@@ -272,43 +274,6 @@ unsigned scope_line(const struct scene_scope *scope, const char *key) {
     return config_setting_source_line(setting ? setting : scope->group);
 }
 
-/* Counts the letters to insert, remove or change to make one word of the other. Gives WORD_MOST if
- * a word is longer than WORD_MOST. */
-static size_t distance(const char *a, const char *b) {
-    size_t row[WORD_MOST + 1];
-    size_t length_a = strlen(a), length_b = strlen(b);
-    if (length_a > WORD_MOST || length_b > WORD_MOST) {
-        return WORD_MOST;
-    }
-    for (size_t j = 0; j <= length_b; j++) {
-        row[j] = j;
-    }
-    for (size_t i = 1; i <= length_a; i++) {
-        size_t diagonal = row[0];
-        row[0] = i;
-        for (size_t j = 1; j <= length_b; j++) {
-            size_t change = diagonal + (a[i - 1] != b[j - 1]);
-            size_t shift = 1 + (row[j] < row[j - 1] ? row[j] : row[j - 1]);
-            diagonal = row[j];
-            row[j] = change < shift ? change : shift;
-        }
-    }
-    return row[length_b];
-}
-
-const char *scene_nearest_word(const char *word, const char *const *words) {
-    const char *nearest = NULL;
-    size_t least = strlen(word) / 2 + 1; /* half of the word may be wrong */
-    for (size_t i = 0; words[i]; i++) {
-        size_t steps = distance(word, words[i]);
-        if (steps < least) {
-            least = steps;
-            nearest = words[i];
-        }
-    }
-    return nearest;
-}
-
 bool scope_check_keys(const struct scene_scope *scope, const char *const *known) {
     for (int i = 0; i < config_setting_length(scope->group); i++) {
         const config_setting_t *setting = config_setting_get_elem(scope->group, (unsigned)i);
@@ -324,7 +289,7 @@ bool scope_check_keys(const struct scene_scope *scope, const char *const *known)
         if (found) {
             continue;
         }
-        const char *nearest = scene_nearest_word(name, known);
+        const char *nearest = nearest_word(name, known);
         unsigned line = config_setting_source_line(setting);
         if (nearest) {
             return scene_fail(scope->reader, line,

@@ -62,7 +62,4 @@ bool scope_check_keys(const struct scene_scope *scope, const char *const *known)
 /* Checks that an element of a list is a group; `what` names the element in the message. */
 bool scene_is_group(struct scene_reader *reader, const config_setting_t *element, const char *what);
 
-/* Finds the word of the list (ended by NULL) that is most like `word`; NULL if none comes near. */
-const char *scene_nearest_word(const char *word, const char *const *words);
-
 #endif

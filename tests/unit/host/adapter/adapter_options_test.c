@@ -10,35 +10,27 @@
 #include <cmocka.h>
 
 #include "adapter/drivers.h"
-#include "command/command.h"
+#include "options_fixture.h"
 
 static struct options options;
 static struct options_error error;
 
-static bool parse(enum command_id command, const char *line) {
-    static char words[256];
-    char *argv[16];
-    int argc = 0;
-    (void)snprintf(words, sizeof words, "%s", line);
-    for (char *word = strtok(words, " "); word != NULL; word = strtok(NULL, " ")) {
-        argv[argc++] = word;
-    }
-    argv[argc] = NULL;
-    return options_parse(&commands[command], argc, argv, &options, &error);
+static bool parse_line(const char *line) {
+    return parse(line, &options, &error);
 }
 
 static void usb_and_hid_take_a_serial_number_or_none(void **state) {
     (void)state;
-    assert_true(parse(COMMAND_RENDER, "render fig3 --bus usb"));
+    assert_true(parse_line("render fig3 --bus usb"));
     assert_int_equal(options.bus, BUS_CHOICE_USB);
     assert_null(options.adapter.serial);
     assert_int_equal(options.adapter.verify_percent, 0);
-    assert_true(parse(COMMAND_RENDER, "render fig3 --bus hid:A1-b --wait --verify"));
+    assert_true(parse_line("render fig3 --bus hid:A1-b --wait --verify"));
     assert_int_equal(options.bus, BUS_CHOICE_HID);
     assert_string_equal(options.adapter.serial, "A1-b");
     assert_true(options.adapter.waits);
     assert_int_equal(options.adapter.verify_percent, 100);
-    assert_true(parse(COMMAND_RENDER, "render fig3 --bus usb:X --verify=7"));
+    assert_true(parse_line("render fig3 --bus usb:X --verify=7"));
     assert_int_equal(options.adapter.verify_percent, 7);
 }
 
@@ -53,21 +45,21 @@ static void what_does_not_go_with_them_is_refused(void **state) {
     };
     (void)state;
     for (unsigned i = 0; i < sizeof lines / sizeof lines[0]; i++) {
-        assert_false(parse(COMMAND_RENDER, lines[i][0]));
+        assert_false(parse_line(lines[i][0]));
         assert_non_null(strstr(error.text, lines[i][1]));
     }
 }
 
 static void the_virtual_adapter_has_options_of_its_own(void **state) {
     (void)state;
-    assert_true(parse(COMMAND_ADAPTER, "adapter --listen 0.0.0.0:1 --serial AB-1 --once -o s.png"));
+    assert_true(parse_line("adapter --listen 0.0.0.0:1 --serial AB-1 --once -o s.png"));
     assert_string_equal(options.adapter.listen, "0.0.0.0:1");
     assert_string_equal(options.adapter.serial, "AB-1");
     assert_true(options.adapter.once);
     assert_string_equal(options.output, "s.png");
-    assert_false(parse(COMMAND_ADAPTER, "adapter --serial a_b"));
-    assert_false(parse(COMMAND_ADAPTER, "adapter --serial 12345678901234567890123456789012"));
-    assert_false(parse(COMMAND_DEVICES, "devices --wait"));
+    assert_false(parse_line("adapter --serial a_b"));
+    assert_false(parse_line("adapter --serial 12345678901234567890123456789012"));
+    assert_false(parse_line("devices --wait"));
 }
 
 static void the_adapter_that_is_meant_is_found_among_several(void **state) {

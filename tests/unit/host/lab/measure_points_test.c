@@ -172,8 +172,7 @@ static void only_what_the_board_shows_is_planned(void **state) {
         discard_measure(measure);
     }
     memset(&refused, 0, sizeof refused);
-    assert_true(parse(COMMAND_MEASURE, "measure fig3 -o m --colour dither --size 640x400", &options,
-                      &error));
+    assert_true(parse("measure fig3 -o m --colour dither --size 640x400", &options, &error));
     refused.options = &options;
     refused.scene_count = 1;
     refused.scenes[0].operand = "fig3";

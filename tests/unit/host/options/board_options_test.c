@@ -5,48 +5,47 @@
 
 /* Refused, and with a message that holds the fragment. */
 static const struct {
-    enum command_id command;
     const char *line, *fragment;
 } refused[] = {
-    {COMMAND_RENDER, "render a --bus ports", "say --yes-these-ports-are-mine"},
-    {COMMAND_RENDER, "render a --yes-these-ports-are-mine", "goes with --bus ports only"},
-    {COMMAND_RENDER, "render a --bus ports --yes-these-ports-are-mine -o b",
+    {"render a --bus ports", "say --yes-these-ports-are-mine"},
+    {"render a --yes-these-ports-are-mine", "goes with --bus ports only"},
+    {"render a --bus ports --yes-these-ports-are-mine -o b",
      "--output goes with --bus emulator only"},
-    {COMMAND_RENDER, "render a --bus trace:b --native c", "--native goes with --bus emulator only"},
-    {COMMAND_RENDER, "render a --bus trace:b --picture whole", "--picture goes with"},
-    {COMMAND_RENDER, "render a --bus trace:b --faults absent", "--faults goes with"},
-    {COMMAND_RENDER, "render a --picture half", "screen, memory or whole"},
-    {COMMAND_RENDER, "render a --bus-wait -1", "0..100000"},
-    {COMMAND_RENDER, "render a --bus-wait 100001", "0..100000"},
-    {COMMAND_RENDER, "render a --frame-seconds 0", "0.000001..1000000000"},
-    {COMMAND_RENDER, "render a --stop 1", "no option --stop"},
-    {COMMAND_RENDER, "render a --faults=", "lose=N"},
-    {COMMAND_RENDER, "render a --faults lose", "lose=N"},
-    {COMMAND_RENDER, "render a --faults lose=0", "lose=N"},
-    {COMMAND_RENDER, "render a --faults lose=1000000001", "lose=N"},
-    {COMMAND_RENDER, "render a --faults flip=x", "lose=N"},
-    {COMMAND_RENDER, "render a --faults flip-read=", "lose=N"},
-    {COMMAND_RENDER, "render a --faults dead=12345", "dead=PORT"},
-    {COMMAND_RENDER, "render a --faults vanish=0", "vanish=N"},
-    {COMMAND_RENDER, "render a --faults lost", "allowed is: lost with vanish=N"},
-    {COMMAND_RENDER, "render a --faults seed=1,,absent", "with commas between"},
-    {COMMAND_RENDER, "render a --faults absent,", "with commas between"},
-    {COMMAND_RENDER, "render a --faults burning", "with commas between"},
-    {COMMAND_RENDER, "render a --faults seed=11111111111111111111111111111111", "seed=N"},
-    {COMMAND_REPLAY, "replay a -o b --stop 0", "1..4294967295"},
-    {COMMAND_TRACE, "trace", "TRACE is missing"},
-    {COMMAND_TRACE, "trace a b", "\"b\" is one too many"},
-    {COMMAND_TRACE, "trace a --to words", "binary or text"},
-    {COMMAND_TRACE, "trace a --compare b --statistics", "--compare goes with"},
-    {COMMAND_TRACE, "trace a --compare b --to text", "--compare goes with"},
-    {COMMAND_TRACE, "trace a --compare b -o c", "--compare goes with"},
-    {COMMAND_TRACE, "trace a --to text --violations", "--to goes with"},
-    {COMMAND_TRACE, "trace a --to text --strict", "--to goes with"},
-    {COMMAND_TRACE, "trace a --to text --native b", "no picture"},
-    {COMMAND_TRACE, "trace a --to text --picture whole", "no picture"},
-    {COMMAND_TRACE, "trace a --list -o -", "standard output"},
-    {COMMAND_TRACE, "trace a --base 01D0", "00D0, 02D0"},
-    {COMMAND_TRACE, "trace a --faults absent", "no option --faults"},
+    {"render a --bus trace:b --native c", "--native goes with --bus emulator only"},
+    {"render a --bus trace:b --picture whole", "--picture goes with"},
+    {"render a --bus trace:b --faults absent", "--faults goes with"},
+    {"render a --picture half", "screen, memory or whole"},
+    {"render a --bus-wait -1", "0..100000"},
+    {"render a --bus-wait 100001", "0..100000"},
+    {"render a --frame-seconds 0", "0.000001..1000000000"},
+    {"render a --stop 1", "no option --stop"},
+    {"render a --faults=", "lose=N"},
+    {"render a --faults lose", "lose=N"},
+    {"render a --faults lose=0", "lose=N"},
+    {"render a --faults lose=1000000001", "lose=N"},
+    {"render a --faults flip=x", "lose=N"},
+    {"render a --faults flip-read=", "lose=N"},
+    {"render a --faults dead=12345", "dead=PORT"},
+    {"render a --faults vanish=0", "vanish=N"},
+    {"render a --faults lost", "allowed is: lost with vanish=N"},
+    {"render a --faults seed=1,,absent", "with commas between"},
+    {"render a --faults absent,", "with commas between"},
+    {"render a --faults burning", "with commas between"},
+    {"render a --faults seed=11111111111111111111111111111111", "seed=N"},
+    {"replay a -o b --stop 0", "1..4294967295"},
+    {"trace", "TRACE is missing"},
+    {"trace a b", "\"b\" is one too many"},
+    {"trace a --to words", "binary or text"},
+    {"trace a --compare b --statistics", "--compare goes with"},
+    {"trace a --compare b --to text", "--compare goes with"},
+    {"trace a --compare b -o c", "--compare goes with"},
+    {"trace a --to text --violations", "--to goes with"},
+    {"trace a --to text --strict", "--to goes with"},
+    {"trace a --to text --native b", "no picture"},
+    {"trace a --to text --picture whole", "no picture"},
+    {"trace a --list -o -", "standard output"},
+    {"trace a --base 01D0", "00D0, 02D0"},
+    {"trace a --faults absent", "no option --faults"},
 };
 
 static void refusals(void **state) {
@@ -54,7 +53,7 @@ static void refusals(void **state) {
     for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
         struct options options;
         struct options_error error;
-        if (parse(refused[i].command, refused[i].line, &options, &error)) {
+        if (parse(refused[i].line, &options, &error)) {
             fail_msg("\"%s\" was not refused", refused[i].line);
         }
         if (strstr(error.text, refused[i].fragment) == NULL) {
@@ -69,8 +68,7 @@ static void options_about_the_board(void **state) {
     struct options options;
     struct options_error error;
     assert_true(
-        parse(COMMAND_RENDER,
-              "render a --faults seed=7,lose=10,flip=20,flip-read=30,dead=0xDA,vanish=40,lost "
+        parse("render a --faults seed=7,lose=10,flip=20,flip-read=30,dead=0xDA,vanish=40,lost "
               "--native b.png --picture whole --bus-wait 0.5 --frame-seconds 3/2",
               &options, &error));
     const struct fault_plan *faults = &options.board.faults;
@@ -81,13 +79,12 @@ static void options_about_the_board(void **state) {
     assert_string_equal(options.board.native, "b.png");
     assert_int_equal(options.board.picture, PICTURE_KIND_WHOLE);
     assert_true(options.board.bus_wait == 0.5 && options.board.frame_seconds == 1.5);
-    assert_true(parse(COMMAND_RENDER, "render a --faults absent", &options, &error));
+    assert_true(parse("render a --faults absent", &options, &error));
     assert_true(options.board.faults.is_absent);
-    assert_true(parse(COMMAND_RENDER, "render a --bus ports --yes-these-ports-are-mine --base 02D0",
-                      &options, &error));
-    assert_int_equal(options.bus, BUS_CHOICE_PORTS);
     assert_true(
-        parse(COMMAND_RENDER, "render a --faults lost --faults vanish=5", &options, &error));
+        parse("render a --bus ports --yes-these-ports-are-mine --base 02D0", &options, &error));
+    assert_int_equal(options.bus, BUS_CHOICE_PORTS);
+    assert_true(parse("render a --faults lost --faults vanish=5", &options, &error));
     assert_true(options.board.faults.vanish_after == 5);
     assert_int_equal(options.board.faults.vanish_status, BUS_LOST);
 }
@@ -96,19 +93,18 @@ static void what_a_trace_is_asked_for(void **state) {
     (void)state;
     struct options options;
     struct options_error error;
-    assert_true(parse(COMMAND_TRACE, "trace a", &options, &error));
+    assert_true(parse("trace a", &options, &error));
     assert_false(options.board.has_profile || options.board.has_base || options.tracing.lists);
-    assert_true(parse(COMMAND_TRACE,
-                      "trace a --list --statistics --violations --stop 9 -o b.png "
+    assert_true(parse("trace a --list --statistics --violations --stop 9 -o b.png "
                       "--profile later --base 02D0",
                       &options, &error));
     assert_true(options.tracing.lists && options.tracing.counts && options.tracing.judges);
     assert_true(options.board.has_profile && options.board.has_base && options.board.stop == 9);
-    assert_true(parse(COMMAND_TRACE, "trace a --to text -o -", &options, &error));
+    assert_true(parse("trace a --to text -o -", &options, &error));
     assert_true(options.tracing.converts && options.tracing.to == TRACE_TEXT);
-    assert_true(parse(COMMAND_TRACE, "trace a --to binary", &options, &error));
+    assert_true(parse("trace a --to binary", &options, &error));
     assert_int_equal(options.tracing.to, TRACE_BINARY);
-    assert_true(parse(COMMAND_TRACE, "trace a --compare b", &options, &error));
+    assert_true(parse("trace a --compare b", &options, &error));
     assert_string_equal(options.tracing.against, "b");
 }
 

@@ -9,61 +9,60 @@
 
 /* In a folder with the files a.scene, t, in.png, link -> a.scene, ahead -> new.png, and sub/. */
 static const struct {
-    enum command_id command;
     const char *line;
     const char *fragment; /* of the message; NULL: taken */
 } lines[] = {
     /* The picture that is named after the scene. */
-    {COMMAND_RENDER, "render fig3 --stats fig3.png", "the same place, fig3.png: -o and --stats"},
-    {COMMAND_RENDER, "render fig3 --signatures fig3.png", "-o and --signatures"},
-    {COMMAND_RENDER, "render fig3 --trace ./fig3.png", "-o and --trace"},
-    {COMMAND_RENDER, "render fig3 --bus trace:x --stats fig3.png", NULL},
-    {COMMAND_RENDER, "render fig3 --stats fig3", NULL},
-    {COMMAND_RENDER, "render fig3 -o fig3", NULL},
+    {"render fig3 --stats fig3.png", "the same place, fig3.png: -o and --stats"},
+    {"render fig3 --signatures fig3.png", "-o and --signatures"},
+    {"render fig3 --trace ./fig3.png", "-o and --trace"},
+    {"render fig3 --bus trace:x --stats fig3.png", NULL},
+    {"render fig3 --stats fig3", NULL},
+    {"render fig3 -o fig3", NULL},
     /* Every pair. */
-    {COMMAND_RENDER, "render fig3 --bus trace:x --signatures x", "--bus trace and --signatures"},
-    {COMMAND_RENDER, "render fig3 --bus trace:- --signatures -", "standard output"},
-    {COMMAND_RENDER, "render fig3 -o a --stats b --trace c --signatures d", NULL},
-    {COMMAND_BOOT, "boot a --trace x --stats ./x", "--stats and --trace"},
+    {"render fig3 --bus trace:x --signatures x", "--signatures and --bus trace"},
+    {"render fig3 --bus trace:- --signatures -", "standard output"},
+    {"render fig3 -o a --stats b --trace c --signatures d", NULL},
+    {"boot a --trace x --stats ./x", "--stats and --trace"},
     /* Other spellings. */
-    {COMMAND_RENDER, "render fig3 -o x.png --stats ./x.png", "the same place"},
-    {COMMAND_RENDER, "render fig3 -o x.png --stats sub/../x.png", "the same place"},
-    {COMMAND_RENDER, "render fig3 -o in.png --stats .//in.png", "the same place"},
-    {COMMAND_RENDER, "render fig3 -o ahead --stats new.png", "the same place"},
-    {COMMAND_RENDER, "render fig3 -o sub/x --stats x", NULL},
-    {COMMAND_RENDER, "render fig3 -o x --stats sub", NULL},
-    {COMMAND_RENDER, "render fig3 -o - --stats -", "standard output: -o and --stats"},
+    {"render fig3 -o x.png --stats ./x.png", "the same place"},
+    {"render fig3 -o x.png --stats sub/../x.png", "the same place"},
+    {"render fig3 -o in.png --stats .//in.png", "the same place"},
+    {"render fig3 -o ahead --stats new.png", "the same place"},
+    {"render fig3 -o sub/x --stats x", NULL},
+    {"render fig3 -o x --stats sub", NULL},
+    {"render fig3 -o - --stats -", "standard output: -o and --stats"},
     /* Devices. */
-    {COMMAND_RENDER, "render fig3 -o /dev/null --stats /dev/null", NULL},
-    {COMMAND_COMPARE, "compare in.png in.png --difference /dev/null", NULL},
+    {"render fig3 -o /dev/null --stats /dev/null", NULL},
+    {"compare in.png in.png --difference /dev/null", NULL},
     /* The pictures of a multiple exposure, in a folder that is not there yet. */
-    {COMMAND_RENDER, "render fig3 --keep-exposures ke -o ke/exposure-0.png", "--keep-exposures"},
-    {COMMAND_RENDER, "render fig3 --keep-exposures ke/ -o ./ke/./exposure-7.png", "the same place"},
-    {COMMAND_RENDER, "render fig3 --keep-exposures ke -o ke/exposure-8.png", NULL},
-    {COMMAND_RENDER, "render fig3 --keep-exposures ke -o exposure-0.png", NULL},
+    {"render fig3 --keep-exposures ke -o ke/exposure-0.png", "--keep-exposures"},
+    {"render fig3 --keep-exposures ke/ -o ./ke/./exposure-7.png", "the same place"},
+    {"render fig3 --keep-exposures ke -o ke/exposure-8.png", NULL},
+    {"render fig3 --keep-exposures ke -o exposure-0.png", NULL},
     /* What a command prints. */
-    {COMMAND_COMPARE, "compare in.png t --difference -", "--difference and the report"},
-    {COMMAND_COMPARE, "compare in.png t --difference d.png", NULL},
-    {COMMAND_TRACE, "trace t -o - --list", "-o and what is told"},
-    {COMMAND_TRACE, "trace t -o -", NULL},
-    {COMMAND_ADAPTER, "adapter -o -", "where the adapter listens"},
+    {"compare in.png t --difference -", "--difference and the report"},
+    {"compare in.png t --difference d.png", NULL},
+    {"trace t -o - --list", "-o and what is told"},
+    {"trace t -o -", NULL},
+    {"adapter -o -", "where the adapter listens"},
     /* What is read. */
-    {COMMAND_RENDER, "render a.scene -o ./a.scene", "a.scene: -o would overwrite what is read"},
-    {COMMAND_RENDER, "render a.scene --stats link", "--stats would overwrite"},
-    {COMMAND_RENDER, "render sub/../in.png", "-o would overwrite"}, /* in.png is the default */
-    {COMMAND_RENDER, "render fig3 --native in.png -o in.png", "in.png: -o would overwrite"},
-    {COMMAND_REPLAY, "replay a.scene t -o t", "t: -o would overwrite"},
-    {COMMAND_REPLAY, "replay t t -o x", NULL},
-    {COMMAND_REPLAY, "replay - -o -", NULL},
-    {COMMAND_TRACE, "trace t --to text -o t", "would overwrite"},
-    {COMMAND_COMPILE, "compile a.scene -o a.scene", "would overwrite"},
-    {COMMAND_EXPORT, "export a.scene --pov -o link", "would overwrite"},
-    {COMMAND_TREE, "tree a.scene 1 2 -o a.scene", "would overwrite"},
-    {COMMAND_TREE, "tree fig3 1 2 -o 1", NULL},
-    {COMMAND_BOOT, "boot t --trace t", "would overwrite"},
-    {COMMAND_COMPARE, "compare in.png t --difference in.png", "would overwrite"},
-    {COMMAND_COMPARE, "compare a b --signatures t --difference t", "would overwrite"},
-    {COMMAND_COMPARE, "compare in.png in.png --signatures in.png", NULL},
+    {"render a.scene -o ./a.scene", "a.scene: -o would overwrite what is read"},
+    {"render a.scene --stats link", "--stats would overwrite"},
+    {"render sub/../in.png", "-o would overwrite"}, /* in.png is the default */
+    {"render fig3 --native in.png -o in.png", "in.png: -o would overwrite"},
+    {"replay a.scene t -o t", "t: -o would overwrite"},
+    {"replay t t -o x", NULL},
+    {"replay - -o -", NULL},
+    {"trace t --to text -o t", "would overwrite"},
+    {"compile a.scene -o a.scene", "would overwrite"},
+    {"export a.scene --pov -o link", "would overwrite"},
+    {"tree a.scene 1 2 -o a.scene", "would overwrite"},
+    {"tree fig3 1 2 -o 1", NULL},
+    {"boot t --trace t", "would overwrite"},
+    {"compare in.png t --difference in.png", "would overwrite"},
+    {"compare a b --signatures t --difference t", "would overwrite"},
+    {"compare in.png in.png --signatures in.png", NULL},
 };
 
 static char before[4096], folder[] = "/tmp/superframe-places-XXXXXX";
@@ -89,7 +88,7 @@ static void results_that_clash_are_refused(void **state) {
     for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++) {
         struct options options;
         struct options_error error;
-        bool is_taken = parse(lines[i].command, lines[i].line, &options, &error);
+        bool is_taken = parse(lines[i].line, &options, &error);
         bool is_right = lines[i].fragment == NULL
                             ? is_taken
                             : !is_taken && strstr(error.text, lines[i].fragment) != NULL;

@@ -1,0 +1,262 @@
+/* SPDX-License-Identifier: MIT */
+/* superframe completion: what a shell needs to complete commands, options and their values. */
+#include <string.h>
+
+#include "command/command.h"
+#include "scene/builtin.h"
+
+/* ---- What is completed ---------------------------------------------------------------------- */
+
+static void print_commands(const char *between) {
+    for (size_t i = 0; commands_built[i] != NULL; i++) {
+        (void)printf("%s%s", i > 0 ? between : "", commands_built[i]->name);
+    }
+}
+
+static void print_scenes(void) {
+    for (size_t i = 0; i < builtin_scene_count; i++) {
+        (void)printf("%s%s", i > 0 ? " " : "", builtin_scenes[i].name);
+    }
+}
+
+static void print_options(const struct command *command) {
+    const struct option_entry *entry;
+    for (size_t i = 0; (entry = command_option(command, i)) != NULL; i++) {
+        (void)printf("%s--%s", i > 0 ? " " : "", entry->name);
+    }
+}
+
+static void print_words(const struct option_entry *entry) {
+    for (size_t i = 0; entry->words[i] != NULL; i++) {
+        (void)printf("%s%s", i > 0 ? " " : "", entry->words[i]);
+    }
+}
+
+static bool takes_scenes(const struct command *command) {
+    return command->kind == OPERANDS_SCENES || command->kind == OPERANDS_SCENE_FIRST;
+}
+
+/* Prints text for a shell's single quotes. */
+static void print_quoted(const char *text) {
+    for (; *text != '\0'; text++) {
+        if (*text == '\'') {
+            (void)fputs("'\\''", stdout);
+        } else {
+            (void)fputc(*text, stdout);
+        }
+    }
+}
+
+/* ---- bash ----------------------------------------------------------------------------------- */
+
+/* Prints the cases of options whose values are words. */
+static void print_bash_values(void) {
+    const struct option_entry *entry;
+    for (size_t i = 0; commands_built[i] != NULL; i++) {
+        for (size_t j = 0; (entry = command_option(commands_built[i], j)) != NULL; j++) {
+            if (entry->words != NULL) {
+                (void)printf("    \"%s --%s\") words='", commands_built[i]->name, entry->name);
+                print_words(entry);
+                (void)fputs("' ;;\n", stdout);
+            }
+        }
+    }
+}
+
+static void print_bash(void) {
+    (void)fputs("# bash completion of superframe; made by superframe completion bash\n"
+                "_superframe() {\n"
+                "    local command=${COMP_WORDS[1]} word=$2 before=$3 words= scenes=\n"
+                "    COMPREPLY=()\n"
+                "    if [ \"$COMP_CWORD\" -eq 1 ]; then\n"
+                "        COMPREPLY=($(compgen -W '",
+                stdout);
+    print_commands(" ");
+    (void)fputs(" --help --version' -- \"$word\"))\n"
+                "        return\n"
+                "    fi\n"
+                "    case \"$command $before\" in\n",
+                stdout);
+    print_bash_values();
+    (void)fputs("    esac\n"
+                "    if [ -n \"$words\" ]; then\n"
+                "        COMPREPLY=($(compgen -W \"$words\" -- \"$word\"))\n"
+                "        return\n"
+                "    fi\n"
+                "    case $command in\n",
+                stdout);
+    for (size_t i = 0; commands_built[i] != NULL; i++) {
+        (void)printf("    %s) words='", commands_built[i]->name);
+        print_options(commands_built[i]);
+        (void)fputs("'", stdout);
+        if (takes_scenes(commands_built[i])) {
+            (void)fputs(" scenes='", stdout);
+            print_scenes();
+            (void)fputs("'", stdout);
+        }
+        (void)fputs(" ;;\n", stdout);
+    }
+    (void)fputs("    esac\n"
+                "    case $word in\n"
+                "    -*) COMPREPLY=($(compgen -W \"$words\" -- \"$word\")) ;;\n"
+                "    *) COMPREPLY=($(compgen -W \"$scenes\" -- \"$word\") $(compgen -f -- "
+                "\"$word\")) ;;\n"
+                "    esac\n"
+                "}\n"
+                "complete -o filenames -F _superframe superframe\n",
+                stdout);
+}
+
+/* ---- zsh ------------------------------------------------------------------------------------ */
+
+/* Prints help for a specification of _arguments, in which brackets and colons end a part. */
+static void print_zsh_text(const char *text) {
+    for (; *text != '\0'; text++) {
+        if (*text == '\'') {
+            (void)fputs("'\\''", stdout);
+        } else if (*text == '[' || *text == ']' || *text == ':') {
+            (void)printf("\\%c", *text);
+        } else {
+            (void)fputc(*text, stdout);
+        }
+    }
+}
+
+static void print_zsh_option(const struct option_entry *entry) {
+    (void)printf(" \\\n            '--%s%s[", entry->name,
+                 entry->type == OPTION_FLAG  ? ""
+                 : option_is_optional(entry) ? "=-"
+                                             : "=");
+    print_zsh_text(entry->help);
+    (void)fputs("]", stdout);
+    if (entry->words != NULL) {
+        (void)printf(":%s:(", entry->name);
+        print_words(entry);
+        (void)fputs(")", stdout);
+    } else if (entry->type != OPTION_FLAG) {
+        (void)printf("%s:%s:%s", option_is_optional(entry) ? ":" : "", entry->name,
+                     entry->role != ROLE_NONE || entry->type == OPTION_TEXT ||
+                             entry->type == OPTION_FOLDER
+                         ? "_files"
+                         : " ");
+    }
+    (void)fputs("'", stdout);
+}
+
+static void print_zsh(void) {
+    const struct option_entry *entry;
+    (void)fputs("#compdef superframe\n"
+                "# zsh completion of superframe; made by superframe completion zsh\n"
+                "_superframe() {\n"
+                "    if (( CURRENT == 2 )); then\n"
+                "        local -a commands=(\n",
+                stdout);
+    for (size_t i = 0; commands_built[i] != NULL; i++) {
+        (void)printf("            '%s:", commands_built[i]->name);
+        print_quoted(commands_built[i]->summary);
+        (void)fputs("'\n", stdout);
+    }
+    (void)fputs("        )\n"
+                "        _describe command commands\n"
+                "        return\n"
+                "    fi\n"
+                "    shift words\n"
+                "    (( CURRENT-- ))\n"
+                "    case $words[1] in\n",
+                stdout);
+    for (size_t i = 0; commands_built[i] != NULL; i++) {
+        (void)printf("    %s)\n        _arguments -S", commands_built[i]->name);
+        for (size_t j = 0; (entry = command_option(commands_built[i], j)) != NULL; j++) {
+            print_zsh_option(entry);
+        }
+        if (takes_scenes(commands_built[i])) {
+            (void)fputs(" \\\n            '*:scene:_alternative \"scenes:built-in scene:(", stdout);
+            print_scenes();
+            (void)fputs(")\" files:file:_files'", stdout);
+        } else {
+            (void)fputs(" '*:file:_files'", stdout);
+        }
+        (void)fputs(" ;;\n", stdout);
+    }
+    (void)fputs("    esac\n"
+                "}\n"
+                "if [ \"$funcstack[1]\" = _superframe ]; then\n"
+                "    _superframe \"$@\"\n"
+                "else\n"
+                "    compdef _superframe superframe\n"
+                "fi\n",
+                stdout);
+}
+
+/* ---- fish ----------------------------------------------------------------------------------- */
+
+static void print_fish_option(const struct command *command, const struct option_entry *entry) {
+    (void)printf("complete -c superframe -n '__fish_seen_subcommand_from %s' -l %s", command->name,
+                 entry->name);
+    if (entry->letter != 0) {
+        (void)printf(" -s %c", entry->letter);
+    }
+    if (entry->words != NULL) {
+        (void)fputs(" -x -a '", stdout);
+        print_words(entry);
+        (void)fputs("'", stdout);
+    } else if (entry->type != OPTION_FLAG && !option_is_optional(entry)) {
+        (void)fputs(" -r", stdout);
+    }
+    (void)fputs(" -d '", stdout);
+    print_quoted(entry->help);
+    (void)fputs("'\n", stdout);
+}
+
+static void print_fish(void) {
+    const struct option_entry *entry;
+    (void)fputs("# fish completion of superframe; made by superframe completion fish\n", stdout);
+    for (size_t i = 0; commands_built[i] != NULL; i++) {
+        const struct command *command = commands_built[i];
+        (void)printf("complete -c superframe -n __fish_use_subcommand -f -a %s -d '",
+                     command->name);
+        print_quoted(command->summary);
+        (void)fputs("'\n", stdout);
+        if (takes_scenes(command)) {
+            (void)printf("complete -c superframe -n '__fish_seen_subcommand_from %s' -a '",
+                         command->name);
+            print_scenes();
+            (void)fputs("'\n", stdout);
+        }
+        for (size_t j = 0; (entry = command_option(command, j)) != NULL; j++) {
+            print_fish_option(command, entry);
+        }
+    }
+}
+
+/* ---- The command ---------------------------------------------------------------------------- */
+
+static int run_completion(const struct options *options) {
+    static const struct {
+        const char *name;
+        void (*print)(void);
+    } shells[] = {{"bash", print_bash}, {"zsh", print_zsh}, {"fish", print_fish}};
+    for (size_t i = 0; i < sizeof shells / sizeof shells[0]; i++) {
+        if (strcmp(options->operands[0], shells[i].name) == 0) {
+            shells[i].print();
+            return STATUS_DONE;
+        }
+    }
+    return bad_input("completion: no shell \"%.100s\"; allowed is: bash, zsh or fish",
+                     options->operands[0]);
+}
+
+static const struct option_group *const groups[] = {NULL};
+static const char *const examples[] = {
+    "completion bash > ~/.bash_completion",
+    "completion fish > ~/.config/fish/completions/superframe.fish", NULL};
+
+const struct command command_completion = {
+    .name = "completion",
+    .operands = "SHELL",
+    .summary = "Print what bash, zsh or fish needs to complete command lines.",
+    .least = 1,
+    .most = 1,
+    .groups = groups,
+    .examples = examples,
+    .run = run_completion};

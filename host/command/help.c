@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: MIT */
+/* superframe help: the program's help, or that of a sub-command. */
+#include "command/command.h"
+
+static int run_help(const struct options *options) {
+    if (options->operand_count == 0) {
+        program_print_help(stdout);
+        return STATUS_DONE;
+    }
+    const struct command *command = command_find(options->operands[0]);
+    if (command == NULL) {
+        return command_unknown(options->operands[0]);
+    }
+    command_print_help(stdout, command);
+    return STATUS_DONE;
+}
+
+static const struct option_group *const groups[] = {NULL};
+static const char *const examples[] = {"help", "help render", NULL};
+
+const struct command command_help = {.name = "help",
+                                     .operands = "[COMMAND]",
+                                     .summary = "Print this text, or what a command does.",
+                                     .most = 1,
+                                     .groups = groups,
+                                     .examples = examples,
+                                     .run = run_help};

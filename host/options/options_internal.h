@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: MIT */
+/* The setters of options whose values no type of the tables can read. */
+#ifndef SUPERFRAME_OPTIONS_INTERNAL_H
+#define SUPERFRAME_OPTIONS_INTERNAL_H
+
+#include "options/options.h"
+
+/* Each reads an option's value, as the member `set` of struct option_entry does. */
+enum value_verdict set_arithmetic(struct options *options, const char *value);
+enum value_verdict set_size(struct options *options, const char *value);
+enum value_verdict set_model(struct options *options, const char *value);
+enum value_verdict set_colour(struct options *options, const char *value);
+enum value_verdict set_base(struct options *options, const char *value);
+enum value_verdict set_strict(struct options *options, const char *value); /* NULL: no grade */
+enum value_verdict set_faults(struct options *options, const char *value);
+
+#endif

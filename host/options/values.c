@@ -1,0 +1,127 @@
+/* SPDX-License-Identifier: MIT */
+/* The values of options, by the types of the tables. */
+#include <string.h>
+
+#include "base/numbers.h"
+#include "options/options.h"
+
+/* Stores a whole number in a member, whose type is known by its size. */
+static void store_whole(const struct option_entry *entry, uint64_t value, struct options *options) {
+    unsigned char *member = (unsigned char *)options + entry->offset;
+    const bool is_true = value != 0;
+    const unsigned number = (unsigned)value;
+    if (entry->size == sizeof value) {
+        memcpy(member, &value, sizeof value);
+    } else if (entry->size == sizeof number) {
+        memcpy(member, &number, sizeof number);
+    } else if (entry->size == sizeof is_true) {
+        memcpy(member, &is_true, sizeof is_true);
+    }
+}
+
+static enum value_verdict take_text(const struct option_entry *entry, const char *value,
+                                    struct options *options) {
+    memcpy((unsigned char *)options + entry->offset, &value, sizeof value);
+    return option_verdict(value[0] != '\0' &&
+                          (entry->type == OPTION_TEXT || strcmp(value, "-") != 0));
+}
+
+static enum value_verdict take_whole(const struct option_entry *entry, const char *value,
+                                     struct options *options) {
+    uint64_t number;
+    if (!value_whole(value, (uint64_t)entry->least, (uint64_t)entry->most, &number)) {
+        return VALUE_WRONG;
+    }
+    store_whole(entry, number, options);
+    return VALUE_TAKEN;
+}
+
+static enum value_verdict take_real(const struct option_entry *entry, const char *value,
+                                    struct options *options) {
+    double number;
+    if (!value_real(value, entry->least, entry->most, &number)) {
+        return VALUE_WRONG;
+    }
+    memcpy((unsigned char *)options + entry->offset, &number, sizeof number);
+    return VALUE_TAKEN;
+}
+
+static enum value_verdict take_word(const struct option_entry *entry, const char *value,
+                                    struct options *options) {
+    for (unsigned i = 0; entry->words[i] != NULL; i++) {
+        if (strcmp(value, entry->words[i]) == 0) {
+            store_whole(entry, i, options);
+            return VALUE_TAKEN;
+        }
+    }
+    return VALUE_WRONG;
+}
+
+static enum value_verdict take_by_type(const struct option_entry *entry, const char *value,
+                                       struct options *options) {
+    switch (entry->type) {
+    case OPTION_FLAG:
+        store_whole(entry, true, options);
+        return VALUE_TAKEN;
+    case OPTION_TEXT:
+    case OPTION_FOLDER:
+        return take_text(entry, value, options);
+    case OPTION_WHOLE:
+        return take_whole(entry, value, options);
+    case OPTION_REAL:
+        return take_real(entry, value, options);
+    case OPTION_WORD:
+        return take_word(entry, value, options);
+    case OPTION_OWN:
+        break;
+    }
+    return entry->set(options, value);
+}
+
+enum value_verdict option_take(const struct option_entry *entry, const char *value,
+                               struct options *options) {
+    const bool is_given = true;
+    if (entry->given != 0) {
+        memcpy((unsigned char *)options + entry->given, &is_given, sizeof is_given);
+    }
+    return take_by_type(entry, value, options);
+}
+
+/* Writes words as a sentence has them: "a, b or c". */
+static void list_words(const char *const *words, char text[OPTION_ALLOWED_SIZE]) {
+    size_t used = 0;
+    for (size_t i = 0; words[i] != NULL && used < OPTION_ALLOWED_SIZE; i++) {
+        const char *before = i == 0 ? "" : words[i + 1] == NULL ? " or " : ", ";
+        used += (size_t)snprintf(text + used, OPTION_ALLOWED_SIZE - used, "%s%s", before, words[i]);
+    }
+}
+
+void option_allowed(const struct option_entry *entry, char text[OPTION_ALLOWED_SIZE]) {
+    text[0] = '\0';
+    if (entry->allowed != NULL) {
+        (void)snprintf(text, OPTION_ALLOWED_SIZE, "%s", entry->allowed);
+        return;
+    }
+    switch (entry->type) {
+    case OPTION_FLAG:
+    case OPTION_OWN:
+        break;
+    case OPTION_TEXT:
+        (void)snprintf(text, OPTION_ALLOWED_SIZE, "a file's name");
+        break;
+    case OPTION_FOLDER:
+        (void)snprintf(text, OPTION_ALLOWED_SIZE, "a folder's name");
+        break;
+    case OPTION_WHOLE:
+        (void)snprintf(text, OPTION_ALLOWED_SIZE, "a whole number %.0f..%.0f", entry->least,
+                       entry->most);
+        break;
+    case OPTION_REAL:
+        (void)snprintf(text, OPTION_ALLOWED_SIZE, "a number %.10g..%.10g", entry->least,
+                       entry->most);
+        break;
+    case OPTION_WORD:
+        list_words(entry->words, text);
+        break;
+    }
+}
