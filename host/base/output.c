@@ -4,6 +4,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <poll.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -15,9 +16,17 @@
 
 enum { NAMES_TRIED = 100, NEW_FILE_MODE = 0666 };
 
+bool output_is_closed_pipe(void) {
+    struct pollfd pipe = {.fd = STDOUT_FILENO, .events = POLLOUT};
+    return poll(&pipe, 1, 0) == 1 && (pipe.revents & POLLERR) != 0;
+}
+
 void output_complain(const struct output *output, const char *reason) {
-    const char *name = strcmp(output->path, "-") == 0 ? "standard output" : output->path;
-    complain("%s: cannot be written: %s", name, reason);
+    bool is_standard = strcmp(output->path, "-") == 0;
+    if (!is_standard || !output_is_closed_pipe()) {
+        complain("%s: cannot be written: %s", is_standard ? "standard output" : output->path,
+                 reason);
+    }
 }
 
 static bool fail(struct output *output, int error_number) {

@@ -27,7 +27,11 @@ bool output_commit(struct output *output);
 /* Gives the output up: what was there before stays. Harmless if the output is not open. */
 void output_discard(struct output *output);
 
-/* Prints why a write to the output failed. */
+/* Tells whether standard output is a pipe that nobody reads any more. */
+bool output_is_closed_pipe(void);
+
+/* Prints why a write to the output failed. Prints nothing where a reader of standard output, head
+ * for instance, has had enough. */
 void output_complain(const struct output *output, const char *reason);
 
 #endif

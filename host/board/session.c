@@ -2,7 +2,9 @@
 /* What sub-commands do alike with a board: its buses put together, its results, its verdict. */
 #include "board/session.h"
 
+#include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "base/complain.h"
 #include "base/stopwatch.h"
@@ -35,6 +37,7 @@ static enum trace_format format_of_name(const char *path) {
 }
 
 static bool open_results(struct session *session, const struct session_files *files) {
+    session->files = *files;
     if (files->picture != NULL) {
         session->picture = png_sink_open(files->picture);
         if (session->picture == NULL) {
@@ -90,6 +93,38 @@ int session_end_accesses(struct session *session) {
     return STATUS_FAILED;
 }
 
+/* Returns "a.partial.png" for "a.png" and for "a", in new memory; NULL: out of memory. */
+static char *partial_name_of(const char *name) {
+    static const char ending[] = ".partial.png";
+    size_t length = strlen(name);
+    if (length > 4 && strcmp(name + length - 4, ".png") == 0) {
+        length -= 4;
+    }
+    char *partial = malloc(length + sizeof ending);
+    if (partial != NULL) {
+        memcpy(partial, name, length);
+        memcpy(partial + length, ending, sizeof ending);
+    }
+    return partial;
+}
+
+bool session_divert_picture(struct session *session) {
+    const char *name = session->files.picture;
+    struct stat facts;
+    if (name == NULL || strcmp(name, "-") == 0 ||
+        (stat(name, &facts) == 0 && !S_ISREG(facts.st_mode))) {
+        return true;
+    }
+    session->partial_name = partial_name_of(name);
+    if (session->partial_name == NULL) {
+        complain("out of memory");
+        return false;
+    }
+    picture_sink_close(session->picture);
+    session->picture = png_sink_open(session->partial_name);
+    return session->picture != NULL;
+}
+
 /* Returns the PC's own screen; NULL: black. */
 static const struct native_screen *native_of(const struct port_chain *chain) {
     return chain->has_native ? &chain->native : NULL;
@@ -120,4 +155,5 @@ void session_free(struct session *session) {
     output_discard(&session->trace);
     output_discard(&session->stats);
     port_chain_free(session->chain);
+    free(session->partial_name);
 }

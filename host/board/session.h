@@ -31,7 +31,9 @@ struct session {
     struct timespec began; /* by the clock of stopwatch_start() */
     struct port_chain *chain;
     struct session_device device;
+    struct session_files files;
     struct picture_sink *picture; /* NULL: not asked for */
+    char *partial_name;           /* where the picture went instead; NULL: it did not */
     struct output trace, stats;   /* not open: not asked for */
 };
 
@@ -53,6 +55,11 @@ struct bus *session_bus(struct session *session);
 /* Hands on what the buses still hold, and puts the trace into its place. No access may follow.
  * Returns STATUS_DONE; otherwise the reason is printed. */
 int session_end_accesses(struct session *session);
+
+/* Lets the picture go to NAME.partial.png, since the work was interrupted: what stands under the
+ * asked name stays. A picture that goes to standard output or to a device goes there all the same.
+ * False, with the reason printed, on failure. */
+bool session_divert_picture(struct session *session);
 
 /* Returns the picture that is asked for, as it stands now: the screen, or the memory. The picture
  * holds until the next access. */

@@ -277,13 +277,6 @@ static enum value_verdict set_serial(struct options *options, const char *value)
 }
 
 static const struct option_entry own_entries[] = {
-    {.name = "output",
-     .letter = 'o',
-     .value = "FILE.png",
-     .type = OPTION_TEXT,
-     OPTION_MEMBER(output),
-     .role = ROLE_RESULT,
-     .help = "the board's picture when the adapter ends"},
     {.name = "listen",
      .value = "ADDRESS[:PORT]",
      .type = OPTION_TEXT,
@@ -303,7 +296,7 @@ static const struct option_entry own_entries[] = {
     {.name = NULL}};
 static const struct option_group group_own = {"Adapter", own_entries};
 
-static const struct option_group *const groups[] = {&group_own, &group_board, NULL};
+static const struct option_group *const groups[] = {&group_picture, &group_own, &group_board, NULL};
 static const char *const examples[] = {"adapter -o screen.png",
                                        "adapter --listen 127.0.0.1:0 --once", NULL};
 

@@ -174,8 +174,8 @@ static const struct option_entry own_entries[] = {
 static const struct option_group group_own = {"CPU", own_entries};
 
 static const struct option_group *const groups[] = {
-    &group_result, &group_statistics, &group_recording, &group_own, &group_quiet,
-    &group_board,  &group_screen,     &group_faults,    NULL};
+    &group_picture, &group_statistics, &group_recording, &group_own, &group_quiet,
+    &group_board,   &group_screen,     &group_faults,    NULL};
 static const char *const examples[] = {
     "boot fig3.hdm -o screen.png", "boot probe.hdm --escape 100 --instructions 1000000000", NULL};
 

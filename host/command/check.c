@@ -5,7 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/json.h"
 #include "command/command.h"
+#include "compiler/features.h"
 #include "compiler/requirements.h"
 #include "render/arithmetic.h"
 #include "render/remarks.h"
@@ -125,6 +127,105 @@ static int print_check(const struct scene_description *scene, const struct compi
     return status != STATUS_DONE ? status : held;
 }
 
+/* ---- JSON ----------------------------------------------------------------------------------- */
+
+static void write_description(struct json *json, const struct scene_description *scene) {
+    json_text(json, "title", scene->title);
+    json_count(json, "width", (uint64_t)scene->width);
+    json_count(json, "height", (uint64_t)scene->height);
+    json_count(json, "depth", (uint64_t)scene->depth);
+    json_real(json, "threshold", scene->threshold);
+    json_count(json, "objects", scene->object_count);
+    json_count(json, "csg_nodes", scene->node_count);
+    json_count(json, "materials", scene->material_count);
+    json_count(json, "lights", scene->light_count);
+}
+
+static void write_tables(struct json *json, const struct compiled_scene *compiled) {
+    const struct compiled_report *report = &compiled->report;
+    json_begin_list(json, "centre");
+    for (int i = 0; i < 3; i++) {
+        json_real(json, NULL, compiled->centre[i]);
+    }
+    json_end_list(json);
+    json_real(json, "scale", ldexp(1, compiled->exponent));
+    json_count(json, "primitives", compiled->primitive_count);
+    json_count(json, "surfaces", compiled->surface_count);
+    json_count(json, "program_bytes", compiled->program_length);
+    json_count(json, "shared", report->shared);
+    json_count(json, "simplified", report->simplified);
+    json_count(json, "fused", report->fused);
+    json_count(json, "bounded", report->bounded);
+    json_count(json, "hidden", report->hidden);
+    json_count(json, "nesting", (uint64_t)requirements_nesting(compiled));
+}
+
+static void write_feature(void *context, const char *feature, int value) {
+    json_count(context, feature, (uint64_t)value);
+}
+
+static void write_requirements(struct json *json, const struct compiled_scene *compiled) {
+    json_begin_object(json, "requires");
+    features_tell(compiled, write_feature, json);
+    json_end_object(json);
+    json_begin_list(json, "dead");
+    for (unsigned i = 0; i < compiled->dead_count; i++) {
+        json_begin_object(json, NULL);
+        json_text(json, "what", compiled->dead[i].what);
+        json_text(json, "why", compiled->dead[i].why);
+        json_end_object(json);
+    }
+    json_end_list(json);
+}
+
+/* Writes which arithmetics hold the scene. Returns STATUS_BAD_INPUT where one can't. */
+static int write_arithmetics(struct json *json, const struct compiled_scene *compiled) {
+    int status = STATUS_DONE;
+    json_begin_object(json, "arithmetics");
+    for (size_t i = 0; arithmetics_built[i] != NULL; i++) {
+        struct scene_error error;
+        struct scene *scene = arithmetics_built[i]->load(compiled, &error);
+        status = scene != NULL ? status : STATUS_BAD_INPUT;
+        json_flag(json, arithmetics_built[i]->image->name, scene != NULL);
+        free(scene);
+    }
+    json_end_object(json);
+    return status;
+}
+
+/* Writes what the tables were held against. Returns STATUS_NOT_HELD where something disagrees. */
+static int write_validations(struct json *json, const struct validations *validations) {
+    int status = STATUS_DONE;
+    json_begin_list(json, "validated");
+    for (int i = 0; i < STEP_COUNT; i++) {
+        const struct validation *step = &validations->of[i];
+        json_begin_object(json, NULL);
+        json_text(json, "step", compile_step_name((enum compile_step)i));
+        json_count(json, "points", step->points);
+        json_count(json, "faults", step->faults);
+        json_text(json, "first", step->faults > 0 ? step->first : NULL);
+        json_end_object(json);
+        status = step->faults > 0 ? STATUS_NOT_HELD : status;
+    }
+    json_end_list(json);
+    return status;
+}
+
+static int write_check(const struct scene_description *scene, const struct compiled_scene *compiled,
+                       const struct validations *validations) {
+    struct json json = {.out = stdout};
+    json_begin_object(&json, NULL);
+    write_description(&json, scene);
+    write_tables(&json, compiled);
+    write_requirements(&json, compiled);
+    int held = validations != NULL ? write_validations(&json, validations) : STATUS_DONE;
+    int status = write_arithmetics(&json, compiled);
+    json_end_object(&json);
+    return status != STATUS_DONE ? status : held;
+}
+
+/* ---- The command ---------------------------------------------------------------------------- */
+
 static int run_check(const struct options *options) {
     struct scene_error error;
     struct scene_description *scene = load_scene(options->operands[0], &error);
@@ -136,9 +237,10 @@ static int run_check(const struct options *options) {
     const struct compile_observer observer = {validations_look, &validations};
     struct compiled_scene *compiled =
         scene_compile_observed(scene, options->validates ? &observer : NULL, &error);
-    int status = compiled == NULL
-                     ? bad_input("%s", error.text)
-                     : print_check(scene, compiled, options->validates ? &validations : NULL);
+    const struct validations *found = options->validates ? &validations : NULL;
+    int status = compiled == NULL ? bad_input("%s", error.text)
+                 : options->json  ? write_check(scene, compiled, found)
+                                  : print_check(scene, compiled, found);
     free(compiled);
     scene_description_free(scene);
     return status;
@@ -153,7 +255,7 @@ static const struct option_entry own_entries[] = {
     {.name = NULL}};
 static const struct option_group group_own = {"Result", own_entries};
 
-static const struct option_group *const groups[] = {&group_own, &group_scene, NULL};
+static const struct option_group *const groups[] = {&group_own, &group_json, &group_scene, NULL};
 static const char *const examples[] = {"check fig3", "check my.scene --validate", NULL};
 
 const struct command command_check = {.name = "check",

@@ -363,12 +363,11 @@ static const struct option_entry own_entries[] = {
      OPTION_MEMBER(share),
      .most = 100,
      .help = "the pixels that must be within it (99.9)"},
-    {.name = "json", .type = OPTION_FLAG, OPTION_MEMBER(json), .help = "print JSON"},
     {.name = "difference",
      .value = "FILE.png",
      .type = OPTION_TEXT,
      OPTION_MEMBER(difference),
-     .role = ROLE_RESULT,
+     .role = ROLE_PICTURE,
      .allowed = "a file's name or -",
      .help =
          "write a picture of where they differ: blue 1 LSB, green 2, yellow 4, red 9, white 33"},
@@ -381,7 +380,7 @@ static const struct option_entry own_entries[] = {
     {.name = NULL}};
 static const struct option_group group_own = {"Result", own_entries};
 
-static const struct option_group *const groups[] = {&group_own, NULL};
+static const struct option_group *const groups[] = {&group_own, &group_json, NULL};
 static const char *const examples[] = {"compare a.png b.png --within 2 --share 99",
                                        "compare a.png b.png --json --difference where.png", NULL};
 

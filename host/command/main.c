@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/output.h"
 #include "command/command.h"
 
 static int run_command(const struct command *command, int argc, char **argv) {
@@ -64,8 +65,10 @@ int main(int argc, char **argv) {
     int status = dispatch(argc, argv);
     errno = 0;
     if ((fflush(stdout) != 0 || ferror(stdout)) && status == STATUS_DONE) {
-        complain("standard output: cannot be written: %s",
-                 errno != 0 ? strerror(errno) : "an earlier write failed");
+        if (!output_is_closed_pipe()) {
+            complain("standard output: cannot be written: %s",
+                     errno != 0 ? strerror(errno) : "an earlier write failed");
+        }
         return STATUS_FAILED;
     }
     return status;

@@ -3,6 +3,7 @@
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "adapter/open.h"
 #include "base/interrupt.h"
@@ -226,6 +227,10 @@ static int write_results(struct render_run *run) {
                                     .adapter = run->adapter.usb != NULL ? &run->adapter : NULL,
                                     .photograph = run->camera != NULL ? run->camera->rgb : NULL};
     int status = session_end_accesses(&run->session);
+    if (status == STATUS_DONE && *interrupt_noted() != 0 &&
+        !session_divert_picture(&run->session)) {
+        status = STATUS_FAILED;
+    }
     if (status == STATUS_DONE && !(verify(run) && write_picture(run) && stats_commit(&stats))) {
         status = STATUS_FAILED;
     }
@@ -256,13 +261,25 @@ static int write_signatures(struct render_run *run) {
     return is_written && output_commit(&run->signatures) ? STATUS_DONE : STATUS_FAILED;
 }
 
+/* Says on a terminal where the picture is. */
+static void tell_place(const struct render_run *run) {
+    const char *name = run->session.files.picture;
+    if (name != NULL && strcmp(name, "-") != 0 && !run->options->quiet &&
+        isatty(STDERR_FILENO) == 1) {
+        (void)fprintf(stderr, "The picture is %s\n", name);
+    }
+}
+
 /* Returns the exit status of a finished run: whether it was interrupted, and whether --strict
  * holds. */
 static int judge(const struct render_run *run) {
     if (*interrupt_noted() != 0) {
-        complain("interrupted after %u rows", run->totals.rows);
+        const char *partial = run->session.partial_name;
+        complain("interrupted after %u rows%s%s", run->totals.rows,
+                 partial != NULL ? "; what was drawn is in " : "", partial != NULL ? partial : "");
         return STATUS_SIGNAL + *interrupt_noted();
     }
+    tell_place(run);
     return session_judge(&run->session);
 }
 
@@ -329,11 +346,19 @@ static const struct option_entry own_entries[] = {
     {.name = NULL}};
 static const struct option_group group_own = {"Result", own_entries};
 
-static const struct option_group *const groups[] = {
-    &group_result, &group_statistics, &group_recording, &group_own,
-    &group_scene,  &group_arithmetic, &group_jobs,      &group_quiet,
-    &group_board,  &group_screen,     &group_faults,    &group_bus,
-    NULL};
+static const struct option_group *const groups[] = {&group_picture,
+                                                    &group_statistics,
+                                                    &group_recording,
+                                                    &group_own,
+                                                    &group_scene,
+                                                    &group_arithmetic,
+                                                    &group_jobs,
+                                                    &group_quiet,
+                                                    &group_board,
+                                                    &group_screen,
+                                                    &group_faults,
+                                                    &group_bus,
+                                                    NULL};
 static const char *const examples[] = {"render fig3 --depth 4 -o four.png",
                                        "render my.scene --error 1 --arith f64 --jobs 4", NULL};
 

@@ -105,10 +105,13 @@ static bool check_replay(const struct options *options, struct options_error *er
            options_refuse(error, "replay: -o FILE.png is missing (or --stats or --strict)");
 }
 
-static const struct option_group *const groups[] = {
-    &group_result, &group_statistics, &group_board_of_trace,
-    &group_screen, &group_faults,     &group_stop,
-    NULL};
+static const struct option_group *const groups[] = {&group_picture,
+                                                    &group_statistics,
+                                                    &group_board_of_trace,
+                                                    &group_screen,
+                                                    &group_faults,
+                                                    &group_stop,
+                                                    NULL};
 static const char *const examples[] = {"replay my.trace -o screen.png",
                                        "replay my.trace --strict --stop 10000 --stats -", NULL};
 

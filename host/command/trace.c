@@ -138,7 +138,10 @@ static int conclude(struct trace_run *run) {
                      board_profile_text(board->desc.profile));
     }
     if (options->tracing.counts) {
-        trace_print_statistics(stdout, &run->statistics, &run->cost, &options->board);
+        void (*const print)(FILE *, const struct trace_statistics *, const struct cost_bus *,
+                            const struct board_options *) =
+            options->json ? trace_write_statistics : trace_print_statistics;
+        print(stdout, &run->statistics, &run->cost, &options->board);
     }
     if (run->picture != NULL &&
         !board_picture_finish(run->picture, board,
@@ -269,6 +272,9 @@ static const char *printed(const struct options *options) {
 static bool check_trace(const struct options *options, struct options_error *error) {
     const struct trace_options *tracing = &options->tracing;
     bool tells = printed(options) != NULL || options->board.strict;
+    if (options->json && (!tracing->counts || tracing->lists || tracing->judges)) {
+        return options_refuse(error, "--json goes with --statistics alone");
+    }
     if (tracing->against != NULL && (tracing->converts || tells || options->output != NULL)) {
         return options_refuse(error, "--compare goes with --profile and --base only");
     }
@@ -314,7 +320,8 @@ static const struct option_entry own_entries[] = {
 static const struct option_group group_own = {"Trace", own_entries};
 
 static const struct option_group *const groups[] = {
-    &group_result, &group_own, &group_board_of_trace, &group_screen, &group_stop, NULL};
+    &group_picture, &group_own,  &group_json, &group_board_of_trace,
+    &group_screen,  &group_stop, NULL};
 static const char *const examples[] = {"trace my.trace --list | head",
                                        "trace my.trace --statistics --violations", NULL};
 

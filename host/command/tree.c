@@ -16,8 +16,9 @@ static int print_tree(const struct options *options, const struct compiled_scene
     if (!output_open(&output, options->output ? options->output : "-")) {
         return STATUS_FAILED;
     }
-    int printed = options->dot ? ray_tree_print_dot(output.file, tree, compiled)
-                               : ray_tree_print(output.file, tree, compiled);
+    int printed = options->dot    ? ray_tree_print_dot(output.file, tree, compiled)
+                  : options->json ? ray_tree_print_json(output.file, tree, compiled)
+                                  : ray_tree_print(output.file, tree, compiled);
     if (printed != 0) {
         output_complain(&output, "a write failed");
         output_discard(&output);
@@ -72,13 +73,18 @@ static int run_tree(const struct options *options) {
     return status;
 }
 
+static bool check_tree(const struct options *options, struct options_error *error) {
+    return !(options->dot && options->json) ||
+           options_refuse(error, "--dot and --json exclude each other; give one of them");
+}
+
 static const struct option_entry own_entries[] = {
     {.name = "dot", .type = OPTION_FLAG, OPTION_MEMBER(dot), .help = "a graph for Graphviz"},
     {.name = NULL}};
 static const struct option_group group_own = {"Result", own_entries};
 
-static const struct option_group *const groups[] = {&group_result, &group_own, &group_scene,
-                                                    &group_arithmetic, NULL};
+static const struct option_group *const groups[] = {&group_result, &group_own,        &group_json,
+                                                    &group_scene,  &group_arithmetic, NULL};
 static const char *const examples[] = {"tree fig3 100 80",
                                        "tree fig3 100 80 --dot | dot -Tpng -o tree.png", NULL};
 
@@ -90,4 +96,5 @@ const struct command command_tree = {.name = "tree",
                                      .kind = OPERANDS_SCENE_FIRST,
                                      .groups = groups,
                                      .examples = examples,
+                                     .check = check_tree,
                                      .run = run_tree};

@@ -24,6 +24,22 @@ static const struct option_entry result_entries[] = {
     {.name = NULL}};
 const struct option_group group_result = {"Result", result_entries};
 
+static const struct option_entry picture_entries[] = {
+    {.name = "output",
+     .letter = 'o',
+     .value = "FILE.png",
+     .type = OPTION_TEXT,
+     OPTION_MEMBER(output),
+     .role = ROLE_PICTURE,
+     .allowed = "a file's name or -",
+     .help = "where the picture goes; - is standard output"},
+    {.name = "force",
+     .type = OPTION_FLAG,
+     OPTION_MEMBER(force),
+     .help = "let the picture replace a file that is no PNG"},
+    {.name = NULL}};
+const struct option_group group_picture = {"Result", picture_entries};
+
 static const struct option_entry folder_entries[] = {
     {.name = "output",
      .letter = 'o',
@@ -225,3 +241,8 @@ static const struct option_entry stop_entries[] = {{.name = "stop",
                                                     .help = "stop after access K, counted from 1"},
                                                    {.name = NULL}};
 const struct option_group group_stop = {"Board", stop_entries};
+
+static const struct option_entry json_entries[] = {
+    {.name = "json", .type = OPTION_FLAG, OPTION_MEMBER(json), .help = "print JSON"},
+    {.name = NULL}};
+const struct option_group group_json = {"Result", json_entries};

@@ -54,6 +54,7 @@ struct options {
     unsigned jobs;     /* 1..OPTIONS_JOBS_MOST */
     const char *stats; /* NULL: none; "-": standard output */
     bool quiet;
+    bool force;                 /* a picture may replace what is no picture */
     bool pov;                   /* export writes source for POV-Ray */
     bool dot;                   /* tree writes a graph for Graphviz */
     bool validates;             /* check holds the compiler's tables against the scene */
@@ -97,6 +98,7 @@ enum option_type {
 enum option_role {
     ROLE_NONE,
     ROLE_RESULT,   /* it is written */
+    ROLE_PICTURE,  /* it is written, as a PNG */
     ROLE_INPUT,    /* it is read */
     ROLE_EXPOSURES /* the folder of the eight pictures of a multiple exposure */
 };
@@ -132,6 +134,7 @@ struct option_group {
 /* The groups that more than one command takes; groups.c has them. Two are of one subject where the
  * same options say something else to other commands. */
 extern const struct option_group group_result;     /* -o FILE */
+extern const struct option_group group_picture;    /* -o FILE.png, --force */
 extern const struct option_group group_folder;     /* -o FOLDER */
 extern const struct option_group group_scene;      /* what a scene's settings may become */
 extern const struct option_group group_measured;   /* the same settings, for measure */
@@ -146,6 +149,7 @@ extern const struct option_group group_faults;         /* --faults */
 extern const struct option_group group_statistics;     /* --stats */
 extern const struct option_group group_recording;      /* --trace */
 extern const struct option_group group_stop;           /* --stop */
+extern const struct option_group group_json;           /* --json */
 extern const struct option_group group_help;           /* --help, which every command takes */
 
 /* ---- Commands ------------------------------------------------------------------------------- */

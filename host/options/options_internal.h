@@ -5,7 +5,8 @@
 
 #include "options/options.h"
 
-/* Each reads an option's value, as the member `set` of struct option_entry does. */
+/* As the member `set` of struct option_entry says. */
+
 enum value_verdict set_arithmetic(struct options *options, const char *value);
 enum value_verdict set_size(struct options *options, const char *value);
 enum value_verdict set_model(struct options *options, const char *value);

@@ -44,7 +44,7 @@ const struct option_entry *command_option(const struct command *command, size_t 
 }
 
 /* getopt_long()'s own tables for one sub-command. The value of a long option is LONG_ONLY plus its
- * place among the command's options, so that the entry can be found again. */
+ * place among the command's options. */
 struct getopt_tables {
     struct option longs[ENTRIES_MOST];
     const char *names[ENTRIES_MOST];

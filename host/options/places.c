@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* The places that a command reads and writes: no two results go to one, and none over an input. */
+/* The places that a command reads and writes. No two results go to one, none over an input, and no
+ * picture over what is none. */
 #include "options/places.h"
 
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -121,7 +123,7 @@ static void add_results(struct results *results, const struct command *command,
                    command->default_output(options, results->picture, sizeof results->picture));
     }
     for (size_t i = 0; (entry = command_option(command, i)) != NULL; i++) {
-        if (entry->role == ROLE_RESULT) {
+        if (entry->role == ROLE_RESULT || entry->role == ROLE_PICTURE) {
             add_result(results, shown(entry, results->what[results->count]),
                        name_of(entry, options));
         }
@@ -209,6 +211,73 @@ static bool do_inputs_stay(const struct command *command, const struct options *
     return all_stay;
 }
 
+/* ---- Pictures that would replace something else ---------------------------------------------- */
+
+/* Tells whether a name ends in another kind of picture than PNG. */
+static bool has_other_ending(const char *name) {
+    static const char *const endings[] = {"jpg",  "jpeg", "gif", "bmp", "tif", "tiff", "webp",
+                                          "ppm",  "pgm",  "pbm", "pnm", "tga", "svg",  "heic",
+                                          "avif", "jxl",  "qoi", "exr", "pdf", "eps"};
+    const char *dot = strrchr(name, '.');
+    for (size_t i = 0; dot != NULL && i < sizeof endings / sizeof endings[0]; i++) {
+        if (strcasecmp(dot + 1, endings[i]) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Tells whether a file with contents stands under the name, and is no PNG. What can't be read is
+ * for the command to complain about. */
+static bool is_other_file(const char *name) {
+    static const unsigned char signature[8] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+    unsigned char begin[sizeof signature];
+    struct stat facts;
+    if (stat(name, &facts) != 0 || !S_ISREG(facts.st_mode) || facts.st_size == 0) {
+        return false;
+    }
+    FILE *file = fopen(name, "rb");
+    if (file == NULL) {
+        return false;
+    }
+    size_t length = fread(begin, 1, sizeof begin, file);
+    (void)fclose(file);
+    return length < sizeof begin || memcmp(begin, signature, sizeof begin) != 0;
+}
+
+static bool may_be_written(const char *name, const struct options *options,
+                           struct options_error *error) {
+    if (name == NULL || strcmp(name, "-") == 0) {
+        return true;
+    }
+    if (has_other_ending(name)) {
+        return options_refuse(error,
+                              "%.200s: what is written is a PNG; allowed is: a name that ends in "
+                              ".png, or in no other kind of picture",
+                              name);
+    }
+    return options->force || !is_other_file(name) ||
+           options_refuse(error, "%.200s: the file that is there is no PNG; --force replaces it",
+                          name);
+}
+
+/* Checks the pictures that a command writes. `superframe trace --to` writes no picture. */
+static bool may_pictures_be_written(const struct command *command, const struct options *options,
+                                    struct options_error *error) {
+    const struct option_entry *entry;
+    char name[NAME_SIZE];
+    bool may_be =
+        options->output != NULL || command->default_output == NULL ||
+        may_be_written(command->default_output(options, name, sizeof name), options, error);
+    for (size_t i = 0;
+         may_be && !options->tracing.converts && (entry = command_option(command, i)) != NULL;
+         i++) {
+        may_be =
+            entry->role != ROLE_PICTURE || may_be_written(name_of(entry, options), options, error);
+    }
+    return may_be;
+}
+
 bool places_are_apart(const struct command *command, const struct options *options,
                       struct options_error *error) {
     struct results results;
@@ -217,5 +286,5 @@ bool places_are_apart(const struct command *command, const struct options *optio
     bool are_apart =
         are_results_apart(&results, error) && do_inputs_stay(command, options, &results, error);
     free_results(&results);
-    return are_apart;
+    return are_apart && may_pictures_be_written(command, options, error);
 }

@@ -11,12 +11,18 @@
 /* The line on the terminal. */
 struct progress {
     bool is_shown;
+    unsigned columns;  /* of the terminal */
     unsigned rows;     /* to be drawn in all */
     double last_drawn; /* seconds since the start when the line was last drawn */
+
+    /* What a person counts the work by, where that is not rows; NULL: rows. The caller sets these
+     * after progress_begin(), and goes on with units_done. */
+    const char *unit;
+    unsigned units, units_done;
 };
 
-/* Prepares the bar for so many rows. The bar is shown only if standard error is a terminal and
- * `quiet` is false. */
+/* Prepares the bar for so many rows. The bar is shown on a terminal only, and not if `quiet`. A
+ * terminal whose TERM is "dumb" or unset can't erase a line, and gets no bar. */
 void progress_begin(struct progress *progress, unsigned rows, bool quiet);
 
 /* Draws the line again, some ten times a second at most, as `progress` of a struct render_job.
@@ -28,8 +34,9 @@ void progress_end(struct progress *progress);
 
 enum { PROGRESS_LINE_SIZE = 128 };
 
-/* Writes the text of the line, for `rows` rows in all. */
-void progress_line(char line[PROGRESS_LINE_SIZE], unsigned rows,
+/* Writes the text of the line, shorter than the terminal has columns. What has no room is left out:
+ * first the bar, then the rays a second, then the time that is left. */
+void progress_line(char line[PROGRESS_LINE_SIZE], const struct progress *progress,
                    const struct render_totals *so_far);
 
 #endif

@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/json.h"
+
 /* Makes room for one more entry; false where there is none to be had. */
 static bool make_room(void **entries, size_t *room, size_t count, size_t size) {
     if (count < *room) {
@@ -225,5 +227,52 @@ int ray_tree_print_dot(FILE *out, const struct ray_tree *tree,
                 coefficient(tree, end->parent, end->weight));
     }
     fprintf(out, "}\n");
+    return ferror(out) ? -1 : 0;
+}
+
+static void write_three(struct json *json, const char *key, const double three[3]) {
+    json_begin_list(json, key);
+    for (int i = 0; i < 3; i++) {
+        json_real(json, NULL, three[i]);
+    }
+    json_end_list(json);
+}
+
+static void write_node(struct json *json, const struct ray_tree *tree,
+                       const struct observed_node *node, const struct compiled_scene *compiled) {
+    json_begin_object(json, NULL);
+    json_count(json, "number", node->number);
+    json_count(json, "parent", node->parent);
+    json_text(json, "kind", kind_text(node->kind, node->channel));
+    json_text(json, "before", object_text(compiled, node->before));
+    json_text(json, "after", object_text(compiled, node->after));
+    json_count(json, "events", node->events);
+    write_three(json, "weight", node->weight);
+    json_real(json, "coefficient", coefficient(tree, node->parent, node->weight));
+    json_end_object(json);
+}
+
+int ray_tree_print_json(FILE *out, const struct ray_tree *tree,
+                        const struct compiled_scene *compiled) {
+    struct json json = {.out = out};
+    json_begin_object(&json, NULL);
+    write_three(&json, "intensity", tree->intensity);
+    json_begin_list(&json, "nodes");
+    for (size_t i = 0; i < tree->node_count; i++) {
+        write_node(&json, tree, &tree->nodes[i], compiled);
+    }
+    json_end_list(&json);
+    json_begin_list(&json, "ends");
+    for (size_t i = 0; i < tree->end_count; i++) {
+        const struct observed_end *end = &tree->ends[i];
+        json_begin_object(&json, NULL);
+        json_count(&json, "parent", end->parent);
+        json_text(&json, "kind", kind_text(end->kind, end->channel));
+        json_text(&json, "why", why_text(end->why));
+        write_three(&json, "weight", end->weight);
+        json_end_object(&json);
+    }
+    json_end_list(&json);
+    json_end_object(&json);
     return ferror(out) ? -1 : 0;
 }

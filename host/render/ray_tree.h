@@ -35,4 +35,9 @@ int ray_tree_print(FILE *out, const struct ray_tree *tree, const struct compiled
 int ray_tree_print_dot(FILE *out, const struct ray_tree *tree,
                        const struct compiled_scene *compiled);
 
+/* Prints the tree as a JSON object: the intensity, the nodes by their numbers, the ends of
+ * branches. Returns 0, or -1 where writing failed. */
+int ray_tree_print_json(FILE *out, const struct ray_tree *tree,
+                        const struct compiled_scene *compiled);
+
 #endif

@@ -8,11 +8,12 @@
 
 #include "scene/description.h"
 
-/* Reads the built-in scene of that name, or else the file. Returns NULL with *error filled on
- * failure. The caller gives the result to scene_description_free(). */
+/* Reads the built-in scene of that name, or else the file; "-": standard input. Returns NULL with
+ * *error filled on failure. The caller gives the result to scene_description_free(). */
 struct scene_description *load_scene(const char *name_or_path, struct scene_error *error);
 
-/* Writes the scene's name without folder and extension, for the names of other files. `name` gets
+/* Writes the scene's name without folder and extension, for the names of other files. A scene of
+ * standard input is called "scene". `name` gets
  * at most size bytes with the NUL. */
 void scene_short_name(const char *name_or_path, char *name, size_t size);
 

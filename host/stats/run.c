@@ -5,51 +5,9 @@
 #include <inttypes.h>
 #include <stdbool.h>
 
+#include "base/json.h"
 #include "base/stopwatch.h"
 #include "stats/port_cost.h"
-
-/* Returns the number of bytes of the UTF-8 character that the text begins with; 0: it begins with
- * none. */
-static size_t utf8_length(const char *text) {
-    /* Kinds of characters by their first byte, with the range of the second one (RFC 3629).
-     * Surrogates, what is beyond 10FFFF, and what fewer bytes could say are left out. */
-    static const struct {
-        unsigned char first, last, low, high;
-        size_t length;
-    } kinds[] = {
-        {0x01, 0x7F, 0, 0xFF, 1},    {0xC2, 0xDF, 0x80, 0xBF, 2}, {0xE0, 0xE0, 0xA0, 0xBF, 3},
-        {0xE1, 0xEC, 0x80, 0xBF, 3}, {0xED, 0xED, 0x80, 0x9F, 3}, {0xEE, 0xEF, 0x80, 0xBF, 3},
-        {0xF0, 0xF0, 0x90, 0xBF, 4}, {0xF1, 0xF3, 0x80, 0xBF, 4}, {0xF4, 0xF4, 0x80, 0x8F, 4}};
-    const unsigned char *bytes = (const unsigned char *)text;
-    for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
-        if (bytes[0] < kinds[i].first || bytes[0] > kinds[i].last) {
-            continue;
-        }
-        bool is_whole = bytes[1] >= kinds[i].low && bytes[1] <= kinds[i].high;
-        for (size_t j = 2; j < kinds[i].length && is_whole; j++) {
-            is_whole = bytes[j] >= 0x80 && bytes[j] <= 0xBF; /* no NUL, so none beyond the end */
-        }
-        return is_whole ? kinds[i].length : 0;
-    }
-    return 0;
-}
-
-void stats_write_string(FILE *out, const char *text) {
-    (void)fputc('"', out);
-    while (*text != '\0') {
-        size_t length = utf8_length(text);
-        unsigned letter = (unsigned char)*text;
-        if (length == 0) {
-            (void)fputs("\\ufffd", out); /* U+FFFD marks what is no character */
-        } else if (letter < 0x20 || letter == '"' || letter == '\\') {
-            (void)fprintf(out, "\\u%04x", letter);
-        } else {
-            (void)fwrite(text, 1, length, out);
-        }
-        text += length > 0 ? length : 1;
-    }
-    (void)fputc('"', out);
-}
 
 static void write_count(FILE *out, const char *key, uint64_t count) {
     (void)fprintf(out, "  \"%s\": %" PRIu64 ",\n", key, count);
@@ -80,9 +38,9 @@ static void write_render(FILE *out, const struct run_stats *stats) {
     const struct compiled_scene *compiled = stats->compiled;
     const struct render_totals *totals = stats->totals;
     (void)fputs("  \"scene\": ", out);
-    stats_write_string(out, stats->scene);
+    json_write_string(out, stats->scene);
     (void)fputs(",\n  \"arith\": ", out);
-    stats_write_string(out, stats->arithmetic);
+    json_write_string(out, stats->arithmetic);
     (void)fprintf(out, ",\n  \"depth\": %u,\n  \"threshold\": %.17g,\n", compiled->depth_asked,
                   compiled->threshold);
     write_count(out, "width", compiled->width);

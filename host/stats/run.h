@@ -30,8 +30,4 @@ struct run_stats {
  * reason printed, on failure. */
 bool stats_commit(const struct run_stats *stats);
 
-/* Writes a string in JSON's quotes and escapes. Other UTF-8 goes out as it is; each byte that is no
- * part of a character becomes \ufffd. */
-void stats_write_string(FILE *out, const char *text);
-
 #endif

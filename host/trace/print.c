@@ -3,7 +3,9 @@
 #include "trace/print.h"
 
 #include <inttypes.h>
+#include <math.h>
 
+#include "base/json.h"
 #include "stats/port_cost.h"
 #include "trace/words.h"
 
@@ -59,6 +61,56 @@ void trace_print_statistics(FILE *out, const struct trace_statistics *statistics
     (void)fprintf(out, "%-28s %12" PRIu32 "\n", "pixels never touched", pixels.never);
     (void)fprintf(out, "%-28s %12" PRIu64 "\n", "violations", board_violations(&statistics->board));
     print_cost(out, cost, options);
+}
+
+static void write_registers(struct json *json, const struct board *board) {
+    json_begin_list(json, "registers");
+    for (unsigned offset = 0; offset < BOARD_PORTS; offset++) {
+        json_begin_object(json, NULL);
+        json_count(json, "port", board->desc.base + offset);
+        json_text(json, "name", trace_register_name(offset));
+        json_count(json, "bytes_out", board->writes[offset][0]);
+        json_count(json, "words_out", board->writes[offset][1]);
+        json_count(json, "bytes_in", board->reads[offset][0]);
+        json_count(json, "words_in", board->reads[offset][1]);
+        json_end_object(json);
+    }
+    json_end_list(json);
+}
+
+static void write_cost(struct json *json, const struct cost_bus *cost,
+                       const struct board_options *options) {
+    json_real(json, "bus_wait_ns", options->bus_wait);
+    json_begin_object(json, "port_cost");
+    for (int i = 0; cost_shown_machines[i] != NULL; i++) {
+        const struct cost_machine *machine = cost_machine_by_name(cost_shown_machines[i]);
+        double seconds = cost_bus_seconds(cost, machine, options->bus_wait);
+        bool is_known = options->frame_seconds > 0;
+        json_begin_object(json, machine->name);
+        json_real(json, "seconds", seconds);
+        json_real(json, "frame_seconds", is_known ? options->frame_seconds : (double)NAN);
+        json_real(json, "frame_share", is_known ? seconds / options->frame_seconds : (double)NAN);
+        json_end_object(json);
+    }
+    json_end_object(json);
+}
+
+void trace_write_statistics(FILE *out, const struct trace_statistics *statistics,
+                            const struct cost_bus *cost, const struct board_options *options) {
+    const struct trace_pixels pixels = trace_statistics_pixels(statistics);
+    struct json json = {.out = out};
+    json_begin_object(&json, NULL);
+    json_count(&json, "accesses", statistics->board.accesses);
+    json_count(&json, "writes", statistics->writes);
+    json_count(&json, "redundant_writes", statistics->redundant_writes);
+    json_count(&json, "reads", statistics->reads);
+    json_count(&json, "pixels_touched_once", pixels.once);
+    json_count(&json, "pixels_touched_again", pixels.again);
+    json_count(&json, "pixels_never_touched", pixels.never);
+    json_count(&json, "violations", board_violations(&statistics->board));
+    write_registers(&json, &statistics->board);
+    write_cost(&json, cost, options);
+    json_end_object(&json);
 }
 
 static void print_access(FILE *out, char mark, uint64_t number, const struct trace_access *access) {

@@ -15,6 +15,10 @@
 void trace_print_statistics(FILE *out, const struct trace_statistics *statistics,
                             const struct cost_bus *cost, const struct board_options *options);
 
+/* Writes the same as a JSON object. Shares of a frame are null without --frame-seconds. */
+void trace_write_statistics(FILE *out, const struct trace_statistics *statistics,
+                            const struct cost_bus *cost, const struct board_options *options);
+
 /* Prints the first difference, found before, as a diff. What both traces have comes first, then -
  * marks the one named first and + the other. */
 void trace_print_difference(FILE *out, const struct trace_difference *difference,

@@ -71,7 +71,7 @@ static const struct {
     {"superframe compile fig3 -o /dev/full", 1, "superframe: /dev/full"},
     {"ulimit -f 1; superframe render " TINY "-o x.png", 1, "x.png: cannot be written: File too"},
     {"(superframe render " TINY "-o -; echo $? > status) | exec 0<&-; sleep 2; exit $(cat status)",
-     1, "superframe: standard output: cannot be written: Broken pipe"},
+     1, ""},
     {"superframe replay nothing -o x.png", 2, "superframe: nothing: cannot be read"},
     {"superframe replay /dev/null -o x.png", 2, "superframe: /dev/null"},
     {"echo out9 00D0 00 > t; superframe replay t -o x.png", 2, "superframe: t:1: "},
@@ -103,8 +103,10 @@ static void wrong_input(void **state) {
 
 static void a_failed_render_leaves_the_old_picture(void **state) {
     (void)state;
-    assert_status("echo old > x.png; ulimit -f 1; superframe render " TINY "-o x.png", 1);
-    assert_string_equal(text_of("x.png"), "old\n");
+    assert_status("superframe render " TINY "-o x.png && cp x.png old.png; ulimit -f 1; "
+                  "superframe render fig4a --size 16x10 -o x.png",
+                  1);
+    assert_status("cmp x.png old.png", 0);
     assert_int_equal(leftovers(), 0);
 }
 
@@ -288,14 +290,17 @@ static void closed_streams(void **state) {
                   0);
 }
 
-static void an_interrupt_ends_cleanly(void **state) {
+static void an_interrupt_ends_cleanly_and_leaves_the_finished_picture(void **state) {
     (void)state;
+    assert_status("superframe render " TINY "-o whole.png && cp whole.png a.png", 0);
     assert_status(
         "timeout --foreground --preserve-status -s INT 3 superframe render fig3 --arith f128 "
         "--size 640x400 --jobs 2 -o a.png --trace a.trace --stats s",
         130);
     assert_non_null(strstr(text_of("err"), "superframe: interrupted after "));
-    assert_status("superframe replay a.trace -o b.png && cmp a.png b.png", 0);
+    assert_non_null(strstr(text_of("err"), "what was drawn is in a.partial.png"));
+    assert_status("superframe replay a.trace -o b.png && cmp a.partial.png b.png", 0);
+    assert_status("cmp a.png whole.png", 0);
     assert_non_null(strstr(text_of("s"), "\"frame_crc\": "));
     assert_int_equal(leftovers(), 0);
 }
@@ -325,7 +330,7 @@ static void nothing_half_written_is_left_by_a_signal(void **state) {
         assert_int_equal(leftovers(), 0);
     }
     assert_false(is_there("a.png") || is_there("a.txt"));
-    assert_true(is_there("b.png"));
+    assert_true(is_there("b.partial.png") && !is_there("b.png"));
 }
 
 int main(void) {
@@ -346,7 +351,7 @@ int main(void) {
         TEST(compiling),
         TEST(names_are_quoted_in_a_graph),
         TEST(closed_streams),
-        TEST(an_interrupt_ends_cleanly),
+        TEST(an_interrupt_ends_cleanly_and_leaves_the_finished_picture),
         TEST(nothing_half_written_is_left_by_a_signal),
     };
     return cmocka_run_group_tests(tests, enter_group, leave_group);

@@ -158,6 +158,7 @@ static int measure_point(struct measure *measure, const struct measure_scene *sc
         return status;
     }
     point->is_done = true;
+    measure->progress.units_done++;
     measure_write_point(measure, log, point);
     if (fflush(log) != 0) {
         complain("%s: cannot be written: %s", measure->points_path, strerror(errno));
@@ -228,6 +229,14 @@ static unsigned count_rows(const struct measure *measure) {
     return rows;
 }
 
+static unsigned count_done(const struct measure *measure) {
+    unsigned done = 0;
+    for (size_t i = 0; i < measure->points.count; i++) {
+        done += measure->points.points[i].is_done;
+    }
+    return done;
+}
+
 /* Makes points.csv ready for further lines. A head that is missing or cut off is written anew; a
  * line that was cut off is ended. */
 static bool begin_log(FILE *file) {
@@ -284,6 +293,9 @@ int measure_run(struct measure *measure) {
         return STATUS_FAILED;
     }
     progress_begin(&measure->progress, count_rows(measure), measure->options->quiet);
+    measure->progress.unit = "setting";
+    measure->progress.units = (unsigned)measure->points.count;
+    measure->progress.units_done = count_done(measure);
     measure->began = stopwatch_start();
     interrupt_catch();
     int status = run_all(measure, log);

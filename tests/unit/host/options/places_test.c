@@ -7,7 +7,8 @@
 
 #include "base/path.h"
 
-/* In a folder with the files a.scene, t, in.png, link -> a.scene, ahead -> new.png, and sub/. */
+/* In a folder with the files a.scene, t, in.png, link -> a.scene, ahead -> new.png, sub/, the empty
+ * file empty, real.png, which begins as a PNG, short.png, which ends too early, and fig4a.png. */
 static const struct {
     const char *line;
     const char *fragment; /* of the message; NULL: taken */
@@ -27,7 +28,7 @@ static const struct {
     /* Other spellings. */
     {"render fig3 -o x.png --stats ./x.png", "the same place"},
     {"render fig3 -o x.png --stats sub/../x.png", "the same place"},
-    {"render fig3 -o in.png --stats .//in.png", "the same place"},
+    {"render fig3 -o real.png --stats .//real.png", "the same place"},
     {"render fig3 -o ahead --stats new.png", "the same place"},
     {"render fig3 -o sub/x --stats x", NULL},
     {"render fig3 -o x --stats sub", NULL},
@@ -63,6 +64,28 @@ static const struct {
     {"compare in.png t --difference in.png", "would overwrite"},
     {"compare a b --signatures t --difference t", "would overwrite"},
     {"compare in.png in.png --signatures in.png", NULL},
+    /* A picture replaces pictures and empty files only, and has no other picture's name. */
+    {"render fig3 -o a.scene", "is no PNG; --force replaces it"},
+    {"render fig3 -o link", "is no PNG"},
+    {"render fig3 -o short.png", "is no PNG"},
+    {"render fig3 -o real.png", NULL},
+    {"render fig3 -o empty", NULL},
+    {"render fig3 -o sub", NULL}, /* a folder: the command says so */
+    {"render fig3 -o a.scene --force", NULL},
+    {"render fig3 -o x.jpg", "what is written is a PNG"},
+    {"render fig3 -o x.TIFF --force", "what is written is a PNG"},
+    {"render fig3 -o x.pngs", NULL},
+    {"render fig3 -o jpg", NULL},
+    {"render fig4a", "fig4a.png: the file that is there is no PNG"},
+    {"render fig4a --bus trace:x", NULL},
+    {"replay t -o a.scene", "is no PNG"},
+    {"boot t -o a.scene", "is no PNG"},
+    {"adapter -o a.scene", "is no PNG"},
+    {"trace t -o a.scene", "is no PNG"},
+    {"trace t --to text -o a.scene", NULL},
+    {"compare in.png real.png --difference a.scene", "is no PNG"},
+    {"compile fig3 -o a.scene", NULL},
+    {"render fig3 -o real.png --stats a.scene", NULL},
 };
 
 static char before[4096], folder[] = "/tmp/superframe-places-XXXXXX";
@@ -72,8 +95,10 @@ static int enter(void **state) {
     if (getcwd(before, sizeof before) == NULL || mkdtemp(folder) == NULL || chdir(folder) != 0) {
         return -1;
     }
-    return system("echo > a.scene; echo > t; echo > in.png; mkdir sub; ln -s a.scene link; "
-                  "ln -s new.png ahead");
+    return system(
+        "echo > a.scene; echo > t; echo > in.png; mkdir sub; ln -s a.scene link; "
+        "ln -s new.png ahead; : > empty; printf '\\211PNG' > short.png; echo > fig4a.png; "
+        "printf '\\211PNG\\r\\n\\032\\n and more' > real.png");
 }
 
 static int leave(void **state) {

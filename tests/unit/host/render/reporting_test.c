@@ -10,31 +10,53 @@
 
 #include <cmocka.h>
 
+#include "base/json.h"
 #include "render/progress.h"
 #include "scene/load.h"
-#include "stats/run.h"
 
-static void assert_line(unsigned rows, unsigned done, uint64_t rays, double seconds,
-                        const char *expected) {
+static void assert_line(unsigned columns, const char *unit, unsigned done, uint64_t rays,
+                        double seconds, const char *expected) {
+    struct progress progress;
     struct render_totals totals;
     char line[PROGRESS_LINE_SIZE];
     memset(&totals, 0, sizeof totals);
+    memset(&progress, 0, sizeof progress);
+    progress.rows = 400;
+    progress.columns = columns;
+    progress.unit = unit;
+    progress.units = 90;
+    progress.units_done = 7;
     totals.rows = done;
     totals.rays = rays;
     totals.seconds = seconds;
-    progress_line(line, rows, &totals);
+    progress_line(line, &progress, &totals);
     assert_string_equal(line, expected);
+    assert_true(strlen(line) < columns);
 }
 
 static void progress_lines(void **state) {
     (void)state;
-    assert_line(400, 100, 5000, 10,
+    assert_line(80, NULL, 100, 5000, 10,
                 "[######..................] row 100 of 400, 500 rays/s, 0:30 left");
-    assert_line(400, 400, 2500000, 100,
+    assert_line(80, NULL, 400, 2500000, 100,
                 "[########################] row 400 of 400, 25.0 k rays/s, 0:00 left");
-    assert_line(400, 1, 4000000, 0.5,
+    assert_line(80, NULL, 1, 4000000, 0.5,
                 "[........................] row 1 of 400, 8.00 M rays/s, 3:20 left");
-    assert_line(400, 0, 0, 0, "[........................] row 0 of 400, 0 rays/s, 5999:59 left");
+    assert_line(80, NULL, 0, 0, 0,
+                "[........................] row 0 of 400, 0 rays/s, 5999:59 left");
+    assert_line(80, "setting", 100, 5000, 10,
+                "[######..................] setting 7 of 90, 500 rays/s, 0:30 left");
+}
+
+static void a_narrow_terminal_gets_a_shorter_line(void **state) {
+    (void)state;
+    assert_line(67, NULL, 100, 5000, 10,
+                "[######..................] row 100 of 400, 500 rays/s, 0:30 left");
+    assert_line(64, NULL, 100, 5000, 10, "row 100 of 400, 500 rays/s, 0:30 left");
+    assert_line(40, NULL, 100, 5000, 10, "row 100 of 400, 500 rays/s, 0:30 left");
+    assert_line(37, NULL, 100, 5000, 10, "row 100 of 400, 0:30 left");
+    assert_line(20, NULL, 100, 5000, 10, "row 100 of 400");
+    assert_line(8, NULL, 100, 5000, 10, "row 100");
 }
 
 static void no_bar_without_a_terminal(void **state) {
@@ -48,7 +70,7 @@ static void assert_quoted(const char *text, const char *expected) {
     char quoted[128] = "";
     FILE *file = tmpfile();
     assert_non_null(file);
-    stats_write_string(file, text);
+    json_write_string(file, text);
     rewind(file);
     quoted[fread(quoted, 1, sizeof quoted - 1, file)] = '\0';
     (void)fclose(file);
@@ -87,6 +109,7 @@ static void names_after_scenes(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(progress_lines),
+        cmocka_unit_test(a_narrow_terminal_gets_a_shorter_line),
         cmocka_unit_test(no_bar_without_a_terminal),
         cmocka_unit_test(strings_in_json),
         cmocka_unit_test(names_after_scenes),
