@@ -69,7 +69,7 @@ $(LISTS:%=$(BUILD)/lists_without/%.c): $(BUILD)/lists_without/%.c: host/base/lis
 $(BUILD)/fuzzed/%: private override CC := clang
 
 # A fuzzer takes from this library what it calls. A processor needs Unicorn.
-FUZZED_HOST    := $(filter $(patsubst %,host/%/%.c,scene compiler adapter) host/boot/%,$(HOST_SOURCES))
+FUZZED_HOST    := $(filter $(patsubst %,host/%/%.c,base scene compiler adapter) host/boot/%,$(HOST_SOURCES))
 FUZZED_OBJECTS := $(fuzzed_HAL) $(fuzzed_EMULATOR) $(FUZZED_HOST:%.c=$(BUILD)/fuzzed/%.o) \
                   $(patsubst %,$(BUILD)/fuzzed/%.o,image_fx image_f32 builtin_scenes lists/processors)
 FUZZERS := $(patsubst tests/fuzz/%.c,$(BUILD)/fuzzed/%,$(wildcard tests/fuzz/*_fuzz.c))

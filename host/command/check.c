@@ -37,7 +37,7 @@ static void print_scaling(const struct compiled_scene *compiled) {
 
 static void print_indices(const struct compiled_scene *compiled) {
     double least = HUGE_VAL, most = 0;
-    for (unsigned i = 0; i < compiled->material_count; i++) {
+    for (unsigned i = 1; i < compiled->material_count; i++) { /* 0 is the air */
         if (compiled->materials[i].transparent) {
             least = fmin(least, compiled->materials[i].ior[1]);
             most = fmax(most, compiled->materials[i].ior[1]);

@@ -380,6 +380,31 @@ static void the_line_of_a_solid_too_many_is_its_own(void **state) {
     }
 }
 
+/* Solids beyond what the compiler can hold at a time are refused even where none of them is seen:
+ * the eye is in a closed box. */
+static void more_solids_than_the_tables_hold_are_refused_unseen(void **state) {
+    (void)state;
+    static char text[65536];
+    int at = snprintf(text, sizeof text,
+                      "version = 1; camera = { eye = (0, 0, 0); look_at = (1, 0, 0); };\n"
+                      "materials = { m = { colour = [9, 9, 9]; }; };\n"
+                      "objects = (\n{ material = \"m\"; solid = { difference = ( { box = { min = "
+                      "(-2, -2, -2); max = (2, 2, 2); }; }, { box = { min = (-1, -1, -1); "
+                      "max = (1, 1, 1); }; } ); }; }");
+    for (int i = 0; i < 3; i++) {
+        at += snprintf(text + at, sizeof text - (size_t)at,
+                       ",\n{ material = \"m\"; solid = { union = (");
+        for (int j = 0; j < 100; j++) {
+            at += snprintf(text + at, sizeof text - (size_t)at,
+                           "%s { ball = { centre = (%d, %d, 5); radius = 0.25; }; }",
+                           j > 0 ? "," : "", j + 10, i);
+        }
+        at += snprintf(text + at, sizeof text - (size_t)at, " ); }; }");
+    }
+    (void)snprintf(text + at, sizeof text - (size_t)at, " );\n");
+    assert_string_equal(refusal_of(text, "f64"), "test.scene:7: more than 64 different solids");
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(each_is_refused_with_its_line_and_what_is_allowed),
@@ -387,6 +412,7 @@ int main(void) {
         cmocka_unit_test(curves_that_lose_their_shape_are_refused),
         cmocka_unit_test(a_patterns_cell_of_no_size_is_refused),
         cmocka_unit_test(more_solids_than_a_program_holds_are_refused),
+        cmocka_unit_test(more_solids_than_the_tables_hold_are_refused_unseen),
         cmocka_unit_test(unbounded_glass_is_refused),
         cmocka_unit_test(a_floor_beyond_the_world_is_refused),
         cmocka_unit_test(a_refusal_says_where_and_what_and_nothing_else),

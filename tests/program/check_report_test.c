@@ -40,6 +40,16 @@ static void check_says_what_became_of_the_solids(void **state) {
                 "\nhidden      4 pairs of primitives cannot be met one from within the other\n");
 }
 
+static void check_tells_of_refraction_where_something_is_transparent(void **state) {
+    (void)state;
+    write_scene(solids);
+    assert_status("superframe check some.scene", 0);
+    assert_null(strstr(text_of("out"), "refraction"));
+    assert_null(strstr(text_of("out"), " inf"));
+    assert_status("superframe check fig3", 0);
+    assert_says("out", "\nrefraction  indices 1.5 to 1.5\n");
+}
+
 static unsigned count_of(const char *text, const char *word) {
     unsigned count = 0;
     for (const char *found = text; (found = strstr(found, word)) != NULL; found++) {
@@ -70,6 +80,7 @@ static void a_compiled_scene_says_the_same(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         TEST(check_says_what_became_of_the_solids),
+        TEST(check_tells_of_refraction_where_something_is_transparent),
         TEST(check_validates_each_step_on_demand),
         TEST(a_compiled_scene_says_the_same),
     };

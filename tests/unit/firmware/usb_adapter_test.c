@@ -302,6 +302,22 @@ static void the_descriptors_are_whole(void **state) {
     assert_int_equal(usb_get16(in + 22), 512);
 }
 
+/* The device has one descriptor of each of these; whoever asks for another gets a stall. */
+static void there_is_one_of_each_descriptor(void **state) {
+    uint8_t in[USB_CONTROL_MOST];
+    (void)state;
+    device.is_high_speed = true;
+    for (unsigned index = 1; index < 256; index++) {
+        assert_int_equal(get(2, index, 255, in), USB_STALL);
+        assert_true(index < 16 ? get(3, index, 255, in) != 0 : get(3, index, 255, in) == USB_STALL);
+    }
+    for (unsigned type = 16; type < 256; type++) {
+        if (type != 0x21 && type != 0x22) { /* of HID */
+            assert_int_equal(get(type, 0, 255, in), USB_STALL);
+        }
+    }
+}
+
 static void windows_finds_its_driver(void **state) {
     uint8_t in[USB_CONTROL_MOST];
     (void)state;
@@ -335,6 +351,7 @@ int main(void) {
         cmocka_unit_test_setup(an_answer_is_no_longer_than_asked_for, plug_in),
         cmocka_unit_test_setup(nothing_is_written_behind_an_answer, plug_in),
         cmocka_unit_test_setup(the_descriptors_are_whole, plug_in),
+        cmocka_unit_test_setup(there_is_one_of_each_descriptor, plug_in),
         cmocka_unit_test_setup(windows_finds_its_driver, plug_in),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -391,6 +391,61 @@ static void a_glass_that_casts_shadows_has_an_opaque_twin_for_them(void **state)
     discard(&scene);
 }
 
+/* Tells whether brackets pair off outside of comments and strings. */
+static bool are_brackets_paired(const char *text) {
+    char open[256];
+    size_t depth = 0;
+    for (; *text != '\0'; text++) {
+        if (strncmp(text, "//", 2) == 0) {
+            text += strcspn(text, "\n") - 1;
+        } else if (*text == '{' || *text == '[' || *text == '(') {
+            open[depth++] = *text == '{' ? '}' : *text == '[' ? ']' : ')';
+        } else if (strchr("}])", *text) != NULL) {
+            if (depth == 0 || open[--depth] != *text) {
+                return false;
+            }
+        }
+        if (depth == sizeof open) {
+            return false;
+        }
+    }
+    return depth == 0;
+}
+
+/* A texture has one pigment, and one finish with a diffuse part that POV-Ray does not choose. */
+static void every_source_is_well_formed(void **state) {
+    static const char *const names[] = {"fig3",  "fig4a",         "fig4b",        "fig5", "fig6a",
+                                        "fig6b", "fig7-isolated", "fig7-frustum", "figA"};
+    (void)state;
+    for (size_t i = 0; i < sizeof names / sizeof names[0] + 1; i++) {
+        struct exported scene = {NULL, NULL, NULL, {""}};
+        if (i < sizeof names / sizeof names[0]) {
+            scene.description = load_scene(names[i], &scene.error);
+            scene.scene = scene_compile(scene.description, &scene.error);
+            write_again(&scene);
+        } else {
+            scene = export_text(
+                HEAD MATERIALS
+                "objects = ( { material = \"clay\"; solid = { "
+                "polyhedron = { planes = ( { normal = (1, 0, 0); offset = 1; }, { normal = "
+                "(-1, 0.1, 0); offset = 1; }, { normal = (0, 1, 0.2); offset = 1; }, "
+                "{ normal = (0, -1, 0); offset = 1; }, { normal = (0.3, 0, 1); "
+                "offset = 1; }, { normal = (0, 0, -1); offset = 1; } ); }; }; } );");
+            assert_int_equal(occurrences(scene.text, "plane { "), 6);
+            assert_int_equal(occurrences(scene.text, "intersection {"), 1);
+        }
+        assert_non_null(scene.text);
+        if (!are_brackets_paired(scene.text)) {
+            fail_msg("%s", scene.text);
+        }
+        unsigned textures = (unsigned)occurrences(scene.text, "texture {\n");
+        assert_true(textures > 0);
+        assert_int_equal(occurrences(scene.text, "pigment { rgb"), textures);
+        assert_int_equal(occurrences(scene.text, "finish { ambient 0 diffuse "), textures);
+        discard(&scene);
+    }
+}
+
 static void every_built_in_scene_is_taken(void **state) {
     static const char *const names[] = {"fig3",  "fig4a",         "fig4b",        "fig5", "fig6a",
                                         "fig6b", "fig7-isolated", "fig7-frustum", "figA"};
@@ -425,6 +480,7 @@ int main(void) {
         cmocka_unit_test(what_only_looks_like_it_is_taken),
         cmocka_unit_test(a_glass_that_casts_shadows_has_an_opaque_twin_for_them),
         cmocka_unit_test(every_built_in_scene_is_taken),
+        cmocka_unit_test(every_source_is_well_formed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

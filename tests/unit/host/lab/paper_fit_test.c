@@ -51,6 +51,24 @@ static void known_constants_are_found(void **state) {
     }
 }
 
+/* Curves of constants beyond the range: the nearest ones within the range are taken. */
+static void no_constant_leaves_its_range(void **state) {
+    (void)state;
+    static const int beyond[][2] = {{50, 14}, {1, 30}, {500, 4}, {2000, 20}};
+    for (size_t i = 0; i < sizeof beyond / sizeof beyond[0]; i++) {
+        double depths[DEPTHS], values[DEPTHS];
+        for (int n = 0; n < DEPTHS; n++) {
+            depths[n] = n;
+            values[n] = paper_form(beyond[i][0], beyond[i][1], n);
+        }
+        struct paper_fit fit = paper_fit_form(depths, values, DEPTHS);
+        assert_in_range(fit.c1, 1, PAPER_C1_MOST);
+        assert_in_range(fit.c2, 1, PAPER_C2_MOST);
+        assert_true(beyond[i][0] <= PAPER_C1_MOST || fit.c1 == PAPER_C1_MOST || fit.c2 > 4);
+        assert_true(beyond[i][1] <= PAPER_C2_MOST || fit.c2 == PAPER_C2_MOST);
+    }
+}
+
 /* Values 1 and 100 at N = 0 and 1: the best is C1 = 100, which gives 1 and log10(101) + 1. Their
  * spread around the mean is 2 * 49.5^2. */
 static void a_bad_fit_is_told(void **state) {
@@ -91,8 +109,11 @@ static void both_readings(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_form),          cmocka_unit_test(known_constants_are_found),
-        cmocka_unit_test(a_bad_fit_is_told), cmocka_unit_test(a_level_curve_explains_nothing),
+        cmocka_unit_test(the_form),
+        cmocka_unit_test(known_constants_are_found),
+        cmocka_unit_test(no_constant_leaves_its_range),
+        cmocka_unit_test(a_bad_fit_is_told),
+        cmocka_unit_test(a_level_curve_explains_nothing),
         cmocka_unit_test(both_readings),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

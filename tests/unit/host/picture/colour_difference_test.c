@@ -119,6 +119,34 @@ static void mean_percentile_and_largest(void **state) {
     assert_true(found.largest <= 0);
 }
 
+/* Pixels of any colours: what is said of the picture is what the formula says of each pixel, and
+ * the same the other way round. */
+static void a_picture_is_the_sum_of_its_pixels(void **state) {
+    (void)state;
+    enum { PIXELS = 999 };
+    static uint8_t a[3 * PIXELS], b[3 * PIXELS];
+    struct colour_differences found, turned;
+    uint32_t seed = 5;
+    double sum = 0, largest = 0;
+    for (size_t i = 0; i < sizeof a; i++) {
+        seed = seed * 1664525u + 1013904223u;
+        a[i] = (uint8_t)(seed >> 24);
+        b[i] = (uint8_t)(seed >> 16);
+    }
+    for (size_t i = 0; i < PIXELS; i++) {
+        double one = colour_difference(lab_of_srgb(&a[3 * i]), lab_of_srgb(&b[3 * i]));
+        sum += one;
+        largest = fmax(largest, one);
+    }
+    assert_true(colour_differences(a, b, PIXELS, &found));
+    assert_true(colour_differences(b, a, PIXELS, &turned));
+    assert_near(found.mean, sum / PIXELS, 1e-9);
+    assert_near(found.largest, largest, 1e-9);
+    assert_near(turned.mean, found.mean, 1e-9);
+    assert_near(turned.high, found.high, 1e-9);
+    assert_near(turned.largest, found.largest, 1e-9);
+}
+
 /* SSIM as its definition says: one window at a time, all of its pixels. */
 static double plain_similarity(const uint8_t *a, const uint8_t *b, int width, int height) {
     double sum = 0;
@@ -209,6 +237,7 @@ int main(void) {
         cmocka_unit_test(known_colours_in_cielab),
         cmocka_unit_test(a_grey_has_no_colour_and_white_is_100),
         cmocka_unit_test(mean_percentile_and_largest),
+        cmocka_unit_test(a_picture_is_the_sum_of_its_pixels),
         cmocka_unit_test(similarity_is_what_its_definition_says),
         cmocka_unit_test(similarity_of_two_greys_and_of_too_small_pictures),
         cmocka_unit_test(the_difference_picture_has_its_steps),
