@@ -412,7 +412,7 @@ static bool are_brackets_paired(const char *text) {
     return depth == 0;
 }
 
-/* A texture has one pigment, and one finish with a diffuse part that POV-Ray does not choose. */
+/* Behind each pigment stands a finish, with a diffuse part that POV-Ray does not choose. */
 static void every_source_is_well_formed(void **state) {
     static const char *const names[] = {"fig3",  "fig4a",         "fig4b",        "fig5", "fig6a",
                                         "fig6b", "fig7-isolated", "fig7-frustum", "figA"};
@@ -438,10 +438,9 @@ static void every_source_is_well_formed(void **state) {
         if (!are_brackets_paired(scene.text)) {
             fail_msg("%s", scene.text);
         }
-        unsigned textures = (unsigned)occurrences(scene.text, "texture {\n");
-        assert_true(textures > 0);
-        assert_int_equal(occurrences(scene.text, "pigment { rgb"), textures);
-        assert_int_equal(occurrences(scene.text, "finish { ambient 0 diffuse "), textures);
+        assert_true(occurrences(scene.text, "pigment { rgb") > 0);
+        assert_int_equal(occurrences(scene.text, "finish { ambient 0 diffuse "),
+                         occurrences(scene.text, "pigment { rgb"));
         discard(&scene);
     }
 }
