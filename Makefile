@@ -213,7 +213,8 @@ $(BUILD)/superframe: $(BUILD)/release/superframe
 	@cp $< $@.new && mv -f $@.new $@
 
 .DELETE_ON_ERROR:
-.SECONDARY:
+# Objects are kept; .SECONDARY would leave out one that is missing where what needs it is newer.
+.PRECIOUS: %.o %.c
 
 $(foreach configuration,$(CONFIGURATIONS),$(eval $(call whole,$(configuration))))
 $(foreach configuration,$(CONFIGURATIONS) library coverage,$(eval $(call objects,$(configuration))))

@@ -103,10 +103,13 @@ static int boot(struct boot_run *run) {
     case PROCESSOR_BUS_FAILED:
         complain("%s", run->report.reason);
         return STATUS_FAILED;
-    default:
-        dump_registers(run);
-        return STATUS_FAILED;
+    case PROCESSOR_LOST:
+    case PROCESSOR_LIMIT:
+    case PROCESSOR_ENDS:
+        break;
     }
+    dump_registers(run);
+    return STATUS_FAILED;
 }
 
 static int write_results(struct boot_run *run) {

@@ -21,8 +21,8 @@ bool compile_append(struct compiler *compiler, uint8_t code) {
     return true;
 }
 
-int compile_new_primitive(struct compiler *compiler, uint8_t kind, uint8_t index, uint8_t frame,
-                          bool left_for_good) {
+int compile_new_primitive(struct compiler *compiler, enum compiled_kind kind, uint8_t index,
+                          uint8_t frame, bool left_for_good) {
     struct compiled_scene *scene = compiler->scene;
     if (scene->primitive_count == COMPILED_DRAFTS_MOST ||
         scene->box_count == COMPILED_DRAFTS_MOST) {

@@ -128,9 +128,10 @@ static bool bound_primitive(struct compiler *compiler, int primitive, const stru
         return bound_quadric(compiler, primitive, view);
     case KIND_POLYHEDRON:
         return bound_polyhedron(compiler, primitive, view);
-    default:
-        return false;
+    case KIND_BALL:
+        break;
     }
+    return false;
 }
 
 void optimise_bound(struct optimiser *optimiser) {

@@ -251,13 +251,16 @@ struct bounds solid_bounds(const struct scene_description *description, int inde
         return polyhedron_bounds(&placement, node);
     case SOLID_HALF_SPACE:
         return half_space_bounds(&placement, node);
+    case SOLID_CYLINDER:
+    case SOLID_CONE:
+    case SOLID_PARABOLOID:
+    case SOLID_HYPERBOLOID:
+        return round_bounds(&placement, node);
     case SOLID_UNION:
     case SOLID_INTERSECTION:
     case SOLID_DIFFERENCE:
     case SOLID_PART:
         break;
-    default:
-        return round_bounds(&placement, node);
     }
     struct bounds bounds = solid_bounds(description, node->children[0], &placement);
     for (size_t i = 1; i < node->child_count && node->kind != SOLID_DIFFERENCE; i++) {

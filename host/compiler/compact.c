@@ -102,7 +102,7 @@ static void move_primitive(struct moves *moves, struct compiled_scene *scene, ui
     case KIND_QUADRIC:
         primitive->index = move_quadric(moves, scene, primitive->index);
         break;
-    default:
+    case KIND_POLYHEDRON:
         primitive->index = move_polyhedron(moves, scene, primitive->index);
         break;
     }

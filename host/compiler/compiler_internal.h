@@ -134,8 +134,8 @@ bool compile_general_quadric(struct compiler *compiler, const struct solid_node 
 
 /* Adds an entry to the table of primitives, with what is common to all kinds. Returns its number,
  * or -1 with the failure recorded. */
-int compile_new_primitive(struct compiler *compiler, uint8_t kind, uint8_t index, uint8_t frame,
-                          bool left_for_good);
+int compile_new_primitive(struct compiler *compiler, enum compiled_kind kind, uint8_t index,
+                          uint8_t frame, bool left_for_good);
 
 /* Tells whether two scaled lengths are one to the compiler. */
 bool compile_same(const struct compiler *compiler, double a, double b);

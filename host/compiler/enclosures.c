@@ -163,9 +163,10 @@ bool primitive_is_within(const struct compiled_scene *scene, int inner, int oute
         return is_within_ball(scene, inner, outer);
     case KIND_POLYHEDRON:
         return is_within_polyhedron(scene, inner, outer);
-    default:
-        return is_within_quadric(scene, inner, outer);
+    case KIND_QUADRIC:
+        break;
     }
+    return is_within_quadric(scene, inner, outer);
 }
 
 /* Tells whether all of one primitive lies before another one along a direction of any length; false

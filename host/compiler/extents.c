@@ -158,9 +158,10 @@ double primitive_reach(const struct compiled_scene *scene, int index, const doub
                scene->balls[primitive->index].radius;
     case KIND_QUADRIC:
         return quadric_reach(scene, primitive, direction);
-    default:
-        return polyhedron_reach(scene, &scene->polyhedra[primitive->index], direction);
+    case KIND_POLYHEDRON:
+        break;
     }
+    return polyhedron_reach(scene, &scene->polyhedra[primitive->index], direction);
 }
 
 struct bounds primitive_bounds(const struct compiled_scene *scene, int primitive) {

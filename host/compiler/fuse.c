@@ -25,7 +25,7 @@ static bool plane_leaves(const struct compiled_scene *scene, int primitive,
  * one of the planes leaves nothing of the primitive. */
 static int cutting_planes(const struct compiled_scene *scene, int primitive, int solid,
                           struct compiled_face planes[COMPILED_FACES_MOST]) {
-    uint8_t kind = scene->primitives[solid].kind;
+    enum compiled_kind kind = scene->primitives[solid].kind;
     bool is_flat = kind == KIND_BOX || kind == KIND_POLYHEDRON;
     int count = is_flat ? compiled_faces(scene, solid, planes) : 0, kept = 0;
     for (int i = 0; i < count; i++) {

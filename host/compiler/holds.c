@@ -70,9 +70,10 @@ bool compiled_primitive_holds(const struct compiled_scene *scene, uint8_t index,
         }
         to_frame(scene, primitive->frame, q, q);
         return is_inside_quadric(scene, quadric, p, q);
-    default:
-        return is_inside_box(&scene->boxes[primitive->index], p);
+    case KIND_BOX:
+        break;
     }
+    return is_inside_box(&scene->boxes[primitive->index], p);
 }
 
 /* Evaluates an object's program in the host's words; the program means the same as in ray_hit(). */

@@ -159,14 +159,21 @@ static struct quadric_form form_of_leaf(const struct solid_node *leaf) {
     }
     case SOLID_HYPERBOLOID:
         return hyperboloid(leaf);
-    default: {
-        const struct quadric_form general = {{{f[0], f[3] / 2, f[5] / 2, f[6] / 2},
-                                              {f[3] / 2, f[1], f[4] / 2, f[7] / 2},
-                                              {f[5] / 2, f[4] / 2, f[2], f[8] / 2},
-                                              {f[6] / 2, f[7] / 2, f[8] / 2, f[9]}}};
-        return general;
+    case SOLID_QUADRIC:
+    case SOLID_BOX:
+    case SOLID_HALF_SPACE:
+    case SOLID_POLYHEDRON:
+    case SOLID_UNION:
+    case SOLID_INTERSECTION:
+    case SOLID_DIFFERENCE:
+    case SOLID_PART:
+        break;
     }
-    }
+    const struct quadric_form general = {{{f[0], f[3] / 2, f[5] / 2, f[6] / 2},
+                                          {f[3] / 2, f[1], f[4] / 2, f[7] / 2},
+                                          {f[5] / 2, f[4] / 2, f[2], f[8] / 2},
+                                          {f[6] / 2, f[7] / 2, f[8] / 2, f[9]}}};
+    return general;
 }
 
 /* Turns the form by the Jacobi rotation that makes a[p][q] zero; the rows of axis turn with it. */

@@ -37,8 +37,13 @@ struct compiled_frame {
     double axis[3][3];
 };
 
+/* A switch over these has a case for each and no default. So the C compiler names the places that a
+ * new kind has to be told of. The numbers are those of firmware/scene.h. */
+enum compiled_kind { KIND_BOX = 0, KIND_BALL = 1, KIND_POLYHEDRON = 2, KIND_QUADRIC = 3 };
+
 struct compiled_primitive {
-    uint8_t kind, index, frame;
+    enum compiled_kind kind;
+    uint8_t index, frame;
     bool left_for_good;
     uint8_t enclosure;
     unsigned line; /* of the scene file, for what an arithmetic may find wrong with it */
@@ -216,7 +221,6 @@ struct compiled_scene {
 
 /* The numbers that programs and tables are made of. firmware/scene.h has the same numbers, but
  * needs an arithmetic. host/render/per_arithmetic/load.c holds the two against each other. */
-enum compiled_kind { KIND_BOX = 0, KIND_BALL = 1, KIND_POLYHEDRON = 2, KIND_QUADRIC = 3 };
 
 enum {
     CURVED_FACE = 6,

@@ -119,7 +119,7 @@ static void write_primitive(FILE *out, const struct compiled_scene *scene, uint8
     case KIND_QUADRIC:
         write_quadric(out, scene, primitive, level);
         break;
-    default:
+    case KIND_BOX:
         write_box(out, &scene->boxes[primitive->index]);
         break;
     }

@@ -20,7 +20,7 @@ struct cost_mix cost_mix_of(const struct compiled_scene *scene) {
         case KIND_POLYHEDRON:
             mix.polyhedron_plane += one * scene->polyhedra[primitive->index].count;
             break;
-        default:
+        case KIND_QUADRIC:
             mix.quadric += one;
             break;
         }

@@ -28,16 +28,17 @@ static uint32_t last_of_quadric(const struct scene *scene, const struct quadric 
 }
 
 static uint32_t last_of_primitive(const struct scene *scene, const struct primitive *primitive) {
-    switch (primitive->kind) {
+    switch ((enum primitive_kind)primitive->kind) {
     case PRIMITIVE_BOX:
         return last_of_box(&scene->boxes[primitive->index]);
     case PRIMITIVE_BALL:
         return scene->balls[primitive->index].surface;
     case PRIMITIVE_POLYHEDRON:
         return last_of_polyhedron(scene, &scene->polyhedra[primitive->index]);
-    default:
-        return last_of_quadric(scene, &scene->quadrics[primitive->index]);
+    case PRIMITIVE_QUADRIC:
+        break;
     }
+    return last_of_quadric(scene, &scene->quadrics[primitive->index]);
 }
 
 /* Returns the number of the scene's last surface. */

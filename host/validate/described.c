@@ -154,11 +154,23 @@ static void round_radius(const struct solid_node *node, long double t, long doub
         *square = end * end * t / length;
         *growth = end * end / length;
         break;
-    default: /* a hyperboloid of one sheet, or of two */
+    case SOLID_HYPERBOLOID:
         *square = node->sheets == 1 ? r * r + (end * end - r * r) * s * s
                                     : end * end * (s * s - q * q) / (1 - q * q);
         *growth =
             (node->sheets == 1 ? end * end - r * r : end * end / (1 - q * q)) * 4 * s / length;
+        break;
+    case SOLID_BOX:
+    case SOLID_BALL:
+    case SOLID_ELLIPSOID:
+    case SOLID_QUADRIC:
+    case SOLID_HALF_SPACE:
+    case SOLID_POLYHEDRON:
+    case SOLID_UNION:
+    case SOLID_INTERSECTION:
+    case SOLID_DIFFERENCE:
+    case SOLID_PART:
+        *square = *growth = 0; /* not round about an axis */
         break;
     }
 }
@@ -225,9 +237,18 @@ enum side leaf_side(const struct shape *leaf, const double point[3]) {
     case SOLID_HALF_SPACE:
     case SOLID_POLYHEDRON:
         return planes_side(leaf, q);
-    default: /* round about an axis: a cylinder, cone, paraboloid or hyperboloid */
+    case SOLID_CYLINDER:
+    case SOLID_CONE:
+    case SOLID_PARABOLOID:
+    case SOLID_HYPERBOLOID:
         return round_side(leaf, q);
+    case SOLID_UNION:
+    case SOLID_INTERSECTION:
+    case SOLID_DIFFERENCE:
+    case SOLID_PART:
+        break; /* no leaf */
     }
+    return SIDE_NEAR;
 }
 
 void leaf_place(const struct shape *leaf, const long double local[3], double point[3]) {
@@ -256,7 +277,18 @@ static enum side shape_side(const struct described *described, int index, const 
         case SOLID_DIFFERENCE:
             side = least(side, (enum side)(SIDE_INSIDE - other));
             break;
-        default: /* an intersection; SOLID_PART has one child */
+        case SOLID_INTERSECTION:
+        case SOLID_PART: /* has one child */
+        case SOLID_BOX:  /* leaves have none */
+        case SOLID_BALL:
+        case SOLID_CYLINDER:
+        case SOLID_CONE:
+        case SOLID_ELLIPSOID:
+        case SOLID_PARABOLOID:
+        case SOLID_HYPERBOLOID:
+        case SOLID_QUADRIC:
+        case SOLID_HALF_SPACE:
+        case SOLID_POLYHEDRON:
             side = least(side, other);
             break;
         }

@@ -169,14 +169,21 @@ void described_measure(struct described *described) {
         case SOLID_QUADRIC:
             measure_quadric(leaf);
             break;
-        case SOLID_HALF_SPACE:
-            break;
         case SOLID_BALL:
             measure_about(leaf, node->a, round);
             break;
-        default: /* round about an axis */
+        case SOLID_CYLINDER:
+        case SOLID_CONE:
+        case SOLID_PARABOLOID:
+        case SOLID_HYPERBOLOID:
             measure_about(leaf, node->a, round);
             measure_about(leaf, node->b, round);
+            break;
+        case SOLID_HALF_SPACE:
+        case SOLID_UNION:
+        case SOLID_INTERSECTION:
+        case SOLID_DIFFERENCE:
+        case SOLID_PART:
             break;
         }
     }

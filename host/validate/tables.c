@@ -89,7 +89,7 @@ static void read_primitive(struct table *table, const struct compiled_primitive 
     case KIND_POLYHEDRON:
         read_polyhedron(table, &table->scene->polyhedra[primitive->index]);
         break;
-    default: /* KIND_QUADRIC: table_is_whole() has seen the kinds */
+    case KIND_QUADRIC:
         read_quadric(table, primitive);
         break;
     }

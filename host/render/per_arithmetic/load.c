@@ -93,7 +93,7 @@ static void load_solids(struct loaded *to, const struct compiled_scene *from) {
     }
     for (int i = 0; i < from->primitive_count; i++) {
         const struct compiled_primitive *primitive = &from->primitives[i];
-        to->primitives[i].kind = primitive->kind;
+        to->primitives[i].kind = (uint8_t)primitive->kind;
         to->primitives[i].index = primitive->index;
         to->primitives[i].frame = primitive->frame;
         to->primitives[i].enclosure = primitive->enclosure;
