@@ -42,7 +42,7 @@ BEGIN {
     may["host/render/per_arithmetic"] = may["host/render"] " host/render/per_arithmetic firmware/real/* firmware/features/*"
     may["host/stream"] = may["host/stream"] " host/stream/sets/* firmware/real/* firmware/features/*"
     # What the rest of host/ may see of the firmware.
-    is_public["firmware/image.h"] = 1
+    is_public["firmware/image.h"] = is_public["firmware/scene_constants.h"] = is_public["firmware/scene_fields.h"] = 1
     sees_private["host/render/per_arithmetic"] = sees_private["host/stream"] = 1
     freestanding = " float.h iso646.h limits.h stdarg.h stdbool.h stddef.h stdint.h "
     while ((getline file < list) > 0) {

@@ -51,7 +51,7 @@ static void print_indices(const struct compiled_scene *compiled) {
 static void print_tables(const struct compiled_scene *compiled) {
     unsigned boxes = 0;
     for (unsigned i = 0; i < compiled->primitive_count; i++) {
-        boxes += compiled->primitives[i].kind == KIND_BOX;
+        boxes += compiled->primitives[i].kind == PRIMITIVE_BOX;
     }
     (void)printf("tables      %u primitives (%u boxes, %u balls), %u surfaces, %u bytes of "
                  "programs\n",

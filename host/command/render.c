@@ -66,7 +66,7 @@ static int open_results(struct render_run *run) {
 
 static int open_camera(struct render_run *run) {
     const char *folder = run->options->keep_exposures;
-    if (run->compiled->show != COMPILED_EXPOSURES) {
+    if (run->compiled->show != SHOW_EXPOSURES) {
         return folder == NULL ? STATUS_DONE
                               : bad_input("--keep-exposures goes with --colour exposures only");
     }

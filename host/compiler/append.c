@@ -21,7 +21,7 @@ bool compile_append(struct compiler *compiler, uint8_t code) {
     return true;
 }
 
-int compile_new_primitive(struct compiler *compiler, enum compiled_kind kind, uint8_t index,
+int compile_new_primitive(struct compiler *compiler, enum primitive_kind kind, uint8_t index,
                           uint8_t frame, bool left_for_good) {
     struct compiled_scene *scene = compiler->scene;
     if (scene->primitive_count == COMPILED_DRAFTS_MOST ||
@@ -70,12 +70,12 @@ int compile_box_in(struct compiler *compiler, uint8_t frame, const double low[3]
     }
     for (int i = 0; i < scene->primitive_count; i++) {
         const struct compiled_primitive *other = &scene->primitives[i];
-        if (other->kind == KIND_BOX && other->frame == frame &&
+        if (other->kind == PRIMITIVE_BOX && other->frame == frame &&
             memcmp(box.surface, scene->boxes[other->index].surface, sizeof box.surface) == 0) {
             return i;
         }
     }
-    int primitive = compile_new_primitive(compiler, KIND_BOX, scene->box_count, frame, false);
+    int primitive = compile_new_primitive(compiler, PRIMITIVE_BOX, scene->box_count, frame, false);
     if (primitive >= 0) {
         scene->boxes[scene->box_count++] = box;
     }
@@ -83,5 +83,5 @@ int compile_box_in(struct compiler *compiler, uint8_t frame, const double low[3]
 }
 
 int compile_world_box(struct compiler *compiler, const double low[3], const double high[3]) {
-    return compile_box_in(compiler, WORLD_FRAME, low, high);
+    return compile_box_in(compiler, FRAME_WORLD, low, high);
 }

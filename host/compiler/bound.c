@@ -22,11 +22,11 @@ static void look_at(struct views *views, const struct csg_tree *tree, uint8_t in
         return;
     }
     struct bounds left = *within, right = *within;
-    if (node->code != CODE_UNION) {
+    if (node->code != PROGRAM_UNION) {
         struct bounds first = csg_bounds(views->scene, tree, node->left);
         right = bounds_intersection(within, &first);
     }
-    if (node->code == CODE_INTERSECTION) {
+    if (node->code == PROGRAM_INTERSECTION) {
         struct bounds second = csg_bounds(views->scene, tree, node->right);
         left = bounds_intersection(within, &second);
     }
@@ -122,13 +122,13 @@ static bool bound_polyhedron(struct compiler *compiler, int index, const struct 
 static bool bound_primitive(struct compiler *compiler, int primitive, const struct bounds *view) {
     compiler->line = compiler->scene->primitives[primitive].line;
     switch (compiler->scene->primitives[primitive].kind) {
-    case KIND_BOX:
+    case PRIMITIVE_BOX:
         return bound_box(compiler, primitive, view);
-    case KIND_QUADRIC:
+    case PRIMITIVE_QUADRIC:
         return bound_quadric(compiler, primitive, view);
-    case KIND_POLYHEDRON:
+    case PRIMITIVE_POLYHEDRON:
         return bound_polyhedron(compiler, primitive, view);
-    case KIND_BALL:
+    case PRIMITIVE_BALL:
         break;
     }
     return false;

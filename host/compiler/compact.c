@@ -77,7 +77,7 @@ static uint8_t move_ball(struct moves *moves, struct compiled_scene *scene, uint
 
 static void move_frame(struct moves *moves, struct compiled_scene *scene,
                        struct compiled_primitive *primitive) {
-    if (primitive->frame != WORLD_FRAME) {
+    if (primitive->frame != FRAME_WORLD) {
         uint16_t count = scene->frame_count;
         uint8_t from = primitive->frame;
         primitive->frame = (uint8_t)move(&moves->frame[from], &count);
@@ -92,17 +92,17 @@ static void move_primitive(struct moves *moves, struct compiled_scene *scene, ui
     *primitive = moves->old.primitives[index];
     move_frame(moves, scene, primitive);
     switch (primitive->kind) {
-    case KIND_BOX:
+    case PRIMITIVE_BOX:
         primitive->index = move_box(moves, scene, primitive->index);
         move_faces(moves, scene, &scene->boxes[primitive->index], 7);
         break;
-    case KIND_BALL:
+    case PRIMITIVE_BALL:
         primitive->index = move_ball(moves, scene, primitive->index);
         break;
-    case KIND_QUADRIC:
+    case PRIMITIVE_QUADRIC:
         primitive->index = move_quadric(moves, scene, primitive->index);
         break;
-    case KIND_POLYHEDRON:
+    case PRIMITIVE_POLYHEDRON:
         primitive->index = move_polyhedron(moves, scene, primitive->index);
         break;
     }
@@ -123,7 +123,7 @@ static bool move_all(struct compiler *compiler, struct moves *moves) {
     clear_tables(scene);
     for (int i = 0; i < scene->program_length; i++) {
         uint8_t code = scene->programs[i];
-        if (code >= CODE_UNION) {
+        if (code >= PROGRAM_UNION) {
             continue;
         }
         if (moves->primitive[code] == NOWHERE) {
@@ -148,9 +148,9 @@ static void bind_surfaces(struct compiled_scene *scene) {
         for (int j = 0; j < count; j++) {
             compiled_set_include(&scene->surfaces[faces[j].surface], i);
         }
-        if (primitive->kind == KIND_BALL) {
+        if (primitive->kind == PRIMITIVE_BALL) {
             compiled_set_include(&scene->surfaces[scene->balls[primitive->index].surface], i);
-        } else if (primitive->kind == KIND_QUADRIC) {
+        } else if (primitive->kind == PRIMITIVE_QUADRIC) {
             compiled_set_include(&scene->surfaces[scene->quadrics[primitive->index].surface], i);
         }
     }
@@ -171,7 +171,7 @@ static bool is_only_in(const struct compiled_set *set, int primitive) {
 static void finish_quadrics(struct compiled_scene *scene) {
     for (int i = 0; i < scene->primitive_count; i++) {
         const struct compiled_primitive *primitive = &scene->primitives[i];
-        if (primitive->kind != KIND_QUADRIC) {
+        if (primitive->kind != PRIMITIVE_QUADRIC) {
             continue;
         }
         struct compiled_quadric *quadric = &scene->quadrics[primitive->index];

@@ -134,7 +134,7 @@ bool compile_general_quadric(struct compiler *compiler, const struct solid_node 
 
 /* Adds an entry to the table of primitives, with what is common to all kinds. Returns its number,
  * or -1 with the failure recorded. */
-int compile_new_primitive(struct compiler *compiler, enum compiled_kind kind, uint8_t index,
+int compile_new_primitive(struct compiler *compiler, enum primitive_kind kind, uint8_t index,
                           uint8_t frame, bool left_for_good);
 
 /* Tells whether two scaled lengths are one to the compiler. */
@@ -147,7 +147,7 @@ bool compile_direction(struct compiler *compiler, double direction[3]);
 
 /* Finds or adds the frame with these axes, up to their order and signs. A solid of the frame has to
  * follow these. permutation[i] is the axis that became axis i of the frame, sign[i] its sign. With
- * third_stays, axis 2 is to be axis 2 of the frame. Returns WORLD_FRAME if the axes are the
+ * third_stays, axis 2 is to be axis 2 of the frame. Returns FRAME_WORLD if the axes are the
  * world's; -1 with the failure recorded. */
 int compile_frame(struct compiler *compiler, double axis[3][3], bool third_stays,
                   int permutation[3], double sign[3]);

@@ -119,11 +119,11 @@ static bool curve_of_primitive(const struct compiled_scene *scene, int index,
                                struct quadric_axes *form) {
     const struct compiled_primitive *primitive = &scene->primitives[index];
     struct compiled_quadric quadric = {.square = {1, 1, 1}};
-    if (primitive->kind == KIND_BALL) {
+    if (primitive->kind == PRIMITIVE_BALL) {
         const struct compiled_ball *ball = &scene->balls[primitive->index];
         memcpy(quadric.centre, ball->centre, sizeof quadric.centre);
         quadric.constant = -ball->radius * ball->radius;
-    } else if (primitive->kind == KIND_QUADRIC) {
+    } else if (primitive->kind == PRIMITIVE_QUADRIC) {
         quadric = scene->quadrics[primitive->index];
     } else {
         return false;
@@ -174,8 +174,8 @@ int compile_same_curve(const struct compiler *compiler, const struct quadric_axe
 /* Returns the number of the curved surface of a ball or a quadric. */
 static uint16_t curve_number(const struct compiled_scene *scene, int index) {
     const struct compiled_primitive *primitive = &scene->primitives[index];
-    return primitive->kind == KIND_BALL ? scene->balls[primitive->index].surface
-                                        : scene->quadrics[primitive->index].surface;
+    return primitive->kind == PRIMITIVE_BALL ? scene->balls[primitive->index].surface
+                                             : scene->quadrics[primitive->index].surface;
 }
 
 double compile_curve_distance(const struct compiled_scene *scene, int one, int other) {

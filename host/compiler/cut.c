@@ -24,11 +24,11 @@ bool cut_start(const struct compiled_scene *scene, int index, struct cut_quadric
         cut->box.minimum[i] = -HUGE_VAL;
         cut->box.maximum[i] = HUGE_VAL;
     }
-    if (primitive->kind == KIND_BALL) {
+    if (primitive->kind == PRIMITIVE_BALL) {
         start_ball(&scene->balls[primitive->index], cut);
         return true;
     }
-    if (primitive->kind != KIND_QUADRIC) {
+    if (primitive->kind != PRIMITIVE_QUADRIC) {
         return false;
     }
     cut->quadric = scene->quadrics[primitive->index];
@@ -70,7 +70,7 @@ int cut_axis(struct compiler *compiler, struct cut_quadric *cut, const double no
     if (axis >= 0) {
         return axis;
     }
-    if (!cut->is_ball || cut->frame != WORLD_FRAME || cut->quadric.cuts != 0) {
+    if (!cut->is_ball || cut->frame != FRAME_WORLD || cut->quadric.cuts != 0) {
         return -1;
     }
     int frame = frame_across(compiler, normal);
@@ -144,7 +144,7 @@ static bool find_surfaces(struct compiler *compiler, struct cut_quadric *cut) {
 static bool is_same(const struct compiled_scene *scene, const struct compiled_primitive *other,
                     const struct cut_quadric *cut) {
     const struct compiled_quadric *quadric = &scene->quadrics[other->index];
-    if (other->kind != KIND_QUADRIC || other->frame != cut->frame ||
+    if (other->kind != PRIMITIVE_QUADRIC || other->frame != cut->frame ||
         quadric->surface != cut->quadric.surface || quadric->cuts != cut->quadric.cuts) {
         return false;
     }
@@ -184,10 +184,10 @@ int cut_finish(struct compiler *compiler, struct cut_quadric *cut) {
             return i;
         }
     }
-    int primitive =
-        keep_box(compiler, cut)
-            ? compile_new_primitive(compiler, KIND_QUADRIC, scene->quadric_count, cut->frame, false)
-            : -1;
+    int primitive = keep_box(compiler, cut)
+                        ? compile_new_primitive(compiler, PRIMITIVE_QUADRIC, scene->quadric_count,
+                                                cut->frame, false)
+                        : -1;
     if (primitive >= 0) {
         scene->quadrics[scene->quadric_count++] = cut->quadric;
     }

@@ -63,7 +63,7 @@ static bool are_equal(const double *values, const double *others, int count) {
 static const char *pattern_is_dead(const struct compiled_scene *scene,
                                    const struct compiled_material *material, bool is_light) {
     bool is_used = material->ambient_share > 0 || (material->diffuse > 0 && is_light);
-    if (material->pattern == NO_PATTERN) {
+    if (material->pattern == PATTERN_NONE) {
         return NULL;
     }
     return are_equal(scene->patterns[material->pattern].colour, material->colour, 3)
@@ -74,20 +74,19 @@ static const char *pattern_is_dead(const struct compiled_scene *scene,
 
 static const char *table_is_dead(const struct compiled_scene *scene,
                                  const struct compiled_material *material) {
-    if (material->specular_table == NO_TABLE) {
+    if (material->specular_table == SPECULAR_CONSTANT) {
         return NULL;
     }
     const double *specular = scene->specular_tables[material->specular_table].specular;
-    return are_equal(specular, specular + 1, SCENE_SPECULAR_STEPS - 1)
-               ? "all of its values are the same"
-               : NULL;
+    return are_equal(specular, specular + 1, SPECULAR_STEPS - 1) ? "all of its values are the same"
+                                                                 : NULL;
 }
 
 /* Returns why a highlight is dead, or NULL. An opaque material's never is, for the material mirrors
  * by the same number. */
 static const char *highlight_is_dead(const struct compiled_scene *scene,
                                      const struct compiled_material *material, bool is_light) {
-    bool has_one = material->specular > 0 || material->specular_table != NO_TABLE;
+    bool has_one = material->specular > 0 || material->specular_table != SPECULAR_CONSTANT;
     return has_one && material->transparent && !(is_light && material_is_shaded(scene, material))
                ? "no light makes one"
                : NULL;
@@ -218,8 +217,8 @@ static void tell_marks(struct compiler *compiler) {
 static unsigned crossings_most(const struct compiled_scene *scene, int index) {
     const struct compiled_primitive *primitive = &scene->primitives[index];
     const double *square = scene->quadrics[primitive->index].square;
-    bool is_convex =
-        primitive->kind != KIND_QUADRIC || (square[0] >= 0 && square[1] >= 0 && square[2] >= 0);
+    bool is_convex = primitive->kind != PRIMITIVE_QUADRIC ||
+                     (square[0] >= 0 && square[1] >= 0 && square[2] >= 0);
     return is_convex ? 2 : 4;
 }
 
@@ -232,7 +231,7 @@ static unsigned boundaries_most(const struct compiled_scene *scene) {
         bool counts = scene->materials[object->material].transparent;
         for (int j = 0; j < object->length && counts; j++) {
             uint8_t code = scene->programs[object->program + j];
-            if (code < CODE_UNION) {
+            if (code < PROGRAM_UNION) {
                 compiled_set_include(&transparent, code);
             }
         }
@@ -324,8 +323,8 @@ void compile_settle(struct compiler *compiler) {
     for (int i = 1; i < scene->material_count; i++) {
         const struct compiled_material *material = &scene->materials[i];
         has_transparency = has_transparency || material->transparent;
-        has_highlight =
-            has_highlight || material->specular > 0 || material->specular_table != NO_TABLE;
+        has_highlight = has_highlight || material->specular > 0 ||
+                        material->specular_table != SPECULAR_CONSTANT;
     }
     bool has_light = scene->light_count > 0;
     settle_switch(scene, &scene->filters, has_transparency, "filters", nothing_transparent);

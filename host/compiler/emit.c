@@ -10,10 +10,31 @@
 
 #include "compiler/features.h"
 
-/* Numbers are written as hexadecimal floating constants, which every compiler reads exactly. */
+/* Numbers are written as hexadecimal floating constants, which every compiler reads exactly.
+ * Members are named, so that their order does not matter. */
 
 static void emit_vector(FILE *out, const char *role, const double v[3]) {
     fprintf(out, "{%s(%a), %s(%a), %s(%a)}", role, v[0], role, v[1], role, v[2]);
+}
+
+static void emit_vectors(FILE *out, const char *role, const double v[3][3]) {
+    for (int i = 0; i < 3; i++) {
+        fputs(i > 0 ? ", " : "{", out);
+        emit_vector(out, role, v[i]);
+    }
+    fputc('}', out);
+}
+
+static void emit_steps(FILE *out, const char *role, const double v[SPECULAR_STEPS]) {
+    for (int i = 0; i < SPECULAR_STEPS; i++) {
+        fprintf(out, "%s%s(%a)", i > 0 ? ", " : "{", role, v[i]);
+    }
+    fputc('}', out);
+}
+
+static void emit_surfaces(FILE *out, const uint16_t surface[6]) {
+    fprintf(out, "{%u, %u, %u, %u, %u, %u}", surface[0], surface[1], surface[2], surface[3],
+            surface[4], surface[5]);
 }
 
 /* Writes as many words of a set as the scene needs; an image that has more fills them with 0. */
@@ -29,255 +50,199 @@ static const char *truth(bool value) {
     return value ? "true" : "false";
 }
 
-static void emit_frames(FILE *out, const struct compiled_scene *scene) {
-    fprintf(out, "\nstatic const struct frame frames[] = {\n");
-    for (int i = 0; i < scene->frame_count; i++) {
-        fprintf(out, "    {");
-        emit_vector(out, "REAL_LENGTH", scene->frames[i].origin);
-        fprintf(out, ", {");
-        for (int j = 0; j < 3; j++) {
-            emit_vector(out, "REAL_UNIT", scene->frames[i].axis[j]);
-            fprintf(out, "%s", j < 2 ? ", " : "}},\n");
-        }
-    }
-    fprintf(out, "};\n");
+/* What is written, and how many words a set has. */
+struct emitter {
+    FILE *out;
+    int words;
+};
+
+/* Members of *from, by the roles of scene_fields.h. */
+#define EMIT_MEMBER(role, name)                                                                    \
+    fputs("." #name " = ", to->out);                                                               \
+    EMIT_##role(from->name) fputs(", ", to->out);
+#define EMIT_POINT(value)        emit_vector(to->out, "REAL_LENGTH", value);
+#define EMIT_DIRECTION(value)    emit_vector(to->out, "REAL_UNIT", value);
+#define EMIT_DIRECTIONS(value)   emit_vectors(to->out, "REAL_UNIT", value);
+#define EMIT_LENGTH(value)       fprintf(to->out, "REAL_LENGTH(%a)", value);
+#define EMIT_AREA(value)         fprintf(to->out, "REAL_AREA(%a)", value);
+#define EMIT_UNIT_STEPS(value)   emit_steps(to->out, "REAL_UNIT", value);
+#define EMIT_COLOURS(value)      emit_vector(to->out, "REAL_COLOUR", value);
+#define EMIT_ENERGIES(value)     emit_vector(to->out, "REAL_ENERGY", value);
+#define EMIT_ENERGY(value)       fprintf(to->out, "REAL_ENERGY(%a)", value);
+#define EMIT_ENERGY_STEPS(value) emit_steps(to->out, "REAL_ENERGY", value);
+#define EMIT_INDICES(value)      emit_vector(to->out, "REAL_INDEX", value);
+#define EMIT_EXTINCTIONS(value)  emit_vector(to->out, "REAL_EXTINCTION", value);
+#define EMIT_BYTE(value)         fprintf(to->out, "%u", value);
+#define EMIT_WORD(value)         fprintf(to->out, "%u", value);
+#define EMIT_LONG(value)         fprintf(to->out, "UINT32_C(%lu)", (unsigned long)(value));
+#define EMIT_SIGNED(value)       fprintf(to->out, "%d", value);
+#define EMIT_TRUTH(value)        fputs(truth(value), to->out);
+#define EMIT_SURFACES(value)     emit_surfaces(to->out, value);
+#define EMIT_SET(value)          emit_set(to->out, &(value), to->words);
+
+static void emit_frame(const struct emitter *to, const struct compiled_frame *from) {
+    FRAME_FIELDS(EMIT_MEMBER)
 }
 
-static void emit_boxes(FILE *out, const struct compiled_scene *scene) {
-    fprintf(out, "\nstatic const struct box boxes[] = {\n");
-    for (int i = 0; i < scene->box_count; i++) {
-        const struct compiled_box *box = &scene->boxes[i];
-        fprintf(out, "    {");
-        emit_vector(out, "REAL_LENGTH", box->minimum);
-        fprintf(out, ",\n     ");
-        emit_vector(out, "REAL_LENGTH", box->maximum);
-        fprintf(out, ",\n     {%u, %u, %u, %u, %u, %u}},\n", box->surface[0], box->surface[1],
-                box->surface[2], box->surface[3], box->surface[4], box->surface[5]);
-    }
-    fprintf(out, "};\n");
+static void emit_primitive(const struct emitter *to, const struct compiled_primitive *from) {
+    fprintf(to->out, ".kind = %u, ", (unsigned)from->kind);
+    PRIMITIVE_FIELDS(EMIT_MEMBER)
 }
 
-static void emit_balls(FILE *out, const struct compiled_scene *scene) {
-    fprintf(out, "\nstatic const struct ball balls[] = {\n");
-    for (int i = 0; i < scene->ball_count; i++) {
-        const struct compiled_ball *ball = &scene->balls[i];
-        fprintf(out, "    {");
-        emit_vector(out, "REAL_LENGTH", ball->centre);
-        fprintf(out, ", REAL_AREA(%a), %u},\n", ball->radius * ball->radius, ball->surface);
-    }
-    fprintf(out, "};\n");
+static void emit_box(const struct emitter *to, const struct compiled_box *from) {
+    BOX_FIELDS(EMIT_MEMBER)
 }
 
-static void emit_polyhedra(FILE *out, const struct compiled_scene *scene) {
-    fprintf(out, "\nstatic const struct polyhedron polyhedra[] = {\n");
-    for (int i = 0; i < scene->polyhedron_count; i++) {
-        fprintf(out, "    {%u, %u},\n", scene->polyhedra[i].first, scene->polyhedra[i].count);
-    }
-    fprintf(out, "};\n\nstatic const struct plane planes[] = {\n");
-    for (int i = 0; i < scene->plane_count; i++) {
-        const struct compiled_plane *plane = &scene->planes[i];
-        fprintf(out, "    {");
-        emit_vector(out, "REAL_UNIT", plane->normal);
-        fprintf(out, ", REAL_LENGTH(%a), %u},\n", plane->offset, plane->surface);
-    }
-    fprintf(out, "};\n");
+static void emit_ball(const struct emitter *to, const struct compiled_ball *from) {
+    BALL_FIELDS_BEFORE(EMIT_MEMBER)
+    BALL_FIELDS_AFTER(EMIT_MEMBER)
+    fprintf(to->out, ".square_radius = REAL_AREA(%a), ", from->radius * from->radius);
 }
 
-static void emit_quadrics(FILE *out, const struct compiled_scene *scene) {
-    fprintf(out, "\nstatic const struct quadric quadrics[] = {\n");
-    for (int i = 0; i < scene->quadric_count; i++) {
-        const struct compiled_quadric *quadric = &scene->quadrics[i];
-        fprintf(out, "    {");
-        emit_vector(out, "REAL_LENGTH", quadric->centre);
-        fprintf(out, ",\n     ");
-        emit_vector(out, "REAL_UNIT", quadric->square);
-        fprintf(out, ",\n     REAL_LENGTH(%a), REAL_AREA(%a), REAL_AREA(%a),\n", quadric->linear,
-                quadric->constant, quadric->reach * quadric->reach);
-        fprintf(out, "     %u, %u, %u, %s, %s},\n", quadric->surface, quadric->box, quadric->cuts,
-                truth(quadric->reach > 0), truth(quadric->left_for_good));
-    }
-    fprintf(out, "};\n");
+static void emit_polyhedron(const struct emitter *to, const struct compiled_polyhedron *from) {
+    POLYHEDRON_FIELDS(EMIT_MEMBER)
 }
 
-static void emit_primitives(FILE *out, const struct compiled_scene *scene) {
-    fprintf(out, "\nstatic const struct primitive primitives[] = {\n");
-    for (int i = 0; i < scene->primitive_count; i++) {
-        const struct compiled_primitive *primitive = &scene->primitives[i];
-        fprintf(out, "    {%u, %u, %u, %s, %u},\n", primitive->kind, primitive->index,
-                primitive->frame, truth(primitive->left_for_good), primitive->enclosure);
-    }
-    fprintf(out, "};\n\nstatic const struct primitive_set surfaces[] = {\n");
-    for (int i = 0; i < scene->surface_count; i++) {
-        fprintf(out, "    ");
-        emit_set(out, &scene->surfaces[i], features_primitive_words(scene));
-        fprintf(out, ",\n");
-    }
-    fprintf(out, "};\n\nstatic const struct primitive_set hidden_by[] = {\n");
-    for (int i = 0; i < scene->primitive_count; i++) {
-        fprintf(out, "    ");
-        emit_set(out, &scene->hidden_by[i], features_primitive_words(scene));
-        fprintf(out, ",\n");
-    }
-    fprintf(out, "};\n");
+static void emit_plane(const struct emitter *to, const struct compiled_plane *from) {
+    PLANE_FIELDS(EMIT_MEMBER)
 }
 
-static void emit_objects(FILE *out, const struct compiled_scene *scene) {
-    fprintf(out, "\nstatic const uint8_t programs[] = {");
-    for (int i = 0; i < scene->program_length; i++) {
-        fprintf(out, "%s0x%02X,", i % 16 ? " " : "\n    ", scene->programs[i]);
+static void emit_quadric(const struct emitter *to, const struct compiled_quadric *from) {
+    QUADRIC_FIELDS_BEFORE(EMIT_MEMBER)
+    QUADRIC_FIELDS_AMID(EMIT_MEMBER)
+    QUADRIC_FIELDS_AFTER(EMIT_MEMBER)
+    fprintf(to->out, ".square_reach = REAL_AREA(%a), .ends = %s, ", from->reach * from->reach,
+            truth(from->reach > 0));
+}
+
+static void emit_object(const struct emitter *to, const struct compiled_object *from) {
+    OBJECT_FIELDS(EMIT_MEMBER)
+}
+
+static void emit_material(const struct emitter *to, const struct compiled_material *from) {
+    MATERIAL_FIELDS(EMIT_MEMBER)
+}
+
+static void emit_pattern(const struct emitter *to, const struct compiled_pattern *from) {
+    PATTERN_FIELDS(EMIT_MEMBER)
+}
+
+static void emit_pattern_face(const struct emitter *to, const struct compiled_pattern_face *from) {
+    PATTERN_FACE_FIELDS(EMIT_MEMBER)
+}
+
+static void emit_specular_table(const struct emitter *to,
+                                const struct compiled_specular_table *from) {
+    SPECULAR_TABLE_FIELDS(EMIT_MEMBER)
+}
+
+static void emit_light(const struct emitter *to, const struct compiled_light *from) {
+    LIGHT_FIELDS(EMIT_MEMBER)
+}
+
+static void emit_camera(const struct emitter *to, const struct compiled_camera *from) {
+    CAMERA_FIELDS(EMIT_MEMBER)
+}
+
+static void emit_byte(const struct emitter *to, uint8_t byte) {
+    fprintf(to->out, "0x%02X", byte);
+}
+
+static void emit_entry_set(const struct emitter *to, const struct compiled_set *from) {
+    emit_set(to->out, from, to->words);
+}
+
+/* Writes a table, if it has entries: C99 has no empty arrays. */
+#define EMIT_TABLE(type, table, count, emit_it)                                                    \
+    if (scene->count > 0) {                                                                        \
+        fprintf(to->out, "\nstatic const " type " " #table "[] = {\n");                            \
+        for (int i = 0; i < scene->count; i++) {                                                   \
+            emit_it                                                                                \
+        }                                                                                          \
+        fprintf(to->out, "};\n");                                                                  \
     }
-    fprintf(out, "\n};\n\nstatic const struct object objects[] = {\n");
-    for (int i = 0; i < scene->object_count; i++) {
-        const struct compiled_object *object = &scene->objects[i];
-        fprintf(out, "    {%u, %u, %u, %s, ", object->program, object->length, object->material,
-                truth(object->in_shadow_test));
-        emit_set(out, &object->uses, features_primitive_words(scene));
-        fprintf(out, "},\n");
+#define EMIT_ENTRY(emit_members, table)                                                            \
+    fputs("    {", to->out);                                                                       \
+    emit_members(to, &scene->table[i]);                                                            \
+    fputs("},\n", to->out);
+#define EMIT_VALUE(emit_value, value)                                                              \
+    fputs("    ", to->out);                                                                        \
+    emit_value(to, value);                                                                         \
+    fputs(",\n", to->out);
+
+static void emit_tables(const struct emitter *to, const struct compiled_scene *scene) {
+    EMIT_TABLE("struct frame", frames, frame_count, EMIT_ENTRY(emit_frame, frames))
+    EMIT_TABLE("struct primitive", primitives, primitive_count,
+               EMIT_ENTRY(emit_primitive, primitives))
+    EMIT_TABLE("struct box", boxes, box_count, EMIT_ENTRY(emit_box, boxes))
+    EMIT_TABLE("struct ball", balls, ball_count, EMIT_ENTRY(emit_ball, balls))
+    EMIT_TABLE("struct polyhedron", polyhedra, polyhedron_count,
+               EMIT_ENTRY(emit_polyhedron, polyhedra))
+    EMIT_TABLE("struct plane", planes, plane_count, EMIT_ENTRY(emit_plane, planes))
+    EMIT_TABLE("struct quadric", quadrics, quadric_count, EMIT_ENTRY(emit_quadric, quadrics))
+    EMIT_TABLE("struct primitive_set", surfaces, surface_count,
+               EMIT_VALUE(emit_entry_set, &scene->surfaces[i]))
+    EMIT_TABLE("struct primitive_set", hidden_by, primitive_count,
+               EMIT_VALUE(emit_entry_set, &scene->hidden_by[i]))
+    EMIT_TABLE("uint8_t", programs, program_length, EMIT_VALUE(emit_byte, scene->programs[i]))
+    EMIT_TABLE("struct object", objects, object_count, EMIT_ENTRY(emit_object, objects))
+    EMIT_TABLE("struct material", materials, material_count, EMIT_ENTRY(emit_material, materials))
+    EMIT_TABLE("struct pattern", patterns, pattern_count, EMIT_ENTRY(emit_pattern, patterns))
+    EMIT_TABLE("struct pattern_face", pattern_faces, pattern_face_count,
+               EMIT_ENTRY(emit_pattern_face, pattern_faces))
+    EMIT_TABLE("struct specular_table", specular_tables, specular_table_count,
+               EMIT_ENTRY(emit_specular_table, specular_tables))
+    EMIT_TABLE("struct light", lights, light_count, EMIT_ENTRY(emit_light, lights))
+}
+
+/* Writes a pointer to a table that has entries; the others stay null. */
+static void emit_pointer(const struct emitter *to, const char *table, int count) {
+    if (count > 0) {
+        fprintf(to->out, "    .%s = %s,\n", table, table);
     }
-    fprintf(out, "};\n");
 }
 
-static void emit_materials(FILE *out, const struct compiled_scene *scene) {
-    fprintf(out, "\nstatic const struct material materials[] = {\n");
-    for (int i = 0; i < scene->material_count; i++) {
-        const struct compiled_material *material = &scene->materials[i];
-        fprintf(out, "    {");
-        emit_vector(out, "REAL_COLOUR", material->colour);
-        fprintf(out, ",\n     ");
-        emit_vector(out, "REAL_COLOUR", material->ambient);
-        fprintf(out, ",\n     REAL_ENERGY(%a), REAL_ENERGY(%a), REAL_ENERGY(%a), %u,\n     ",
-                material->ambient_share, material->diffuse, material->specular, material->gloss);
-        fprintf(out, "%s, %s, %s, %s, %s, %u, %u, %u,\n     ", truth(material->transparent),
-                truth(material->casts_shadow), truth(material->absorbs), truth(material->disperses),
-                truth(material->tints), material->specular_table, material->pattern,
-                material->optical);
-        emit_vector(out, "REAL_INDEX", material->ior);
-        fprintf(out, ",\n     ");
-        emit_vector(out, "REAL_INDEX", material->inverse_ior);
-        fprintf(out, ",\n     REAL_ENERGY(%a), ", material->transmittance);
-        emit_vector(out, "REAL_ENERGY", material->reflects);
-        fprintf(out, ",\n     ");
-        emit_vector(out, "REAL_ENERGY", material->transmits);
-        fprintf(out, ",\n     ");
-        emit_vector(out, "REAL_ENERGY", material->filter);
-        fprintf(out, ",\n     ");
-        emit_vector(out, "REAL_EXTINCTION", material->absorption);
-        fprintf(out, "},\n");
-    }
-    fprintf(out, "};\n");
+static void emit_pointers(const struct emitter *to, const struct compiled_scene *scene) {
+    emit_pointer(to, "frames", scene->frame_count);
+    emit_pointer(to, "primitives", scene->primitive_count);
+    emit_pointer(to, "boxes", scene->box_count);
+    emit_pointer(to, "balls", scene->ball_count);
+    emit_pointer(to, "polyhedra", scene->polyhedron_count);
+    emit_pointer(to, "planes", scene->plane_count);
+    emit_pointer(to, "quadrics", scene->quadric_count);
+    emit_pointer(to, "surfaces", scene->surface_count);
+    emit_pointer(to, "hidden_by", scene->primitive_count);
+    emit_pointer(to, "programs", scene->program_length);
+    emit_pointer(to, "objects", scene->object_count);
+    emit_pointer(to, "materials", scene->material_count);
+    emit_pointer(to, "patterns", scene->pattern_count);
+    emit_pointer(to, "pattern_faces", scene->pattern_face_count);
+    emit_pointer(to, "specular_tables", scene->specular_table_count);
+    emit_pointer(to, "lights", scene->light_count);
 }
 
-static void emit_patterns(FILE *out, const struct compiled_scene *scene) {
-    fprintf(out, "\nstatic const struct pattern patterns[] = {\n");
-    for (int i = 0; i < scene->pattern_count; i++) {
-        const struct compiled_pattern *pattern = &scene->patterns[i];
-        fprintf(out, "    {%u, %u, %u, ", pattern->axes, pattern->face_count, pattern->first_face);
-        emit_vector(out, "REAL_LENGTH", pattern->origin);
-        fprintf(out, ", ");
-        emit_vector(out, "REAL_LENGTH", pattern->size);
-        fprintf(out, ",\n     ");
-        emit_vector(out, "REAL_COLOUR", pattern->colour);
-        fprintf(out, "},\n");
-    }
-    fprintf(out, "};\n");
-}
+/* Names by enum show; firmware/targets/build.sh looks for the last one. */
+static const char *const show_names[] = {[SHOW_FULL] = "SHOW_FULL",
+                                         [SHOW_BITS] = "SHOW_BITS",
+                                         [SHOW_DITHER] = "SHOW_DITHER",
+                                         [SHOW_EXPOSURES] = "SHOW_EXPOSURES"};
 
-static void emit_pattern_faces(FILE *out, const struct compiled_scene *scene) {
-    fprintf(out, "\nstatic const struct pattern_face pattern_faces[] = {\n");
-    for (int i = 0; i < scene->pattern_face_count; i++) {
-        const struct compiled_pattern_face *face = &scene->pattern_faces[i];
-        fprintf(out, "    {%u, %u, %s, %s},\n", face->surface, face->axis, truth(face->odd_above),
-                truth(face->odd_below));
-    }
-    fprintf(out, "};\n");
-}
-
-static void emit_specular_tables(FILE *out, const struct compiled_scene *scene) {
-    fprintf(out, "\nstatic const struct specular_table specular_tables[] = {\n");
-    for (int i = 0; i < scene->specular_table_count; i++) {
-        const struct compiled_specular_table *table = &scene->specular_tables[i];
-        for (int half = 0; half < 2; half++) {
-            fprintf(out, half ? "     {" : "    {{");
-            for (int j = 0; j < SCENE_SPECULAR_STEPS; j++) {
-                const double value = half ? table->specular[j] : table->cosine[j];
-                fprintf(out, "%s%s(%a)", j ? ", " : "", half ? "REAL_ENERGY" : "REAL_UNIT", value);
-            }
-            fprintf(out, half ? "}},\n" : "},\n");
-        }
-    }
-    fprintf(out, "};\n");
-}
-
-static void emit_lights(FILE *out, const struct compiled_scene *scene) {
-    fprintf(out, "\nstatic const struct light lights[] = {\n");
-    for (int i = 0; i < scene->light_count; i++) {
-        const struct compiled_light *light = &scene->lights[i];
-        fprintf(out, "    {%s, %s, ", truth(light->parallel), truth(light->casts_shadows));
-        emit_vector(out, "REAL_UNIT", light->towards);
-        fprintf(out, ",\n     ");
-        emit_vector(out, "REAL_LENGTH", light->position);
-        fprintf(out, ", ");
-        emit_vector(out, "REAL_COLOUR", light->colour);
-        fprintf(out, "},\n");
-    }
-    fprintf(out, "};\n");
-}
-
-static void emit_camera(FILE *out, const struct compiled_camera *camera, int words) {
-    fprintf(out, "    {");
-    emit_vector(out, "REAL_LENGTH", camera->eye);
-    fprintf(out, ",\n     ");
-    emit_vector(out, "REAL_UNIT", camera->forward);
-    fprintf(out, ",\n     ");
-    emit_vector(out, "REAL_UNIT", camera->column);
-    fprintf(out, ",\n     ");
-    emit_vector(out, "REAL_UNIT", camera->row);
-    fprintf(out, ",\n     ");
-    emit_vector(out, "REAL_UNIT", camera->up);
-    fprintf(out, ",\n     %u, ", camera->shift);
-    emit_set(out, &camera->inside, words);
-    fprintf(out, ", %u},\n", camera->object);
-}
-
-/* Returns a table's name, or "0" where it has no entries, as C99 has no empty arrays. */
-static const char *table(int count, const char *name) {
-    return count > 0 ? name : "0";
-}
-
-/* Names by enum compiled_show; firmware/targets/build.sh looks for the last one. */
-static const char *const show_names[] = {[COMPILED_FULL] = "SHOW_FULL",
-                                         [COMPILED_BITS] = "SHOW_BITS",
-                                         [COMPILED_DITHER] = "SHOW_DITHER",
-                                         [COMPILED_EXPOSURES] = "SHOW_EXPOSURES"};
-
-static void emit_scene(FILE *out, const struct compiled_scene *scene, const char *name) {
-    fprintf(out, "\nextern const struct scene scene_%s;\n\nconst struct scene scene_%s = {\n", name,
-            name);
-    fprintf(out, "    %u, %u, %u, REAL_ENERGY(%a),\n    ", scene->width, scene->height,
-            scene->depth, scene->threshold);
-    fprintf(out, "0, %s, %luu, %luu, %u,\n    ", truth(scene->estimates),
-            (unsigned long)(scene->error * 65536 + 0.5), (unsigned long)scene->ray_budget,
-            scene->brightest);
-    emit_vector(out, "REAL_COLOUR", scene->background);
-    fprintf(out, ",\n    %s, %s, %s, %s, REAL_LENGTH(%a), %d,\n", truth(scene->simple),
-            truth(scene->filters), truth(scene->blinn), truth(scene->fades), scene->fade_start,
-            scene->fade_exponent);
-    emit_camera(out, &scene->camera, features_primitive_words(scene));
-    fprintf(out, "    %u, %u, %u,\n", scene->primitive_count, scene->object_count,
-            scene->light_count);
-    fprintf(
-        out,
-        "    %s, %s, %s, %s, %s, %s, %s, %s, %s, %s, objects, materials, %s, %s, %s, %s,\n    ",
-        table(scene->frame_count, "frames"), table(scene->primitive_count, "primitives"),
-        table(scene->box_count, "boxes"), table(scene->ball_count, "balls"),
-        table(scene->polyhedron_count, "polyhedra"), table(scene->plane_count, "planes"),
-        table(scene->quadric_count, "quadrics"), table(scene->surface_count, "surfaces"),
-        table(scene->primitive_count, "hidden_by"), table(scene->program_length, "programs"),
-        table(scene->pattern_count, "patterns"), table(scene->pattern_face_count, "pattern_faces"),
-        table(scene->specular_table_count, "specular_tables"), table(scene->light_count, "lights"));
-    emit_set(out, &scene->shadow_primitives, features_primitive_words(scene));
-    fprintf(out, ",\n    %s, %u, UINT32_C(%lu)};\n", show_names[scene->show], scene->show_bits,
-            (unsigned long)scene->seed);
+static void emit_scene(const struct emitter *to, const struct compiled_scene *from,
+                       const char *name) {
+    fprintf(to->out, "\nextern const struct scene scene_%s;\n\nconst struct scene scene_%s = {\n",
+            name, name);
+    fprintf(to->out, "    /* %s */\n    ", show_names[from->show]);
+    SCENE_FIELDS_BEFORE(EMIT_MEMBER)
+    SCENE_FIELDS_AMID(EMIT_MEMBER)
+    SCENE_FIELDS_AFTER(EMIT_MEMBER)
+    SCENE_FIELDS_SHOWN(EMIT_MEMBER)
+    fprintf(to->out, "\n    .error = UINT32_C(%lu),\n    .camera = {",
+            (unsigned long)(from->error * 65536 + 0.5));
+    emit_camera(to, &from->camera);
+    fprintf(to->out, "},\n    .primitive_count = %u, .object_count = %u, .light_count = %u,\n",
+            from->primitive_count, from->object_count, from->light_count);
+    emit_pointers(to, from);
+    fprintf(to->out, "};\n");
 }
 
 int scene_emit(FILE *out, const struct compiled_scene *scene, const char *name) {
@@ -298,21 +263,9 @@ int scene_emit(FILE *out, const struct compiled_scene *scene, const char *name) 
             scene->report.bounded, scene->report.hidden);
     fprintf(out, "#include \"scene.h\"\n");
     features_emit_assertions(out, scene);
-    void (*const emitters[])(FILE *, const struct compiled_scene *) = {
-        emit_frames,    emit_primitives,    emit_boxes,           emit_balls,
-        emit_polyhedra, emit_quadrics,      emit_objects,         emit_materials,
-        emit_patterns,  emit_pattern_faces, emit_specular_tables, emit_lights};
-    const int counts[] = {
-        scene->frame_count,        scene->primitive_count,      scene->box_count,
-        scene->ball_count,         scene->polyhedron_count,     scene->quadric_count,
-        scene->object_count,       scene->material_count,       scene->pattern_count,
-        scene->pattern_face_count, scene->specular_table_count, scene->light_count};
-    for (size_t i = 0; i < sizeof emitters / sizeof emitters[0]; i++) {
-        if (counts[i] > 0) {
-            emitters[i](out, scene);
-        }
-    }
-    emit_scene(out, scene, symbol);
+    const struct emitter emitter = {out, features_primitive_words(scene)};
+    emit_tables(&emitter, scene);
+    emit_scene(&emitter, scene, symbol);
     return ferror(out) ? -1 : 0;
 }
 

@@ -40,14 +40,14 @@ static bool is_within_ball(const struct compiled_scene *scene, int inner, int ou
     const struct compiled_ball *ball = &scene->balls[scene->primitives[outer].index];
     const struct compiled_primitive *primitive = &scene->primitives[inner];
     double square = 0;
-    if (primitive->kind == KIND_BALL) {
+    if (primitive->kind == PRIMITIVE_BALL) {
         const struct compiled_ball *small = &scene->balls[primitive->index];
         for (int i = 0; i < 3; i++) {
             square += pow(small->centre[i] - ball->centre[i], 2);
         }
         return sqrt(square) + small->radius < ball->radius - COMPILE_STRICTLY;
     }
-    if (primitive->kind != KIND_BOX) {
+    if (primitive->kind != PRIMITIVE_BOX) {
         return false;
     }
     const struct compiled_box *box = &scene->boxes[primitive->index];
@@ -90,7 +90,7 @@ static void surrounding_ball(const struct compiled_scene *scene, int index, doub
                              double *radius) {
     const struct compiled_primitive *primitive = &scene->primitives[index];
     double square = 0;
-    if (primitive->kind == KIND_BALL) {
+    if (primitive->kind == PRIMITIVE_BALL) {
         memcpy(centre, scene->balls[primitive->index].centre, 3 * sizeof *centre);
         *radius = scene->balls[primitive->index].radius;
         return;
@@ -157,13 +157,13 @@ static bool is_within_quadric(const struct compiled_scene *scene, int inner, int
  * within, a ray leaves them once. */
 bool primitive_is_within(const struct compiled_scene *scene, int inner, int outer) {
     switch (scene->primitives[outer].kind) {
-    case KIND_BOX:
+    case PRIMITIVE_BOX:
         return is_within_box(scene, inner, outer);
-    case KIND_BALL:
+    case PRIMITIVE_BALL:
         return is_within_ball(scene, inner, outer);
-    case KIND_POLYHEDRON:
+    case PRIMITIVE_POLYHEDRON:
         return is_within_polyhedron(scene, inner, outer);
-    case KIND_QUADRIC:
+    case PRIMITIVE_QUADRIC:
         break;
     }
     return is_within_quadric(scene, inner, outer);
@@ -187,7 +187,7 @@ static bool lies_beyond(const struct compiled_scene *scene, int one, int other,
  * Planes across the axes of either and of the world are tried, then across the line from one to the
  * other. */
 bool primitives_are_apart(const struct compiled_scene *scene, int one, int other) {
-    const uint8_t frames[3] = {WORLD_FRAME, scene->primitives[one].frame,
+    const uint8_t frames[3] = {FRAME_WORLD, scene->primitives[one].frame,
                                scene->primitives[other].frame};
     double from[3], to[3], radius;
     for (int i = 0; i < 9; i++) {
@@ -221,10 +221,11 @@ void compile_enclosures(struct compiler *compiler) {
     }
     for (int i = 0; i < scene->primitive_count; i++) {
         struct compiled_primitive *primitive = &scene->primitives[i];
-        primitive->enclosure = NO_ENCLOSURE;
+        primitive->enclosure = ENCLOSURE_NONE;
         for (int j = 0; j < scene->primitive_count; j++) {
             if (i != j && primitive_is_within(scene, i, j) &&
-                (primitive->enclosure == NO_ENCLOSURE || depth[j] > depth[primitive->enclosure])) {
+                (primitive->enclosure == ENCLOSURE_NONE ||
+                 depth[j] > depth[primitive->enclosure])) {
                 primitive->enclosure = (uint8_t)j;
             }
         }

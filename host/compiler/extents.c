@@ -5,7 +5,7 @@
 #include "compiler/compiler_internal.h"
 
 const double *compiled_axis(const struct compiled_scene *scene, uint8_t frame, int axis) {
-    return frame == WORLD_FRAME ? affine_identity.m[axis] : scene->frames[frame].axis[axis];
+    return frame == FRAME_WORLD ? affine_identity.m[axis] : scene->frames[frame].axis[axis];
 }
 
 /* ---- Quadrics, in their own axes ------------------------------------------------------------ */
@@ -151,14 +151,14 @@ static double polyhedron_reach(const struct compiled_scene *scene,
 double primitive_reach(const struct compiled_scene *scene, int index, const double direction[3]) {
     const struct compiled_primitive *primitive = &scene->primitives[index];
     switch (primitive->kind) {
-    case KIND_BOX:
+    case PRIMITIVE_BOX:
         return box_reach(scene, primitive, direction);
-    case KIND_BALL:
+    case PRIMITIVE_BALL:
         return vector_dot(direction, scene->balls[primitive->index].centre) +
                scene->balls[primitive->index].radius;
-    case KIND_QUADRIC:
+    case PRIMITIVE_QUADRIC:
         return quadric_reach(scene, primitive, direction);
-    case KIND_POLYHEDRON:
+    case PRIMITIVE_POLYHEDRON:
         break;
     }
     return polyhedron_reach(scene, &scene->polyhedra[primitive->index], direction);

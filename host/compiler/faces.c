@@ -30,16 +30,16 @@ int compiled_faces(const struct compiled_scene *scene, int primitive_index,
     const struct compiled_primitive *primitive = &scene->primitives[primitive_index];
     const struct compiled_quadric *quadric;
     const struct compiled_polyhedron *polyhedron;
-    switch ((enum compiled_kind)primitive->kind) {
-    case KIND_BALL:
+    switch ((enum primitive_kind)primitive->kind) {
+    case PRIMITIVE_BALL:
         return 0;
-    case KIND_BOX:
+    case PRIMITIVE_BOX:
         return box_faces(scene, primitive->frame, &scene->boxes[primitive->index], 7, faces);
-    case KIND_QUADRIC:
+    case PRIMITIVE_QUADRIC:
         quadric = &scene->quadrics[primitive->index];
         return box_faces(scene, primitive->frame, &scene->boxes[quadric->box], quadric->cuts,
                          faces);
-    case KIND_POLYHEDRON:
+    case PRIMITIVE_POLYHEDRON:
         polyhedron = &scene->polyhedra[primitive->index];
         for (int i = 0; i < polyhedron->count; i++) {
             const struct compiled_plane *plane = &scene->planes[polyhedron->first + i];

@@ -23,7 +23,7 @@ enum { KEPT_BRANCHES = 512 };
 
 static bool has_rotation(const struct compiled_scene *scene) {
     for (int i = 0; i < scene->primitive_count; i++) {
-        if (scene->primitives[i].frame != WORLD_FRAME) {
+        if (scene->primitives[i].frame != FRAME_WORLD) {
             return true;
         }
     }
@@ -131,7 +131,7 @@ static void find_features(const struct compiled_scene *scene, struct feature fea
         {"ESTIMATE", scene->estimates && scene->has_branches},
         {"KEPT", scene->error > 0 && scene->has_branches ? KEPT_BRANCHES : 0},
         {"OBSERVER", 0},
-        {"SHOW", scene->show != COMPILED_FULL},
+        {"SHOW", scene->show != SHOW_FULL},
     };
     for (int i = 0; i < FEATURES; i++) {
         features[i] = found[i];

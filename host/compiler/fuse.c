@@ -25,8 +25,8 @@ static bool plane_leaves(const struct compiled_scene *scene, int primitive,
  * one of the planes leaves nothing of the primitive. */
 static int cutting_planes(const struct compiled_scene *scene, int primitive, int solid,
                           struct compiled_face planes[COMPILED_FACES_MOST]) {
-    enum compiled_kind kind = scene->primitives[solid].kind;
-    bool is_flat = kind == KIND_BOX || kind == KIND_POLYHEDRON;
+    enum primitive_kind kind = scene->primitives[solid].kind;
+    bool is_flat = kind == PRIMITIVE_BOX || kind == PRIMITIVE_POLYHEDRON;
     int count = is_flat ? compiled_faces(scene, solid, planes) : 0, kept = 0;
     for (int i = 0; i < count; i++) {
         if (!plane_leaves(scene, primitive, &planes[i])) {
@@ -67,7 +67,7 @@ static int fuse_boxes(struct compiler *compiler, int a, int b) {
     const struct compiled_scene *scene = compiler->scene;
     const struct compiled_primitive *one = &scene->primitives[a], *other = &scene->primitives[b];
     double low[3], high[3];
-    if (one->kind != KIND_BOX || other->kind != KIND_BOX || one->frame != other->frame) {
+    if (one->kind != PRIMITIVE_BOX || other->kind != PRIMITIVE_BOX || one->frame != other->frame) {
         return -1;
     }
     for (int i = 0; i < 3; i++) {
@@ -86,7 +86,7 @@ static int fuse_boxes(struct compiler *compiler, int a, int b) {
 /* Tells whether a primitive may be changed: a ball only if the ball is used nowhere else. A ball
  * that becomes a quadric must not stay a ball elsewhere, for the two would round differently. */
 static bool may_change(const struct optimiser *optimiser, int primitive) {
-    return optimiser->compiler->scene->primitives[primitive].kind != KIND_BALL ||
+    return optimiser->compiler->scene->primitives[primitive].kind != PRIMITIVE_BALL ||
            optimiser->uses[primitive] == 1;
 }
 
@@ -96,9 +96,9 @@ static bool absorb(struct optimiser *optimiser, uint8_t index, int solid, bool o
     struct csg_tree *tree = &optimiser->tree;
     struct csg_node *node = &tree->nodes[index];
     if (!csg_is_leaf(tree, index)) {
-        return node->code != CODE_UNION && (absorb(optimiser, node->left, solid, outside) ||
-                                            (node->code == CODE_INTERSECTION &&
-                                             absorb(optimiser, node->right, solid, outside)));
+        return node->code != PROGRAM_UNION && (absorb(optimiser, node->left, solid, outside) ||
+                                               (node->code == PROGRAM_INTERSECTION &&
+                                                absorb(optimiser, node->right, solid, outside)));
     }
     int fused = outside ? -1 : fuse_boxes(optimiser->compiler, node->code, solid);
     if (fused < 0 && may_change(optimiser, node->code)) {
@@ -121,10 +121,10 @@ static void fuse_node(struct optimiser *optimiser, uint8_t index) {
     }
     fuse_node(optimiser, node->left);
     fuse_node(optimiser, node->right);
-    if (node->code == CODE_UNION) {
+    if (node->code == PROGRAM_UNION) {
         return;
     }
-    bool outside = node->code == CODE_DIFFERENCE;
+    bool outside = node->code == PROGRAM_DIFFERENCE;
     if (csg_is_leaf(tree, node->right) &&
         absorb(optimiser, node->left, tree->nodes[node->right].code, outside)) {
         *node = tree->nodes[node->left];

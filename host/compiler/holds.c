@@ -48,7 +48,7 @@ static void to_frame(const struct compiled_scene *scene, uint8_t frame, const do
                      double turned[3]) {
     const double from[3] = {point[0], point[1], point[2]};
     for (int i = 0; i < 3; i++) {
-        turned[i] = frame == WORLD_FRAME ? from[i] : vector_dot(from, scene->frames[frame].axis[i]);
+        turned[i] = frame == FRAME_WORLD ? from[i] : vector_dot(from, scene->frames[frame].axis[i]);
     }
 }
 
@@ -59,18 +59,18 @@ bool compiled_primitive_holds(const struct compiled_scene *scene, uint8_t index,
     double p[3], q[3] = {0, 0, 0};
     to_frame(scene, primitive->frame, point, p);
     switch (primitive->kind) {
-    case KIND_BALL:
+    case PRIMITIVE_BALL:
         return is_inside_ball(&scene->balls[primitive->index], p);
-    case KIND_POLYHEDRON:
+    case PRIMITIVE_POLYHEDRON:
         return is_inside_polyhedron(scene, &scene->polyhedra[primitive->index], p);
-    case KIND_QUADRIC:
+    case PRIMITIVE_QUADRIC:
         quadric = &scene->quadrics[primitive->index];
         for (int i = 0; i < 3; i++) {
             q[i] = point[i] - quadric->centre[i];
         }
         to_frame(scene, primitive->frame, q, q);
         return is_inside_quadric(scene, quadric, p, q);
-    case KIND_BOX:
+    case PRIMITIVE_BOX:
         break;
     }
     return is_inside_box(&scene->boxes[primitive->index], p);
@@ -84,12 +84,12 @@ bool compiled_object_holds(const struct compiled_scene *scene, uint8_t index,
     for (uint8_t i = 0; i < object->length; i++) {
         uint8_t code = scene->programs[object->program + i];
         uint32_t right = stack & 1, left = stack >> 1 & 1;
-        if (code < CODE_UNION) {
+        if (code < PROGRAM_UNION) {
             stack = stack << 1 | (inside->word[code / 32] >> code % 32 & 1);
         } else {
-            uint32_t value = code == CODE_UNION          ? left | right
-                             : code == CODE_INTERSECTION ? left & right
-                                                         : left & ~right & 1;
+            uint32_t value = code == PROGRAM_UNION          ? left | right
+                             : code == PROGRAM_INTERSECTION ? left & right
+                                                            : left & ~right & 1;
             stack = (stack >> 2) << 1 | value;
         }
     }

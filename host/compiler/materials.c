@@ -30,7 +30,7 @@ static void compile_specular(struct compiler *compiler, const struct scene_mater
     struct compiled_scene *scene = compiler->scene;
     size_t index = (size_t)(from - compiler->description->materials);
     to->specular = from->specular;
-    to->specular_table = NO_TABLE;
+    to->specular_table = SPECULAR_CONSTANT;
     if (compiler->dead->highlight[index] != NULL) {
         to->specular = 0;
         return;
@@ -44,9 +44,9 @@ static void compile_specular(struct compiler *compiler, const struct scene_mater
     }
     to->specular_table = scene->specular_table_count;
     struct compiled_specular_table *table = &scene->specular_tables[scene->specular_table_count++];
-    for (int i = 0; i < SCENE_SPECULAR_STEPS; i++) {
-        double theta = i * 1.57079632679489661923 / (SCENE_SPECULAR_STEPS - 1);
-        table->cosine[i] = i + 1 < SCENE_SPECULAR_STEPS ? cos(theta) : 0;
+    for (int i = 0; i < SPECULAR_STEPS; i++) {
+        double theta = i * 1.57079632679489661923 / (SPECULAR_STEPS - 1);
+        table->cosine[i] = i + 1 < SPECULAR_STEPS ? cos(theta) : 0;
         table->specular[i] = from->specular_table[i];
     }
 }
@@ -85,8 +85,8 @@ static bool compile_absorption(struct compiler *compiler, const struct scene_mat
 
 /* Makes a material that is not seen and does not keep light off. */
 static void compile_nothing(struct compiled_material *material) {
-    material->pattern = NO_PATTERN;
-    material->specular_table = NO_TABLE;
+    material->pattern = PATTERN_NONE;
+    material->specular_table = SPECULAR_CONSTANT;
     for (int i = 0; i < 3; i++) {
         material->ior[i] = material->inverse_ior[i] = 1;
         material->reflects[i] = material->transmits[i] = material->filter[i] = 1;

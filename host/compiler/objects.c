@@ -25,9 +25,9 @@ struct instance {
 };
 
 static uint8_t code_of(enum solid_kind kind) {
-    return kind == SOLID_UNION          ? CODE_UNION
-           : kind == SOLID_INTERSECTION ? CODE_INTERSECTION
-                                        : CODE_DIFFERENCE;
+    return kind == SOLID_UNION          ? PROGRAM_UNION
+           : kind == SOLID_INTERSECTION ? PROGRAM_INTERSECTION
+                                        : PROGRAM_DIFFERENCE;
 }
 
 static bool is_leaf(const struct solid_node *node) {
@@ -114,7 +114,7 @@ static bool add_object(struct compiler *compiler, const struct instance *instanc
             !compile_append(compiler, cutter->code)) {
             return false;
         }
-        if (cutter->code == CODE_INTERSECTION) {
+        if (cutter->code == PROGRAM_INTERSECTION) {
             struct bounds cut =
                 solid_bounds(compiler->description, cutter->node, &cutter->placement);
             bounds = bounds_intersection(&bounds, &cut);

@@ -9,7 +9,7 @@ static void count_uses(struct optimiser *optimiser) {
     struct compiled_scene *scene = optimiser->compiler->scene;
     memset(optimiser->uses, 0, sizeof optimiser->uses);
     for (int i = 0; i < scene->program_length; i++) {
-        if (scene->programs[i] < CODE_UNION) {
+        if (scene->programs[i] < PROGRAM_UNION) {
             scene->report.shared += optimiser->uses[scene->programs[i]]++ > 0;
         }
     }

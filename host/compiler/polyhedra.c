@@ -89,7 +89,7 @@ int compile_placed_polyhedron(struct compiler *compiler, const struct scene_plan
     }
     for (int i = 0; i < scene->primitive_count; i++) {
         const struct compiled_primitive *other = &scene->primitives[i];
-        if (other->kind == KIND_POLYHEDRON &&
+        if (other->kind == PRIMITIVE_POLYHEDRON &&
             same_planes(scene, &scene->polyhedra[other->index], planes, surfaces, count)) {
             return i;
         }
@@ -99,8 +99,8 @@ int compile_placed_polyhedron(struct compiler *compiler, const struct scene_plan
                      COMPILED_PLANES_MOST);
         return -1;
     }
-    int primitive = compile_new_primitive(compiler, KIND_POLYHEDRON, scene->polyhedron_count,
-                                          WORLD_FRAME, false);
+    int primitive = compile_new_primitive(compiler, PRIMITIVE_POLYHEDRON, scene->polyhedron_count,
+                                          FRAME_WORLD, false);
     if (primitive < 0) {
         return -1;
     }

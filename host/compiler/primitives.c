@@ -72,7 +72,8 @@ static bool append_round(struct compiler *compiler, const struct solid_node *lea
         slab = compile_placed_polyhedron(compiler, ends, 2);
     }
     return slab >= 0 && compile_append(compiler, (uint8_t)round) &&
-           compile_append(compiler, (uint8_t)slab) && compile_append(compiler, CODE_INTERSECTION);
+           compile_append(compiler, (uint8_t)slab) &&
+           compile_append(compiler, PROGRAM_INTERSECTION);
 }
 
 /* Checks that a polyhedron has an inside and an end. */

@@ -8,7 +8,7 @@
 static int compile_ball(struct compiler *compiler, const double centre[3], double radius) {
     struct compiled_scene *scene = compiler->scene;
     int primitive =
-        compile_new_primitive(compiler, KIND_BALL, scene->ball_count, WORLD_FRAME, true);
+        compile_new_primitive(compiler, PRIMITIVE_BALL, scene->ball_count, FRAME_WORLD, true);
     int surface = primitive < 0 ? -1 : compile_new_surface(compiler);
     if (surface < 0) {
         return -1;
@@ -26,7 +26,7 @@ static int add_quadric(struct compiler *compiler, const struct compiled_quadric 
     bool convex = square[0] >= 0 && square[1] >= 0 && square[2] >= 0;
     struct compiled_scene *scene = compiler->scene;
     int primitive =
-        compile_new_primitive(compiler, KIND_QUADRIC, scene->quadric_count, frame, convex);
+        compile_new_primitive(compiler, PRIMITIVE_QUADRIC, scene->quadric_count, frame, convex);
     if (primitive >= 0) {
         scene->quadrics[scene->quadric_count++] = *quadric;
     }
@@ -40,7 +40,7 @@ static void make_quadric(struct compiled_scene *scene, struct compiled_primitive
     struct compiled_quadric quadric = {.square = {1, 1, 1}, .surface = ball->surface};
     memcpy(quadric.centre, ball->centre, sizeof quadric.centre);
     quadric.constant = -ball->radius * ball->radius;
-    primitive->kind = KIND_QUADRIC;
+    primitive->kind = PRIMITIVE_QUADRIC;
     primitive->index = scene->quadric_count;
     scene->quadrics[scene->quadric_count++] = quadric;
 }
@@ -48,7 +48,7 @@ static void make_quadric(struct compiled_scene *scene, struct compiled_primitive
 /* Adds the other side of a surface that exists already, by the same numbers. */
 static int add_opposite(struct compiler *compiler, int twin) {
     struct compiled_primitive *primitive = &compiler->scene->primitives[twin];
-    if (primitive->kind == KIND_BALL) {
+    if (primitive->kind == PRIMITIVE_BALL) {
         make_quadric(compiler->scene, primitive);
     }
     struct compiled_quadric quadric = compiler->scene->quadrics[primitive->index];
@@ -177,7 +177,7 @@ static bool append_planes(struct compiler *compiler, const struct quadric_axes *
             return false;
         }
     }
-    return compile_append(compiler, between > 0 ? CODE_INTERSECTION : CODE_UNION);
+    return compile_append(compiler, between > 0 ? PROGRAM_INTERSECTION : PROGRAM_UNION);
 }
 
 bool compile_general_quadric(struct compiler *compiler, const struct solid_node *leaf,

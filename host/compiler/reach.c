@@ -38,7 +38,7 @@ bool material_is_shaded(const struct compiled_scene *scene,
 }
 
 static bool has_specular(const struct compiled_material *material) {
-    return material->specular > 0 || material->specular_table != NO_TABLE;
+    return material->specular > 0 || material->specular_table != SPECULAR_CONSTANT;
 }
 
 /* Returns true if rays bend at the material. Between media of one index, rays go straight on, and
@@ -55,10 +55,10 @@ static double largest(const double three[3]) {
 static double mirror_most(const struct compiled_scene *scene,
                           const struct compiled_material *material) {
     double most = 0;
-    if (material->specular_table == NO_TABLE) {
+    if (material->specular_table == SPECULAR_CONSTANT) {
         return material->specular;
     }
-    for (int i = 0; i < SCENE_SPECULAR_STEPS; i++) {
+    for (int i = 0; i < SPECULAR_STEPS; i++) {
         most = fmax(most, scene->specular_tables[material->specular_table].specular[i]);
     }
     return most;
@@ -82,7 +82,7 @@ bool material_turns_aside(const struct compiled_scene *scene,
 double compiled_colour_most(const struct compiled_scene *scene,
                             const struct compiled_material *material, int channel) {
     double other =
-        material->pattern != NO_PATTERN ? scene->patterns[material->pattern].colour[channel] : 0;
+        material->pattern != PATTERN_NONE ? scene->patterns[material->pattern].colour[channel] : 0;
     return fmax(material->colour[channel], other);
 }
 
@@ -145,11 +145,11 @@ static bool lies_within(const struct search *search, const struct csg_tree *tree
                                        : primitive_is_within(search->scene, node->code, primitive);
     }
     bool left = lies_within(search, tree, node->left, primitive, may_be_it);
-    if (node->code == CODE_DIFFERENCE) {
+    if (node->code == PROGRAM_DIFFERENCE) {
         return left;
     }
     bool right = lies_within(search, tree, node->right, primitive, may_be_it);
-    return node->code == CODE_UNION ? left && right : left || right;
+    return node->code == PROGRAM_UNION ? left && right : left || right;
 }
 
 static bool object_lies_within(const struct search *search, int inner, int outer, bool may_be_it) {

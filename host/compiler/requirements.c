@@ -79,7 +79,8 @@ bool requirements_total_reflection(const struct compiled_scene *scene) {
 
 bool requirements_highlight(const struct compiled_scene *scene) {
     for (int i = 1; i < scene->material_count; i++) {
-        if (scene->materials[i].specular > 0 || scene->materials[i].specular_table != NO_TABLE) {
+        if (scene->materials[i].specular > 0 ||
+            scene->materials[i].specular_table != SPECULAR_CONSTANT) {
             return true;
         }
     }
@@ -159,9 +160,9 @@ void requirements_print(FILE *out, const struct compiled_scene *scene) {
     static const struct {
         uint8_t code;
         const char *name;
-    } operations[] = {{CODE_UNION, "union"},
-                      {CODE_INTERSECTION, "intersection"},
-                      {CODE_DIFFERENCE, "difference"}};
+    } operations[] = {{PROGRAM_UNION, "union"},
+                      {PROGRAM_INTERSECTION, "intersection"},
+                      {PROGRAM_DIFFERENCE, "difference"}};
     for (size_t i = 0; i < sizeof operations / sizeof operations[0]; i++) {
         if (has_operation(scene, operations[i].code)) {
             print_word(&words, operations[i].name);

@@ -108,8 +108,8 @@ int compile_frame(struct compiler *compiler, double axis[3][3], bool third_stays
             return -1;
         }
     }
-    if (sort_axes(scene, WORLD_FRAME, axis, third_stays, permutation, sign)) {
-        return WORLD_FRAME;
+    if (sort_axes(scene, FRAME_WORLD, axis, third_stays, permutation, sign)) {
+        return FRAME_WORLD;
     }
     for (uint8_t i = 0; i < scene->frame_count; i++) {
         if (sort_axes(scene, i, axis, third_stays, permutation, sign)) {

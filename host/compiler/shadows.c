@@ -7,7 +7,7 @@
 static void collect_uses(struct compiled_scene *scene, struct compiled_object *object) {
     for (uint8_t i = 0; i < object->length; i++) {
         uint8_t code = scene->programs[object->program + i];
-        if (code < CODE_UNION) {
+        if (code < PROGRAM_UNION) {
             compiled_set_include(&object->uses, code);
         }
     }
@@ -45,8 +45,8 @@ static bool is_harmless(const struct compiler *compiler, int object,
     const struct compiled_scene *scene = compiler->scene;
     const struct compiled_primitive *primitive =
         &scene->primitives[scene->programs[scene->objects[object].program]];
-    if (scene->objects[object].length != 1 || primitive->kind != KIND_BOX ||
-        primitive->frame != WORLD_FRAME ||
+    if (scene->objects[object].length != 1 || primitive->kind != PRIMITIVE_BOX ||
+        primitive->frame != FRAME_WORLD ||
         scene->materials[scene->objects[object].material].transparent) {
         return false;
     }

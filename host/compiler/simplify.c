@@ -3,7 +3,7 @@
 #include "compiler/optimise.h"
 
 /* Stands for a solid without a point, while a tree is simplified. */
-enum { CODE_NOTHING = CODE_UNION - 1 };
+enum { CODE_NOTHING = PROGRAM_UNION - 1 };
 
 static bool is_nothing(const struct csg_tree *tree, uint8_t node) {
     return tree->nodes[node].code == CODE_NOTHING;
@@ -49,16 +49,16 @@ static void simplify_node(struct optimiser *optimiser, uint8_t index) {
     const bool left_covers = equal || (both && is_within(scene, tree, right, left));
     const bool apart = both && !equal && are_apart(scene, tree, left, right);
     struct csg_node result = *node;
-    if (code == CODE_UNION) {
+    if (code == PROGRAM_UNION) {
         result = no_left || right_covers   ? tree->nodes[right]
                  : no_right || left_covers ? tree->nodes[left]
                                            : *node;
-    } else if (no_left || (code == CODE_INTERSECTION && (no_right || apart)) ||
-               (code == CODE_DIFFERENCE && right_covers)) {
+    } else if (no_left || (code == PROGRAM_INTERSECTION && (no_right || apart)) ||
+               (code == PROGRAM_DIFFERENCE && right_covers)) {
         result.code = CODE_NOTHING;
-    } else if (code == CODE_DIFFERENCE && (no_right || apart)) {
+    } else if (code == PROGRAM_DIFFERENCE && (no_right || apart)) {
         result = tree->nodes[left];
-    } else if (code == CODE_INTERSECTION && (right_covers || left_covers)) {
+    } else if (code == PROGRAM_INTERSECTION && (right_covers || left_covers)) {
         result = tree->nodes[right_covers ? left : right];
     }
     scene->report.simplified += result.code != code;

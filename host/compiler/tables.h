@@ -9,9 +9,11 @@
 
 #include "scene/description.h"
 #include "scene/overrides.h"
+#include "scene_constants.h"
+#include "scene_fields.h"
 
-/* The tables have, member by member, what firmware/scene.h holds; read the comments there. Lengths
- * are scaled already. host/render/per_arithmetic/load.c turns the tables into those in memory,
+/* The tables have what firmware/scene_fields.h lists; read the comments there. Lengths are scaled
+ * already. host/render/per_arithmetic/load.c turns the tables into those in memory,
  * host/compiler/emit.c into C source. */
 
 enum {
@@ -32,107 +34,98 @@ struct compiled_set {
     uint32_t word[COMPILED_PRIMITIVES_MOST / 32];
 };
 
+/* The types of members, by the roles of firmware/scene_fields.h: all numbers are doubles. */
+#define COMPILED_MEMBER(role, name) COMPILED_##role(name)
+#define COMPILED_POINT(name)        double name[3];
+#define COMPILED_DIRECTION(name)    double name[3];
+#define COMPILED_DIRECTIONS(name)   double name[3][3];
+#define COMPILED_LENGTH(name)       double name;
+#define COMPILED_AREA(name)         double name;
+#define COMPILED_UNIT_STEPS(name)   double name[SPECULAR_STEPS];
+#define COMPILED_COLOURS(name)      double name[3];
+#define COMPILED_ENERGIES(name)     double name[3];
+#define COMPILED_ENERGY(name)       double name;
+#define COMPILED_ENERGY_STEPS(name) double name[SPECULAR_STEPS];
+#define COMPILED_INDICES(name)      double name[3];
+#define COMPILED_EXTINCTIONS(name)  double name[3];
+#define COMPILED_BYTE(name)         uint8_t name;
+#define COMPILED_WORD(name)         uint16_t name;
+#define COMPILED_LONG(name)         uint32_t name;
+#define COMPILED_SIGNED(name)       int8_t name;
+#define COMPILED_TRUTH(name)        bool name;
+#define COMPILED_SURFACES(name)     uint16_t name[6];
+#define COMPILED_SET(name)          struct compiled_set name;
+
+/* What stands below the fields of a table is no part of the firmware's. */
+
 struct compiled_frame {
-    double origin[3];
-    double axis[3][3];
+    FRAME_FIELDS(COMPILED_MEMBER)
 };
 
-/* A switch over these has a case for each and no default. So the C compiler names the places that a
- * new kind has to be told of. The numbers are those of firmware/scene.h. */
-enum compiled_kind { KIND_BOX = 0, KIND_BALL = 1, KIND_POLYHEDRON = 2, KIND_QUADRIC = 3 };
-
 struct compiled_primitive {
-    enum compiled_kind kind;
-    uint8_t index, frame;
-    bool left_for_good;
-    uint8_t enclosure;
+    enum primitive_kind kind;
+    PRIMITIVE_FIELDS(COMPILED_MEMBER)
     unsigned line; /* of the scene file, for what an arithmetic may find wrong with it */
 };
 
 struct compiled_box {
-    double minimum[3], maximum[3];
-    uint16_t surface[6];
+    BOX_FIELDS(COMPILED_MEMBER)
 };
 
 struct compiled_ball {
-    double centre[3];
+    BALL_FIELDS_BEFORE(COMPILED_MEMBER)
+    BALL_FIELDS_AFTER(COMPILED_MEMBER)
     double radius;
-    uint16_t surface;
 };
 
 struct compiled_plane {
-    double normal[3];
-    double offset;
-    uint16_t surface;
+    PLANE_FIELDS(COMPILED_MEMBER)
 };
 
 struct compiled_polyhedron {
-    uint16_t first;
-    uint8_t count;
-    double low[3], high[3]; /* bounds, perhaps infinite; no part of the firmware's tables */
+    POLYHEDRON_FIELDS(COMPILED_MEMBER)
+    double low[3], high[3]; /* bounds, perhaps infinite */
 };
 
 struct compiled_quadric {
-    double centre[3], square[3];
-    double linear, constant;
+    QUADRIC_FIELDS_BEFORE(COMPILED_MEMBER)
+    QUADRIC_FIELDS_AMID(COMPILED_MEMBER)
+    QUADRIC_FIELDS_AFTER(COMPILED_MEMBER)
     double reach; /* 0: it has no end */
-    uint16_t surface;
-    uint8_t box, cuts;
-    bool left_for_good;
 };
 
 struct compiled_object {
-    uint16_t program;
-    uint8_t length;
-    uint8_t material;
-    bool in_shadow_test;
-    struct compiled_set uses;
+    OBJECT_FIELDS(COMPILED_MEMBER)
     unsigned line;          /* of the scene file */
     uint8_t part;           /* of the file's objects, in the order in which they are taken apart */
-    double low[3], high[3]; /* bounds, perhaps infinite; no part of the firmware's tables */
+    double low[3], high[3]; /* bounds, perhaps infinite */
 };
 
 struct compiled_pattern {
+    PATTERN_FIELDS(COMPILED_MEMBER)
     unsigned line; /* of the material's, in the file */
-    uint8_t axes, face_count;
-    uint16_t first_face;
-    double origin[3], size[3], colour[3];
 };
 
 struct compiled_pattern_face {
-    uint16_t surface;
-    uint8_t axis;
-    bool odd_above, odd_below;
+    PATTERN_FACE_FIELDS(COMPILED_MEMBER)
 };
 
 struct compiled_material {
-    double colour[3], ambient[3];
-    double ambient_share, diffuse, specular;
-    uint16_t gloss;
-    bool transparent, casts_shadow, absorbs, disperses, tints;
-    uint8_t specular_table, pattern, optical;
-    double ior[3], inverse_ior[3];
-    double transmittance;
-    double reflects[3], transmits[3], filter[3];
-    double absorption[3];
-    uint8_t file; /* its number in the file, from 0; no part of the firmware's tables */
+    MATERIAL_FIELDS(COMPILED_MEMBER)
+    uint8_t file; /* its number in the file, from 0 */
 };
 
 struct compiled_specular_table {
-    double cosine[SCENE_SPECULAR_STEPS], specular[SCENE_SPECULAR_STEPS];
+    SPECULAR_TABLE_FIELDS(COMPILED_MEMBER)
 };
 
 struct compiled_light {
+    LIGHT_FIELDS(COMPILED_MEMBER)
     uint8_t file; /* its number in the file */
-    bool parallel, casts_shadows;
-    double towards[3], position[3], colour[3];
 };
 
 struct compiled_camera {
-    double eye[3], forward[3], column[3], row[3], up[3];
-    uint8_t shift;
-    struct compiled_set inside;
-    uint8_t object;
+    CAMERA_FIELDS(COMPILED_MEMBER)
 };
 
 /* What the compiler made of the file's solids. */
@@ -159,17 +152,11 @@ struct compiled_dead {
 };
 
 struct compiled_scene {
-    uint16_t width, height;
-    uint8_t depth;
-    double threshold;
-    bool estimates;
+    SCENE_FIELDS_BEFORE(COMPILED_MEMBER)
+    SCENE_FIELDS_AMID(COMPILED_MEMBER)
+    SCENE_FIELDS_AFTER(COMPILED_MEMBER)
+    SCENE_FIELDS_SHOWN(COMPILED_MEMBER)
     double error; /* levels; 0: none is asked for */
-    uint32_t ray_budget;
-    uint16_t brightest;
-    double background[3];
-    bool simple, filters, blinn, fades;
-    double fade_start;
-    int8_t fade_exponent;
     struct compiled_camera camera;
 
     char path[256];                               /* of the scene file, for messages */
@@ -206,7 +193,6 @@ struct compiled_scene {
     struct compiled_report report;
     unsigned near_count; /* of all; the first ones are kept */
     struct compiled_near near[COMPILED_NEAR_MOST];
-    struct compiled_set shadow_primitives;
     bool has_shadows; /* some light casts them; no part of the firmware's tables */
 
     /* No part of the firmware's tables either. */
@@ -214,26 +200,7 @@ struct compiled_scene {
     uint8_t depth_asked; /* depth is as much of it as paths can use */
     struct compiled_dead dead[COMPILED_DEAD_MOST];
     unsigned dead_count;
-
-    uint8_t show, show_bits; /* enum compiled_show */
-    uint32_t seed;
 };
-
-/* The numbers that programs and tables are made of. firmware/scene.h has the same numbers, but
- * needs an arithmetic. host/render/per_arithmetic/load.c holds the two against each other. */
-
-enum {
-    CURVED_FACE = 6,
-    CODE_UNION = 0xFD,
-    CODE_INTERSECTION = 0xFE,
-    CODE_DIFFERENCE = 0xFF,
-    WORLD_FRAME = 0xFF,
-    NO_PATTERN = 0xFF,
-    NO_TABLE = 0xFF,
-    NO_ENCLOSURE = 0xFF
-};
-
-enum compiled_show { COMPILED_FULL, COMPILED_BITS, COMPILED_DITHER, COMPILED_EXPOSURES };
 
 /* The steps of the scene compiler, in their order. After each of them the tables describe the same
  * scene; simplifying and fusing are three passes. */
@@ -285,7 +252,7 @@ enum { COMPILED_FACES_MOST = SCENE_PLANES_MOST + 6 };
 int compiled_faces(const struct compiled_scene *scene, int primitive,
                    struct compiled_face faces[COMPILED_FACES_MOST]);
 
-/* Returns an axis of a frame, or of the world for WORLD_FRAME. */
+/* Returns an axis of a frame, or of the world for FRAME_WORLD. */
 const double *compiled_axis(const struct compiled_scene *scene, uint8_t frame, int axis);
 
 /* Measures how far, at most, the surface of one quadric lies from that of another, both in one

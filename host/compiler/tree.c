@@ -14,7 +14,7 @@ void csg_read(const struct compiled_scene *scene, const struct compiled_object *
         struct csg_node *node = &tree->nodes[i];
         node->code = scene->programs[object->program + i];
         node->left = node->right = 0;
-        if (node->code >= CODE_UNION) {
+        if (node->code >= PROGRAM_UNION) {
             node->right = stack[--depth];
             node->left = stack[--depth];
         }
@@ -26,7 +26,7 @@ void csg_read(const struct compiled_scene *scene, const struct compiled_object *
 static uint16_t write_node(struct compiled_scene *scene, const struct csg_tree *tree, uint8_t index,
                            uint16_t place) {
     const struct csg_node *node = &tree->nodes[index];
-    if (node->code >= CODE_UNION) {
+    if (node->code >= PROGRAM_UNION) {
         place = write_node(scene, tree, node->left, place);
         place = write_node(scene, tree, node->right, place);
     }
@@ -43,7 +43,7 @@ uint16_t csg_write(struct compiled_scene *scene, struct compiled_object *object,
 }
 
 bool csg_is_leaf(const struct csg_tree *tree, uint8_t node) {
-    return tree->nodes[node].code < CODE_UNION;
+    return tree->nodes[node].code < PROGRAM_UNION;
 }
 
 double csg_reach(const struct compiled_scene *scene, const struct csg_tree *tree, uint8_t index,
@@ -53,11 +53,11 @@ double csg_reach(const struct compiled_scene *scene, const struct csg_tree *tree
         return primitive_reach(scene, node->code, direction);
     }
     double left = csg_reach(scene, tree, node->left, direction);
-    if (node->code == CODE_DIFFERENCE) {
+    if (node->code == PROGRAM_DIFFERENCE) {
         return left;
     }
     double right = csg_reach(scene, tree, node->right, direction);
-    return node->code == CODE_UNION ? fmax(left, right) : fmin(left, right);
+    return node->code == PROGRAM_UNION ? fmax(left, right) : fmin(left, right);
 }
 
 struct bounds csg_bounds(const struct compiled_scene *scene, const struct csg_tree *tree,
@@ -67,10 +67,10 @@ struct bounds csg_bounds(const struct compiled_scene *scene, const struct csg_tr
         return primitive_bounds(scene, node->code);
     }
     struct bounds left = csg_bounds(scene, tree, node->left);
-    if (node->code == CODE_DIFFERENCE) {
+    if (node->code == PROGRAM_DIFFERENCE) {
         return left;
     }
     struct bounds right = csg_bounds(scene, tree, node->right);
-    return node->code == CODE_UNION ? bounds_union(&left, &right)
-                                    : bounds_intersection(&left, &right);
+    return node->code == PROGRAM_UNION ? bounds_union(&left, &right)
+                                       : bounds_intersection(&left, &right);
 }

@@ -7,7 +7,7 @@
 #include "compiler/bounds.h"
 #include "compiler/tables.h"
 
-/* A primitive, or an operation (CODE_UNION and above) on two nodes before it. */
+/* A primitive, or an operation (PROGRAM_UNION and above) on two nodes before it. */
 struct csg_node {
     uint8_t code;
     uint8_t left, right;

@@ -169,7 +169,8 @@ void compile_brightest(struct compiler *compiler) {
         for (int i = 1; i < scene->material_count; i++) {
             const struct compiled_material *material = &scene->materials[i];
             double colour = compiled_colour_most(scene, material, j);
-            double specular = material->specular_table != NO_TABLE ? 1 : material->specular;
+            double specular =
+                material->specular_table != SPECULAR_CONSTANT ? 1 : material->specular;
             double direct = 0;
             for (int k = 0; k < scene->light_count; k++) {
                 double light = scene->lights[k].colour[j];
@@ -187,10 +188,10 @@ void compile_brightest(struct compiler *compiler) {
 bool compile_colour(struct compiler *compiler) {
     const struct scene_description *description = compiler->description;
     struct compiled_scene *scene = compiler->scene;
-    static const enum compiled_show shows[] = {[COLOUR_FULL] = COMPILED_FULL,
-                                               [COLOUR_BITS] = COMPILED_BITS,
-                                               [COLOUR_DITHER] = COMPILED_DITHER,
-                                               [COLOUR_EXPOSURES] = COMPILED_EXPOSURES};
+    static const enum show shows[] = {[COLOUR_FULL] = SHOW_FULL,
+                                      [COLOUR_BITS] = SHOW_BITS,
+                                      [COLOUR_DITHER] = SHOW_DITHER,
+                                      [COLOUR_EXPOSURES] = SHOW_EXPOSURES};
     scene->show = (uint8_t)shows[description->colour];
     scene->show_bits = (uint8_t)(description->colour == COLOUR_BITS ? description->colour_bits : 8);
     scene->seed = description->seed;

@@ -26,7 +26,7 @@ struct face {
 static bool box_face(const struct compiled_scene *scene, const struct compiled_primitive *primitive,
                      unsigned surface, struct face *face) {
     const struct compiled_quadric *quadric = &scene->quadrics[primitive->index];
-    bool is_box = primitive->kind == KIND_BOX;
+    bool is_box = primitive->kind == PRIMITIVE_BOX;
     const struct compiled_box *box = &scene->boxes[is_box ? primitive->index : quadric->box];
     for (int i = 0; i < 6; i++) {
         if (box->surface[i] != surface || (!is_box && (quadric->cuts >> i % 3 & 1) == 0)) {
@@ -34,7 +34,7 @@ static bool box_face(const struct compiled_scene *scene, const struct compiled_p
         }
         memcpy(face->normal, affine_identity.m[i % 3], sizeof face->normal);
         face->offset = i < 3 ? box->minimum[i] : box->maximum[i - 3];
-        if (primitive->frame != WORLD_FRAME) {
+        if (primitive->frame != FRAME_WORLD) {
             const struct compiled_frame *frame = &scene->frames[primitive->frame];
             memcpy(face->normal, frame->axis[i % 3], sizeof face->normal);
             face->offset += vector_dot(face->normal, frame->origin);
@@ -48,10 +48,10 @@ static bool box_face(const struct compiled_scene *scene, const struct compiled_p
 static bool face_of(const struct compiled_scene *scene, uint8_t index, unsigned surface,
                     struct face *face) {
     const struct compiled_primitive *primitive = &scene->primitives[index];
-    if (primitive->kind == KIND_BOX || primitive->kind == KIND_QUADRIC) {
+    if (primitive->kind == PRIMITIVE_BOX || primitive->kind == PRIMITIVE_QUADRIC) {
         return box_face(scene, primitive, surface, face);
     }
-    if (primitive->kind == KIND_POLYHEDRON) {
+    if (primitive->kind == PRIMITIVE_POLYHEDRON) {
         const struct compiled_polyhedron *polyhedron = &scene->polyhedra[primitive->index];
         for (int i = polyhedron->first; i < polyhedron->first + polyhedron->count; i++) {
             if (scene->planes[i].surface == surface) {
@@ -150,7 +150,7 @@ static bool seams_are_hidden(const struct compiled_scene *scene,
         return false;
     }
     for (uint8_t i = 0; i < object->length; i++) {
-        if (scene->programs[object->program + i] > CODE_UNION) {
+        if (scene->programs[object->program + i] > PROGRAM_UNION) {
             return false;
         }
     }

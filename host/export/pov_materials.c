@@ -183,11 +183,11 @@ void export_pov_materials(FILE *out, const struct scene_description *description
     for (uint8_t i = 1; i < scene->material_count; i++) {
         const struct compiled_material *material = &scene->materials[i];
         export_pov_material_name(description, scene, i, name);
-        if (material->pattern != NO_PATTERN) {
+        if (material->pattern != PATTERN_NONE) {
             declare_cells(out, scene, material, name);
         }
         (void)fprintf(out, "#declare %s = material {\n", name);
-        if (material->pattern == NO_PATTERN) {
+        if (material->pattern == PATTERN_NONE) {
             write_texture(out, scene, material, material->colour);
         } else {
             write_pattern(out, scene, material, name);

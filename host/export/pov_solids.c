@@ -107,23 +107,23 @@ static void write_primitive(FILE *out, const struct compiled_scene *scene, uint8
     const struct compiled_primitive *primitive = &scene->primitives[index];
     const struct compiled_ball *ball;
     switch (primitive->kind) {
-    case KIND_BALL:
+    case PRIMITIVE_BALL:
         ball = &scene->balls[primitive->index];
         (void)fputs("sphere { ", out);
         export_pov_vector(out, ball->centre[0], ball->centre[1], ball->centre[2]);
         (void)fprintf(out, ", %.17g", ball->radius);
         break;
-    case KIND_POLYHEDRON:
+    case PRIMITIVE_POLYHEDRON:
         write_polyhedron(out, scene, &scene->polyhedra[primitive->index], level);
         break;
-    case KIND_QUADRIC:
+    case PRIMITIVE_QUADRIC:
         write_quadric(out, scene, primitive, level);
         break;
-    case KIND_BOX:
+    case PRIMITIVE_BOX:
         write_box(out, &scene->boxes[primitive->index]);
         break;
     }
-    if (primitive->kind == KIND_BOX && primitive->frame != WORLD_FRAME) {
+    if (primitive->kind == PRIMITIVE_BOX && primitive->frame != FRAME_WORLD) {
         write_frame(out, scene, primitive->frame, scene->frames[primitive->frame].origin, level);
     }
     (void)fputc(' ', out);
@@ -132,10 +132,10 @@ static void write_primitive(FILE *out, const struct compiled_scene *scene, uint8
 /* Names an operation. A transparent object needs a merge, which has no inner faces. Nobody sees the
  * inner faces of an opaque object, and a union, which does not look for them, is faster. */
 static const char *operation_name(const struct pov_tree *tree, uint8_t code) {
-    if (code == CODE_UNION) {
+    if (code == PROGRAM_UNION) {
         return tree->transparent ? "merge" : "union";
     }
-    return code == CODE_INTERSECTION ? "intersection" : "difference";
+    return code == PROGRAM_INTERSECTION ? "intersection" : "difference";
 }
 
 static void write_node(FILE *out, const struct pov_tree *tree, uint8_t index, int level);
@@ -177,8 +177,8 @@ static void write_node(FILE *out, const struct pov_tree *tree, uint8_t index, in
 static void write_bounds(FILE *out, const struct compiled_scene *scene,
                          const struct compiled_object *object) {
     uint8_t first = scene->programs[object->program];
-    bool is_simple = object->length == 1 && (scene->primitives[first].kind == KIND_BOX ||
-                                             scene->primitives[first].kind == KIND_BALL);
+    bool is_simple = object->length == 1 && (scene->primitives[first].kind == PRIMITIVE_BOX ||
+                                             scene->primitives[first].kind == PRIMITIVE_BALL);
     struct bounds bounds;
     memcpy(bounds.low, object->low, sizeof bounds.low);
     memcpy(bounds.high, object->high, sizeof bounds.high);

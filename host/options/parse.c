@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Reads a sub-command's options by the tables, with getopt_long()'s conventions. */
 #include <getopt.h>
-#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -10,38 +9,6 @@
 #include "options/places.h"
 
 enum { ENTRIES_MOST = 48, LETTERS_MOST = 64, LONG_ONLY = 256, MEANT_SIZE = 300 };
-
-static const struct option_entry help_entries[] = {{.name = "help",
-                                                    .letter = 'h',
-                                                    .type = OPTION_FLAG,
-                                                    OPTION_MEMBER(help),
-                                                    .help = "print this text"},
-                                                   {.name = NULL}};
-const struct option_group group_help = {"Help", help_entries};
-
-bool options_refuse(struct options_error *error, const char *format, ...) {
-    va_list arguments;
-    va_start(arguments, format);
-    (void)vsnprintf(error->text, sizeof error->text, format, arguments);
-    va_end(arguments);
-    return false;
-}
-
-bool option_is_optional(const struct option_entry *entry) {
-    return entry->value != NULL && entry->value[0] == '[';
-}
-
-const struct option_entry *command_option(const struct command *command, size_t i) {
-    for (size_t j = 0; command->groups[j] != NULL; j++) {
-        const struct option_entry *entry = command->groups[j]->entries;
-        for (; entry->name != NULL; entry++) {
-            if (i-- == 0) {
-                return entry;
-            }
-        }
-    }
-    return i == 0 ? help_entries : NULL;
-}
 
 /* getopt_long()'s own tables for one sub-command. The value of a long option is LONG_ONLY plus its
  * place among the command's options. */

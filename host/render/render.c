@@ -283,7 +283,7 @@ static bool make_window(struct renderer *renderer) {
 
 static bool make_kept_rows(struct renderer *renderer) {
     const struct render_job *job = renderer->job;
-    if (job->scene->show != COMPILED_EXPOSURES) {
+    if (job->scene->show != SHOW_EXPOSURES) {
         return true;
     }
     renderer->kept = malloc((job->last_row - job->first_row) * row_bytes(renderer));

@@ -7,6 +7,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "scene_constants.h"
+
 /* Lengths are in the file's own unit, colours in levels (255 = white), angles in degrees. Every
  * number is finite. `line` is a line number in the file, from 1, for later error messages. */
 
@@ -19,8 +21,7 @@ enum {
     SCENE_PLANES_MOST = 64,      /* half-spaces of a polyhedron */
     SCENE_MATERIALS_MOST = 63,
     SCENE_LIGHTS_MOST = 128,
-    SCENE_OBJECTS_MOST = 128,
-    SCENE_SPECULAR_STEPS = 17 /* w(theta) from theta = 0 to 90 degrees */
+    SCENE_OBJECTS_MOST = 128
 };
 
 /* The finest accuracy that can be asked for, in levels. */
@@ -96,8 +97,8 @@ struct scene_material {
     double diffuse;      /* rho_d, 0..1 */
     double specular;     /* rho_s; of an opaque material also its mirror coefficient w, 0..1 */
     bool has_specular_table;
-    double specular_table[SCENE_SPECULAR_STEPS]; /* w(theta), if given instead of a constant */
-    int gloss;                                   /* g, 0..65535 */
+    double specular_table[SPECULAR_STEPS]; /* w(theta), if given instead of a constant */
+    int gloss;                             /* g, 0..65535 */
     bool transparent;
     double ior;               /* n of the green channel; 1 where a transmittance alone is given */
     double ior_by_channel[3]; /* model wavelength: n for R, G, B; equal to ior unless given */

@@ -69,10 +69,10 @@ static void refuse_name(struct scene_error *error, const char *name, int error_n
     if (near != NULL) {
         (void)snprintf(meant, sizeof meant, "did you mean %.40s? ", near);
     }
-    (void)snprintf(error->text, sizeof error->text,
-                   "%.120s: cannot be read: %.80s; %s%s is: a scene file, or a built-in scene (%.160s)",
-                   name, strerror(error_number), meant, near != NULL ? "Allowed" : "allowed",
-                   names);
+    (void)snprintf(
+        error->text, sizeof error->text,
+        "%.120s: cannot be read: %.80s; %s%s is: a scene file, or a built-in scene (%.160s)", name,
+        strerror(error_number), meant, near != NULL ? "Allowed" : "allowed", names);
 }
 
 static struct scene_description *load_file(const char *path, struct scene_error *error) {

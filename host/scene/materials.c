@@ -21,7 +21,7 @@ static bool read_specular(const struct scene_scope *scope, struct scene_material
         return scope_number(scope, "specular", OPTIONAL, RANGE_SHARE, &material->specular);
     }
     material->has_specular_table = true;
-    return scope_numbers(scope, "specular", OPTIONAL, RANGE_SHARE, SCENE_SPECULAR_STEPS,
+    return scope_numbers(scope, "specular", OPTIONAL, RANGE_SHARE, SPECULAR_STEPS,
                          material->specular_table);
 }
 

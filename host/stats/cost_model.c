@@ -11,16 +11,16 @@ struct cost_mix cost_mix_of(const struct compiled_scene *scene) {
     for (int i = 0; i < scene->primitive_count; i++) {
         const struct compiled_primitive *primitive = &scene->primitives[i];
         switch (primitive->kind) {
-        case KIND_BOX:
-            *(primitive->frame == WORLD_FRAME ? &mix.box : &mix.turned_box) += one;
+        case PRIMITIVE_BOX:
+            *(primitive->frame == FRAME_WORLD ? &mix.box : &mix.turned_box) += one;
             break;
-        case KIND_BALL:
+        case PRIMITIVE_BALL:
             mix.ball += one;
             break;
-        case KIND_POLYHEDRON:
+        case PRIMITIVE_POLYHEDRON:
             mix.polyhedron_plane += one * scene->polyhedra[primitive->index].count;
             break;
-        case KIND_QUADRIC:
+        case PRIMITIVE_QUADRIC:
             mix.quadric += one;
             break;
         }

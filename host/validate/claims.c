@@ -37,7 +37,7 @@ static void choose_direction(struct validator *validator, int primitive, const d
     const int choice = dice_below(&validator->dice, 14);
     if (choice < 12) {
         const double *axis =
-            compiled_axis(validator->scene, choice < 6 ? WORLD_FRAME : frame, choice % 3);
+            compiled_axis(validator->scene, choice < 6 ? FRAME_WORLD : frame, choice % 3);
         for (int j = 0; j < 3; j++) {
             direction[j] = choice / 3 % 2 == 0 ? axis[j] : -axis[j];
         }
@@ -88,12 +88,12 @@ void validate_reach(struct validator *validator, int primitive, const double poi
                     int directions) {
     const struct compiled_scene *scene = validator->scene;
     const struct compiled_primitive *entry = &scene->primitives[primitive];
-    if (entry->kind == KIND_POLYHEDRON &&
+    if (entry->kind == PRIMITIVE_POLYHEDRON &&
         !is_in(scene->polyhedra[entry->index].low, scene->polyhedra[entry->index].high, point)) {
         validate_fault(validator, point, "the polyhedron of line %u goes beyond its bounds",
                        validate_line(validator, primitive));
     }
-    if (entry->kind == KIND_QUADRIC) {
+    if (entry->kind == PRIMITIVE_QUADRIC) {
         check_quadric(validator, primitive, point);
     }
     for (int i = 0; i < directions; i++) {
@@ -175,7 +175,7 @@ void validate_surface_sets(struct validator *validator) {
 static bool is_left_for_good(const struct compiled_scene *scene, int primitive,
                              const struct table_face *face) {
     const struct compiled_primitive *entry = &scene->primitives[primitive];
-    return entry->left_for_good || (entry->kind == KIND_QUADRIC && face->curved &&
+    return entry->left_for_good || (entry->kind == PRIMITIVE_QUADRIC && face->curved &&
                                     scene->quadrics[entry->index].left_for_good);
 }
 
@@ -230,7 +230,7 @@ static void check_order(struct validator *validator, const struct table_crossing
                            validate_line(validator, i), validate_line(validator, primitive));
         }
     }
-    if (enclosure != NO_ENCLOSURE &&
+    if (enclosure != ENCLOSURE_NONE &&
         (enclosure >= scene->primitive_count ||
          table_distance(&validator->table, enclosure, crossing->point) > -VALIDATE_STRICTLY)) {
         validate_fault(validator, crossing->point,

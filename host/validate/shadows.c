@@ -34,7 +34,7 @@ void validate_shadow_sets(struct validator *validator) {
         memset(&uses, 0, sizeof uses);
         for (int j = 0; j < object->length; j++) {
             const uint8_t code = scene->programs[object->program + j];
-            if (code < CODE_UNION) {
+            if (code < PROGRAM_UNION) {
                 compiled_set_include(&uses, code);
                 compiled_set_include(object->in_shadow_test ? &tried : &uses, code);
             }

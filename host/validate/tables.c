@@ -16,7 +16,7 @@ static double dot(const double a[3], const double b[3]) {
 static void axes_of(const struct compiled_scene *scene, uint8_t frame, double axis[3][3]) {
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++) {
-            axis[i][j] = frame == WORLD_FRAME ? i == j : scene->frames[frame].axis[i][j];
+            axis[i][j] = frame == FRAME_WORLD ? i == j : scene->frames[frame].axis[i][j];
         }
     }
 }
@@ -49,7 +49,7 @@ static void read_box(struct table *table, const struct compiled_primitive *primi
 static void read_ball(struct table *table, const struct compiled_ball *ball) {
     struct table_face *face = new_face(table, ball->surface);
     face->curved = true;
-    axes_of(table->scene, WORLD_FRAME, face->axis);
+    axes_of(table->scene, FRAME_WORLD, face->axis);
     memcpy(face->centre, ball->centre, sizeof face->centre);
     face->square[0] = face->square[1] = face->square[2] = 1;
     face->constant = -ball->radius * ball->radius;
@@ -80,16 +80,16 @@ static void read_quadric(struct table *table, const struct compiled_primitive *p
 
 static void read_primitive(struct table *table, const struct compiled_primitive *primitive) {
     switch (primitive->kind) {
-    case KIND_BOX:
+    case PRIMITIVE_BOX:
         read_box(table, primitive, &table->scene->boxes[primitive->index], 7);
         break;
-    case KIND_BALL:
+    case PRIMITIVE_BALL:
         read_ball(table, &table->scene->balls[primitive->index]);
         break;
-    case KIND_POLYHEDRON:
+    case PRIMITIVE_POLYHEDRON:
         read_polyhedron(table, &table->scene->polyhedra[primitive->index]);
         break;
-    case KIND_QUADRIC:
+    case PRIMITIVE_QUADRIC:
         read_quadric(table, primitive);
         break;
     }
@@ -100,7 +100,7 @@ bool table_read(struct table *table, const struct compiled_scene *scene) {
     memset(table, 0, sizeof *table);
     table->scene = scene;
     for (int i = 0; i < scene->primitive_count; i++) {
-        if (scene->primitives[i].kind == KIND_POLYHEDRON) {
+        if (scene->primitives[i].kind == PRIMITIVE_POLYHEDRON) {
             most += scene->polyhedra[scene->primitives[i].index].count;
         }
     }
@@ -190,14 +190,14 @@ bool table_object_holds(const struct table *table, int object, const bool inside
     int depth = 0;
     for (int i = 0; i < entry->length; i++) {
         const uint8_t code = table->scene->programs[entry->program + i];
-        if (code < CODE_UNION) {
+        if (code < PROGRAM_UNION) {
             stack[depth++] = inside[code];
             continue;
         }
         const bool right = stack[--depth], left = stack[depth - 1];
-        stack[depth - 1] = code == CODE_UNION          ? left || right
-                           : code == CODE_INTERSECTION ? left && right
-                                                       : left && !right;
+        stack[depth - 1] = code == PROGRAM_UNION          ? left || right
+                           : code == PROGRAM_INTERSECTION ? left && right
+                                                          : left && !right;
     }
     return stack[0];
 }
@@ -289,16 +289,16 @@ static bool primitive_is_whole(const struct compiled_scene *scene, int index) {
     const struct compiled_primitive *primitive = &scene->primitives[index];
     const unsigned counts[4] = {scene->box_count, scene->ball_count, scene->polyhedron_count,
                                 scene->quadric_count};
-    if (primitive->kind > KIND_QUADRIC || primitive->index >= counts[primitive->kind] ||
-        (primitive->frame != WORLD_FRAME && primitive->frame >= scene->frame_count)) {
+    if (primitive->kind > PRIMITIVE_QUADRIC || primitive->index >= counts[primitive->kind] ||
+        (primitive->frame != FRAME_WORLD && primitive->frame >= scene->frame_count)) {
         return false;
     }
-    if (primitive->kind == KIND_POLYHEDRON) {
+    if (primitive->kind == PRIMITIVE_POLYHEDRON) {
         const struct compiled_polyhedron *polyhedron = &scene->polyhedra[primitive->index];
         return polyhedron->count > 0 && polyhedron->first + polyhedron->count <= scene->plane_count;
     }
     const struct compiled_quadric *quadric = &scene->quadrics[primitive->index];
-    return primitive->kind != KIND_QUADRIC || quadric->cuts == 0 ||
+    return primitive->kind != PRIMITIVE_QUADRIC || quadric->cuts == 0 ||
            (quadric->cuts < 8 && quadric->box < scene->box_count);
 }
 
@@ -311,10 +311,10 @@ static bool program_is_whole(const struct compiled_scene *scene,
     }
     for (int i = 0; i < object->length; i++) {
         const uint8_t code = scene->programs[object->program + i];
-        if (code < CODE_UNION && code >= scene->primitive_count) {
+        if (code < PROGRAM_UNION && code >= scene->primitive_count) {
             return false;
         }
-        depth += code < CODE_UNION ? 1 : -1;
+        depth += code < PROGRAM_UNION ? 1 : -1;
         if (depth < 1) {
             return false;
         }

@@ -56,7 +56,7 @@ static const char *const names[SYNTAX_KINDS + MOTIFS + FEATURES] = {
 
 static bool has_enclosure(const struct compiled_scene *compiled) {
     for (int i = 0; i < compiled->primitive_count; i++) {
-        if (compiled->primitives[i].enclosure != NO_ENCLOSURE) {
+        if (compiled->primitives[i].enclosure != ENCLOSURE_NONE) {
             return true;
         }
     }
@@ -74,7 +74,7 @@ static bool has_cut_quadric(const struct compiled_scene *compiled) {
 
 static bool has_turned_frame(const struct compiled_scene *compiled) {
     for (int i = 0; i < compiled->primitive_count; i++) {
-        if (compiled->primitives[i].frame != WORLD_FRAME) {
+        if (compiled->primitives[i].frame != FRAME_WORLD) {
             return true;
         }
     }

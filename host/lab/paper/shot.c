@@ -187,7 +187,7 @@ static int render_shot(struct paper *paper, const struct compiled_scene *compile
 static int shoot(struct paper *paper, const struct compiled_scene *compiled,
                  struct paper_photo *photo) {
     const struct board_desc desc = board_default_desc(BOARD_1987);
-    const bool has_camera = compiled->show == COMPILED_EXPOSURES;
+    const bool has_camera = compiled->show == SHOW_EXPOSURES;
     struct studio studio = {port_chain_new(&desc, true), has_camera ? camera_new(NULL) : NULL};
     int status = STATUS_FAILED;
     if (studio.chain == NULL || (has_camera && studio.camera == NULL)) {

@@ -115,8 +115,9 @@ static bool curves_are_distinct(const struct compiled_scene *scene, struct scene
             const struct compiled_primitive *other = &scene->primitives[j];
             bool same =
                 other->kind == primitive->kind &&
-                ((primitive->kind == KIND_BALL && same_balls(ball, &scene->balls[other->index])) ||
-                 (primitive->kind == KIND_QUADRIC && primitive->frame == other->frame &&
+                ((primitive->kind == PRIMITIVE_BALL &&
+                  same_balls(ball, &scene->balls[other->index])) ||
+                 (primitive->kind == PRIMITIVE_QUADRIC && primitive->frame == other->frame &&
                   same_quadrics(quadric, &scene->quadrics[other->index])));
             if (same) {
                 return fail(scene, primitive->line, "a shell thinner", "thicker", error);
@@ -179,10 +180,11 @@ static bool curves_keep_shape(const struct compiled_scene *scene, struct scene_e
     for (int i = 0; i < scene->primitive_count; i++) {
         const struct compiled_primitive *primitive = &scene->primitives[i];
         const struct compiled_quadric *quadric = &scene->quadrics[primitive->index];
-        if (primitive->kind == KIND_BALL && is_too_small(scene->balls[primitive->index].radius)) {
+        if (primitive->kind == PRIMITIVE_BALL &&
+            is_too_small(scene->balls[primitive->index].radius)) {
             return fail(scene, primitive->line, "a ball smaller", "larger", error);
         }
-        if (primitive->kind != KIND_QUADRIC) {
+        if (primitive->kind != PRIMITIVE_QUADRIC) {
             continue;
         }
         if (is_too_small(least_radius(quadric))) {

@@ -10,22 +10,8 @@
 #include "render/per_arithmetic/observe.h"
 #include "scene.h"
 
-/* What compiler/tables.h repeats of scene.h. */
-typedef char compiled_scene_matches_scene
-    [(int)KIND_BOX == (int)PRIMITIVE_BOX && (int)KIND_BALL == (int)PRIMITIVE_BALL &&
-             (int)KIND_POLYHEDRON == (int)PRIMITIVE_POLYHEDRON &&
-             (int)KIND_QUADRIC == (int)PRIMITIVE_QUADRIC && (int)CURVED_FACE == (int)QUADRIC_FACE &&
-             (int)CODE_UNION == (int)PROGRAM_UNION &&
-             (int)CODE_INTERSECTION == (int)PROGRAM_INTERSECTION &&
-             (int)CODE_DIFFERENCE == (int)PROGRAM_DIFFERENCE &&
-             (int)NO_TABLE == (int)SPECULAR_CONSTANT && (int)NO_ENCLOSURE == (int)ENCLOSURE_NONE &&
-             (int)SCENE_SPECULAR_STEPS == (int)SPECULAR_STEPS &&
-             (int)COMPILED_BITS == (int)SHOW_BITS && (int)COMPILED_DITHER == (int)SHOW_DITHER &&
-             (int)COMPILED_EXPOSURES == (int)SHOW_EXPOSURES &&
-             (int)WORLD_FRAME == (int)FRAME_WORLD && (int)NO_PATTERN == (int)PATTERN_NONE &&
-             (int)COMPILED_PRIMITIVES_MOST == (int)PRIMITIVES_MOST
-         ? 1
-         : -1];
+/* The widest image holds what the compiler makes. */
+typedef char compiled_sets_fit[(int)COMPILED_PRIMITIVES_MOST == (int)PRIMITIVES_MOST ? 1 : -1];
 
 /* Compiled once for each arithmetic; the include path says which. */
 
@@ -84,194 +70,191 @@ static struct primitive_set set_of(const struct compiled_set *from) {
     return set;
 }
 
-static void load_solids(struct loaded *to, const struct compiled_scene *from) {
-    for (int i = 0; i < from->frame_count; i++) {
-        to->frames[i].origin = point_of(from->frames[i].origin);
-        for (int j = 0; j < 3; j++) {
-            to->frames[i].axis[j] = direction_of(from->frames[i].axis[j]);
-        }
-    }
-    for (int i = 0; i < from->primitive_count; i++) {
-        const struct compiled_primitive *primitive = &from->primitives[i];
-        to->primitives[i].kind = (uint8_t)primitive->kind;
-        to->primitives[i].index = primitive->index;
-        to->primitives[i].frame = primitive->frame;
-        to->primitives[i].enclosure = primitive->enclosure;
-        to->hidden_by[i] = set_of(&from->hidden_by[i]);
-        to->primitives[i].left_for_good = primitive->left_for_good;
-    }
-    for (int i = 0; i < from->box_count; i++) {
-        to->boxes[i].minimum = point_of(from->boxes[i].minimum);
-        to->boxes[i].maximum = point_of(from->boxes[i].maximum);
-        for (int j = 0; j < 6; j++) {
-            to->boxes[i].surface[j] = from->boxes[i].surface[j];
-        }
-    }
-    for (int i = 0; i < from->ball_count; i++) {
-        const struct compiled_ball *ball = &from->balls[i];
-        to->balls[i].centre = point_of(ball->centre);
-        to->balls[i].square_radius = REAL_AREA(ball->radius * ball->radius);
-        to->balls[i].surface = ball->surface;
-    }
-    for (int i = 0; i < from->polyhedron_count; i++) {
-        to->polyhedra[i].first = from->polyhedra[i].first;
-        to->polyhedra[i].count = from->polyhedra[i].count;
-    }
-    for (int i = 0; i < from->plane_count; i++) {
-        to->planes[i].normal = direction_of(from->planes[i].normal);
-        to->planes[i].offset = REAL_LENGTH(from->planes[i].offset);
-        to->planes[i].surface = from->planes[i].surface;
-    }
-    for (int i = 0; i < from->quadric_count; i++) {
-        const struct compiled_quadric *quadric = &from->quadrics[i];
-        to->quadrics[i].centre = point_of(quadric->centre);
-        to->quadrics[i].square = direction_of(quadric->square);
-        to->quadrics[i].linear = REAL_LENGTH(quadric->linear);
-        to->quadrics[i].constant = REAL_AREA(quadric->constant);
-        to->quadrics[i].square_reach = REAL_AREA(quadric->reach * quadric->reach);
-        to->quadrics[i].surface = quadric->surface;
-        to->quadrics[i].box = quadric->box;
-        to->quadrics[i].cuts = quadric->cuts;
-        to->quadrics[i].ends = quadric->reach > 0;
-        to->quadrics[i].left_for_good = quadric->left_for_good;
-    }
-    for (int i = 0; i < from->surface_count; i++) {
-        to->surfaces[i] = set_of(&from->surfaces[i]);
+static void directions_of(struct direction to[3], const double from[3][3]) {
+    for (int i = 0; i < 3; i++) {
+        to[i] = direction_of(from[i]);
     }
 }
 
-static void load_objects(struct loaded *to, const struct compiled_scene *from) {
-    for (int i = 0; i < from->program_length; i++) {
-        to->programs[i] = from->programs[i];
-    }
-    for (int i = 0; i < from->object_count; i++) {
-        to->objects[i].program = from->objects[i].program;
-        to->objects[i].length = from->objects[i].length;
-        to->objects[i].material = from->objects[i].material;
-        to->objects[i].uses = set_of(&from->objects[i].uses);
-        to->objects[i].in_shadow_test = from->objects[i].in_shadow_test;
+static void unit_steps_of(real_unit to[SPECULAR_STEPS], const double from[SPECULAR_STEPS]) {
+    for (int i = 0; i < SPECULAR_STEPS; i++) {
+        to[i] = REAL_UNIT(from[i]);
     }
 }
 
-static void load_materials(struct loaded *to, const struct compiled_scene *from) {
-    for (int i = 0; i < from->material_count; i++) {
-        const struct compiled_material *source = &from->materials[i];
-        struct material *material = &to->materials[i];
-        material->colour = colours_of(source->colour);
-        material->ambient = colours_of(source->ambient);
-        material->ambient_share = REAL_ENERGY(source->ambient_share);
-        material->diffuse = REAL_ENERGY(source->diffuse);
-        material->specular = REAL_ENERGY(source->specular);
-        material->gloss = source->gloss;
-        material->transparent = source->transparent;
-        material->casts_shadow = source->casts_shadow;
-        material->absorbs = source->absorbs;
-        material->disperses = source->disperses;
-        material->tints = source->tints;
-        material->specular_table = source->specular_table;
-        material->pattern = source->pattern;
-        material->optical = source->optical;
-        material->transmittance = REAL_ENERGY(source->transmittance);
-        material->reflects = energies_of(source->reflects);
-        material->transmits = energies_of(source->transmits);
-        material->filter = energies_of(source->filter);
-        for (int j = 0; j < 3; j++) {
-            material->ior[j] = REAL_INDEX(source->ior[j]);
-            material->inverse_ior[j] = REAL_INDEX(source->inverse_ior[j]);
-            material->absorption[j] = REAL_EXTINCTION(source->absorption[j]);
-        }
-    }
-    for (int i = 0; i < from->pattern_count; i++) {
-        const struct compiled_pattern *source = &from->patterns[i];
-        to->patterns[i].axes = source->axes;
-        to->patterns[i].face_count = source->face_count;
-        to->patterns[i].first_face = source->first_face;
-        to->patterns[i].origin = point_of(source->origin);
-        to->patterns[i].size = point_of(source->size);
-        to->patterns[i].colour = colours_of(source->colour);
+static void energy_steps_of(real_energy to[SPECULAR_STEPS], const double from[SPECULAR_STEPS]) {
+    for (int i = 0; i < SPECULAR_STEPS; i++) {
+        to[i] = REAL_ENERGY(from[i]);
     }
 }
 
-static void load_pattern_faces(struct loaded *to, const struct compiled_scene *from) {
-    for (int i = 0; i < from->pattern_face_count; i++) {
-        to->pattern_faces[i].surface = from->pattern_faces[i].surface;
-        to->pattern_faces[i].axis = from->pattern_faces[i].axis;
-        to->pattern_faces[i].odd_above = from->pattern_faces[i].odd_above;
-        to->pattern_faces[i].odd_below = from->pattern_faces[i].odd_below;
+static void indices_of(real_index to[3], const double from[3]) {
+    for (int i = 0; i < 3; i++) {
+        to[i] = REAL_INDEX(from[i]);
     }
 }
 
-static void load_specular_tables(struct loaded *to, const struct compiled_scene *from) {
-    for (int i = 0; i < from->specular_table_count; i++) {
-        for (int j = 0; j < SPECULAR_STEPS; j++) {
-            to->specular_tables[i].cosine[j] = REAL_UNIT(from->specular_tables[i].cosine[j]);
-            to->specular_tables[i].specular[j] = REAL_ENERGY(from->specular_tables[i].specular[j]);
-        }
+static void extinctions_of(real_extinction to[3], const double from[3]) {
+    for (int i = 0; i < 3; i++) {
+        to[i] = REAL_EXTINCTION(from[i]);
     }
 }
 
-static void load_lights(struct loaded *to, const struct compiled_scene *from) {
-    for (int i = 0; i < from->light_count; i++) {
-        to->lights[i].parallel = from->lights[i].parallel;
-        to->lights[i].casts_shadows = from->lights[i].casts_shadows;
-        to->lights[i].towards = direction_of(from->lights[i].towards);
-        to->lights[i].position = point_of(from->lights[i].position);
-        to->lights[i].colour = colours_of(from->lights[i].colour);
+static void surfaces_of(uint16_t to[6], const uint16_t from[6]) {
+    for (int i = 0; i < 6; i++) {
+        to[i] = from[i];
     }
 }
 
-static void load_camera(struct camera *camera, const struct compiled_camera *from) {
-    camera->eye = point_of(from->eye);
-    camera->forward = direction_of(from->forward);
-    camera->column = direction_of(from->column);
-    camera->row = direction_of(from->row);
-    camera->up = direction_of(from->up);
-    camera->shift = from->shift;
-    camera->inside = set_of(&from->inside);
-    camera->object = from->object;
+/* Members of *to from those of *from, by the roles of scene_fields.h. */
+#define LOAD_MEMBER(role, name) LOAD_##role(name)
+#define LOAD_POINT(name)        to->name = point_of(from->name);
+#define LOAD_DIRECTION(name)    to->name = direction_of(from->name);
+#define LOAD_DIRECTIONS(name)   directions_of(to->name, from->name);
+#define LOAD_LENGTH(name)       to->name = REAL_LENGTH(from->name);
+#define LOAD_AREA(name)         to->name = REAL_AREA(from->name);
+#define LOAD_UNIT_STEPS(name)   unit_steps_of(to->name, from->name);
+#define LOAD_COLOURS(name)      to->name = colours_of(from->name);
+#define LOAD_ENERGIES(name)     to->name = energies_of(from->name);
+#define LOAD_ENERGY(name)       to->name = REAL_ENERGY(from->name);
+#define LOAD_ENERGY_STEPS(name) energy_steps_of(to->name, from->name);
+#define LOAD_INDICES(name)      indices_of(to->name, from->name);
+#define LOAD_EXTINCTIONS(name)  extinctions_of(to->name, from->name);
+#define LOAD_BYTE(name)         to->name = from->name;
+#define LOAD_WORD(name)         to->name = from->name;
+#define LOAD_LONG(name)         to->name = from->name;
+#define LOAD_SIGNED(name)       to->name = from->name;
+#define LOAD_TRUTH(name)        to->name = from->name;
+#define LOAD_SURFACES(name)     surfaces_of(to->name, from->name);
+#define LOAD_SET(name)          to->name = set_of(&from->name);
+
+static void load_frame(struct frame *to, const struct compiled_frame *from) {
+    FRAME_FIELDS(LOAD_MEMBER)
 }
 
-static void load_scene(struct loaded *to, const struct compiled_scene *from) {
-    struct scene *scene = &to->scene;
-    scene->width = from->width;
-    scene->height = from->height;
-    scene->depth = from->depth;
-    scene->threshold = REAL_ENERGY(from->threshold);
-    scene->estimates = from->estimates;
-    scene->error = (uint32_t)(from->error * 65536 + 0.5);
-    scene->ray_budget = from->ray_budget;
-    scene->brightest = from->brightest;
-    scene->background = colours_of(from->background);
-    scene->simple = from->simple;
-    scene->filters = from->filters;
-    scene->blinn = from->blinn;
-    scene->fades = from->fades;
-    scene->fade_start = REAL_LENGTH(from->fade_start);
-    scene->fade_exponent = from->fade_exponent;
-    load_camera(&scene->camera, &from->camera);
-    scene->primitive_count = from->primitive_count;
-    scene->object_count = from->object_count;
-    scene->light_count = from->light_count;
-    scene->frames = to->frames;
-    scene->primitives = to->primitives;
-    scene->boxes = to->boxes;
-    scene->balls = to->balls;
-    scene->polyhedra = to->polyhedra;
-    scene->planes = to->planes;
-    scene->quadrics = to->quadrics;
-    scene->surfaces = to->surfaces;
-    scene->hidden_by = to->hidden_by;
-    scene->programs = to->programs;
-    scene->objects = to->objects;
-    scene->materials = to->materials;
-    scene->patterns = to->patterns;
-    scene->pattern_faces = to->pattern_faces;
-    scene->specular_tables = to->specular_tables;
-    scene->lights = to->lights;
-    scene->shadow_primitives = set_of(&from->shadow_primitives);
-    scene->show = from->show;
-    scene->show_bits = from->show_bits;
-    scene->seed = from->seed;
+static void load_primitive(struct primitive *to, const struct compiled_primitive *from) {
+    to->kind = (uint8_t)from->kind;
+    PRIMITIVE_FIELDS(LOAD_MEMBER)
+}
+
+static void load_box(struct box *to, const struct compiled_box *from) {
+    BOX_FIELDS(LOAD_MEMBER)
+}
+
+static void load_ball(struct ball *to, const struct compiled_ball *from) {
+    BALL_FIELDS_BEFORE(LOAD_MEMBER)
+    BALL_FIELDS_AFTER(LOAD_MEMBER)
+    to->square_radius = REAL_AREA(from->radius * from->radius);
+}
+
+static void load_polyhedron(struct polyhedron *to, const struct compiled_polyhedron *from) {
+    POLYHEDRON_FIELDS(LOAD_MEMBER)
+}
+
+static void load_plane(struct plane *to, const struct compiled_plane *from) {
+    PLANE_FIELDS(LOAD_MEMBER)
+}
+
+static void load_quadric(struct quadric *to, const struct compiled_quadric *from) {
+    QUADRIC_FIELDS_BEFORE(LOAD_MEMBER)
+    QUADRIC_FIELDS_AMID(LOAD_MEMBER)
+    QUADRIC_FIELDS_AFTER(LOAD_MEMBER)
+    to->square_reach = REAL_AREA(from->reach * from->reach);
+    to->ends = from->reach > 0;
+}
+
+static void load_object(struct object *to, const struct compiled_object *from) {
+    OBJECT_FIELDS(LOAD_MEMBER)
+}
+
+static void load_material(struct material *to, const struct compiled_material *from) {
+    MATERIAL_FIELDS(LOAD_MEMBER)
+}
+
+static void load_pattern(struct pattern *to, const struct compiled_pattern *from) {
+    PATTERN_FIELDS(LOAD_MEMBER)
+}
+
+static void load_pattern_face(struct pattern_face *to, const struct compiled_pattern_face *from) {
+    PATTERN_FACE_FIELDS(LOAD_MEMBER)
+}
+
+static void load_specular_table(struct specular_table *to,
+                                const struct compiled_specular_table *from) {
+    SPECULAR_TABLE_FIELDS(LOAD_MEMBER)
+}
+
+static void load_light(struct light *to, const struct compiled_light *from) {
+    LIGHT_FIELDS(LOAD_MEMBER)
+}
+
+static void load_camera(struct camera *to, const struct compiled_camera *from) {
+    CAMERA_FIELDS(LOAD_MEMBER)
+}
+
+/* Loads all entries of a table. */
+#define LOAD_TABLE(count, table, load_entry)                                                       \
+    for (int i = 0; i < from->count; i++) {                                                        \
+        load_entry(&to->table[i], &from->table[i]);                                                \
+    }
+
+static void load_set(struct primitive_set *to, const struct compiled_set *from) {
+    *to = set_of(from);
+}
+
+static void load_byte(uint8_t *to, const uint8_t *from) {
+    *to = *from;
+}
+
+static void load_tables(struct loaded *to, const struct compiled_scene *from) {
+    LOAD_TABLE(frame_count, frames, load_frame)
+    LOAD_TABLE(primitive_count, primitives, load_primitive)
+    LOAD_TABLE(box_count, boxes, load_box)
+    LOAD_TABLE(ball_count, balls, load_ball)
+    LOAD_TABLE(polyhedron_count, polyhedra, load_polyhedron)
+    LOAD_TABLE(plane_count, planes, load_plane)
+    LOAD_TABLE(quadric_count, quadrics, load_quadric)
+    LOAD_TABLE(surface_count, surfaces, load_set)
+    LOAD_TABLE(primitive_count, hidden_by, load_set)
+    LOAD_TABLE(program_length, programs, load_byte)
+    LOAD_TABLE(object_count, objects, load_object)
+    LOAD_TABLE(material_count, materials, load_material)
+    LOAD_TABLE(pattern_count, patterns, load_pattern)
+    LOAD_TABLE(pattern_face_count, pattern_faces, load_pattern_face)
+    LOAD_TABLE(specular_table_count, specular_tables, load_specular_table)
+    LOAD_TABLE(light_count, lights, load_light)
+}
+
+static void load_scene(struct scene *to, const struct compiled_scene *from) {
+    SCENE_FIELDS_BEFORE(LOAD_MEMBER)
+    SCENE_FIELDS_AMID(LOAD_MEMBER)
+    SCENE_FIELDS_AFTER(LOAD_MEMBER)
+    SCENE_FIELDS_SHOWN(LOAD_MEMBER)
+    to->error = (uint32_t)(from->error * 65536 + 0.5);
+    to->primitive_count = from->primitive_count;
+    to->object_count = from->object_count;
+    to->light_count = from->light_count;
+    load_camera(&to->camera, &from->camera);
+}
+
+static void point_at_tables(struct loaded *loaded) {
+    struct scene *scene = &loaded->scene;
+    scene->frames = loaded->frames;
+    scene->primitives = loaded->primitives;
+    scene->boxes = loaded->boxes;
+    scene->balls = loaded->balls;
+    scene->polyhedra = loaded->polyhedra;
+    scene->planes = loaded->planes;
+    scene->quadrics = loaded->quadrics;
+    scene->surfaces = loaded->surfaces;
+    scene->hidden_by = loaded->hidden_by;
+    scene->programs = loaded->programs;
+    scene->objects = loaded->objects;
+    scene->materials = loaded->materials;
+    scene->patterns = loaded->patterns;
+    scene->pattern_faces = loaded->pattern_faces;
+    scene->specular_tables = loaded->specular_tables;
+    scene->lights = loaded->lights;
 }
 
 static struct scene *load(const struct compiled_scene *from, struct scene_error *error) {
@@ -283,13 +266,9 @@ static struct scene *load(const struct compiled_scene *from, struct scene_error 
         snprintf(error->text, sizeof error->text, "%.200s: out of memory", from->path);
         return NULL;
     }
-    load_scene(loaded, from);
-    load_solids(loaded, from);
-    load_objects(loaded, from);
-    load_materials(loaded, from);
-    load_pattern_faces(loaded, from);
-    load_specular_tables(loaded, from);
-    load_lights(loaded, from);
+    load_scene(&loaded->scene, from);
+    load_tables(loaded, from);
+    point_at_tables(loaded);
     return &loaded->scene;
 }
 

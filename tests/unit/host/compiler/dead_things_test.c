@@ -187,7 +187,7 @@ static void a_table_of_one_value(uint64_t *seed, struct pieces *pieces) {
     bool is_specular = strcmp(pieces->clay, clay_specular) == 0;
     strcpy(pieces->clay, clay_diffuse);
     ADD(pieces->clay, " specular = (");
-    for (int i = 0; i < SCENE_SPECULAR_STEPS; i++) {
+    for (int i = 0; i < SPECULAR_STEPS; i++) {
         ADD(pieces->clay, "%s%s", i > 0 ? ", " : "", is_specular ? "0.3" : "0");
     }
     ADD(pieces->clay, ");");

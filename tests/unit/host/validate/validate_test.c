@@ -153,7 +153,7 @@ static void cover(struct coverage *coverage, const struct compiled_scene *scene)
     coverage->done.hidden += scene->report.hidden;
     coverage->shadows += scene->has_shadows;
     for (int i = 0; i < scene->primitive_count; i++) {
-        coverage->enclosures += scene->primitives[i].enclosure != NO_ENCLOSURE;
+        coverage->enclosures += scene->primitives[i].enclosure != ENCLOSURE_NONE;
         coverage->kinds[scene->primitives[i].kind]++;
     }
     for (int i = 0; i < scene->quadric_count; i++) {
@@ -299,7 +299,7 @@ static const char damaged_objects[] = BOARD ",\n" OBJECT(
                                                                                                  " "
                                                                                                  "}");
 
-static int find_kind(const struct compiled_scene *scene, int kind) {
+static int find_kind(const struct compiled_scene *scene, enum primitive_kind kind) {
     for (int i = 0; i < scene->primitive_count; i++) {
         if (scene->primitives[i].kind == kind) {
             return i;
@@ -310,7 +310,7 @@ static int find_kind(const struct compiled_scene *scene, int kind) {
 }
 
 static void program(struct compiled_scene *scene) {
-    scene->programs[scene->objects[2].program + 2] = CODE_UNION;
+    scene->programs[scene->objects[2].program + 2] = PROGRAM_UNION;
 }
 static void broken_program(struct compiled_scene *scene) {
     scene->objects[2].length--;
@@ -362,13 +362,13 @@ static void left_for_good(struct compiled_scene *scene) {
 }
 static void hidden_by(struct compiled_scene *scene) {
     /* The ball lies in the box: a ray in the box meets it. */
-    compiled_set_include(&scene->hidden_by[find_kind(scene, KIND_BALL)], 1);
+    compiled_set_include(&scene->hidden_by[find_kind(scene, PRIMITIVE_BALL)], 1);
 }
 static void hidden_by_itself(struct compiled_scene *scene) {
     compiled_set_include(&scene->hidden_by[1], 1);
 }
 static void enclosure(struct compiled_scene *scene) {
-    scene->primitives[find_kind(scene, KIND_BALL)].enclosure = 0;
+    scene->primitives[find_kind(scene, PRIMITIVE_BALL)].enclosure = 0;
 }
 static void no_such_enclosure(struct compiled_scene *scene) {
     scene->primitives[1].enclosure = scene->primitive_count;

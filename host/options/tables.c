@@ -1,9 +1,44 @@
 /* SPDX-License-Identifier: MIT */
-/* The values of options, by the types of the tables. */
+/* What the tables of options say: which options a command takes, and their values. */
+#include <stdarg.h>
 #include <string.h>
 
 #include "base/numbers.h"
 #include "options/options.h"
+
+static const struct option_entry help_entries[] = {{.name = "help",
+                                                    .letter = 'h',
+                                                    .type = OPTION_FLAG,
+                                                    OPTION_MEMBER(help),
+                                                    .help = "print this text"},
+                                                   {.name = NULL}};
+const struct option_group group_help = {"Help", help_entries};
+
+bool options_refuse(struct options_error *error, const char *format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    (void)vsnprintf(error->text, sizeof error->text, format, arguments);
+    va_end(arguments);
+    return false;
+}
+
+bool option_is_optional(const struct option_entry *entry) {
+    return entry->value != NULL && entry->value[0] == '[';
+}
+
+const struct option_entry *command_option(const struct command *command, size_t i) {
+    for (size_t j = 0; command->groups[j] != NULL; j++) {
+        const struct option_entry *entry = command->groups[j]->entries;
+        for (; entry->name != NULL; entry++) {
+            if (i-- == 0) {
+                return entry;
+            }
+        }
+    }
+    return i == 0 ? help_entries : NULL;
+}
+
+/* ---- Values --------------------------------------------------------------------------------- */
 
 /* Stores a whole number in a member, whose type is known by its size. */
 static void store_whole(const struct option_entry *entry, uint64_t value, struct options *options) {
