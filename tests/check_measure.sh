@@ -94,6 +94,12 @@ if command -v gnuplot > few.txt; then
     done
 fi
 
+# Interrupted, it says how to go on, and what was measured stays.
+timeout --preserve-status -s INT 2 "$program" measure fig3 --arith f64 --size 320x200 --quiet -o interrupted 2> err.txt
+[ $? -eq 130 ] || wrong 'an interrupt: not exit status 130'
+grep -q 'interrupted; started again with the same -o it goes on' err.txt || wrong "an interrupt: says \"$(cat err.txt)\""
+[ -s interrupted/points.csv ] || wrong 'an interrupt: no points.csv'
+
 # A full disk, half-way: what was there stays whole.
 cp -r m old
 # shellcheck disable=SC2086

@@ -14,8 +14,7 @@ enum {
     DEPTH_MOST = 5,
     ROWS = 3,
     INTENSITY_MOST = 32768,
-    SOLID_TESTS_MOST = 1000000, /* no further row is begun beyond these: 128 lights cost time */
-    OBJECT_AIR = 0
+    SOLID_TESTS_MOST = 1000000 /* no further row is begun beyond these: 128 lights cost time */
 };
 
 static const char path[] = "fuzz.scene";

@@ -48,6 +48,13 @@ static void check_tells_of_refraction_where_something_is_transparent(void **stat
     assert_null(strstr(text_of("out"), " inf"));
     assert_status("superframe check fig3", 0);
     assert_says("out", "\nrefraction  indices 1.5 to 1.5\n");
+    /* Of a glass that disperses, the index of green counts. */
+    write_scene(
+        "{ material = \"prism\"; solid = { ball = { centre = (0, 0, 0); radius = 1; }; }; }");
+    assert_status("sed -i 's/materials = {/& prism = { colour = [9, 9, 9]; ior = (1.4, 1.5, 1.7); "
+                  "};/' some.scene; superframe check some.scene",
+                  0);
+    assert_says("out", "\nrefraction  indices 1.5 to 1.5\n");
 }
 
 static unsigned count_of(const char *text, const char *word) {

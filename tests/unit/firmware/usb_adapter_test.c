@@ -302,6 +302,58 @@ static void the_descriptors_are_whole(void **state) {
     assert_int_equal(usb_get16(in + 22), 512);
 }
 
+/* What a HID report descriptor has said so far (HID 1.11, section 6.2.2). */
+struct report_items {
+    long minimum, maximum, size, count, page, usage;
+    long bits[3]; /* in, out, feature */
+};
+
+/* Takes an item, whose value has no sign here: maxima are given in two bytes. */
+static void take_item(struct report_items *items, unsigned tag, long value) {
+    long *const kept[] = {[0x04 >> 2] = &items->page,    [0x08 >> 2] = &items->usage,
+                          [0x14 >> 2] = &items->minimum, [0x24 >> 2] = &items->maximum,
+                          [0x74 >> 2] = &items->size,    [0x94 >> 2] = &items->count};
+    const unsigned mains[] = {0x80, 0x90, 0xB0};
+    if ((tag >> 2) < sizeof kept / sizeof kept[0] && kept[tag >> 2] != NULL) {
+        *kept[tag >> 2] = value;
+    }
+    for (int i = 0; i < 3; i++) {
+        if (tag == mains[i]) {
+            assert_int_equal(value, 2); /* data, variable, absolute */
+            assert_int_equal(items->minimum, 0);
+            assert_int_equal(items->maximum, 255);
+            assert_int_equal(items->size, 8);
+            items->bits[i] += items->size * items->count;
+        }
+    }
+}
+
+static void the_report_descriptor_has_the_reports_of_the_pages(void **state) {
+    uint8_t report[USB_CONTROL_MOST];
+    const uint8_t setup[8] = {0x81, 6, 0, 0x22, 1, 0, 255, 0};
+    struct report_items items = {0, 0, 0, 0, 0, 0, {0, 0, 0}};
+    int depth = 0;
+    (void)state;
+    int length = usb_device_control(&device, setup, NULL, report);
+    for (int i = 0; i < length;) {
+        const unsigned tag = report[i] & 0xFCu, bytes = report[i] & 3u;
+        long value = 0;
+        assert_true(bytes <= 2 && i + 1 + (int)bytes <= length);
+        for (unsigned j = 0; j < bytes; j++) {
+            value |= (long)report[i + 1 + (int)j] << 8 * j;
+        }
+        depth += tag == 0xA0 ? 1 : tag == 0xC0 ? -1 : 0;
+        assert_true(tag != 0xA0 || value == 1); /* an application's collection */
+        take_item(&items, tag, value);
+        i += 1 + (int)bytes;
+    }
+    assert_int_equal(depth, 0);
+    assert_int_equal(items.page, 0xFF00); /* docs/usb-protocol.md */
+    assert_int_equal(items.bits[0], 64 * 8);
+    assert_int_equal(items.bits[1], 64 * 8);
+    assert_int_equal(items.bits[2], 32 * 8);
+}
+
 /* The device has one descriptor of each of these; whoever asks for another gets a stall. */
 static void there_is_one_of_each_descriptor(void **state) {
     uint8_t in[USB_CONTROL_MOST];
@@ -352,6 +404,7 @@ int main(void) {
         cmocka_unit_test_setup(nothing_is_written_behind_an_answer, plug_in),
         cmocka_unit_test_setup(the_descriptors_are_whole, plug_in),
         cmocka_unit_test_setup(there_is_one_of_each_descriptor, plug_in),
+        cmocka_unit_test_setup(the_report_descriptor_has_the_reports_of_the_pages, plug_in),
         cmocka_unit_test_setup(windows_finds_its_driver, plug_in),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

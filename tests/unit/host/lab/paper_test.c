@@ -209,6 +209,18 @@ static void a_folder_that_is_there_keeps_its_other_files(void **state) {
     assert_status("grep -q 'img src=\"fig7-rays' there/index.html", 1);
 }
 
+/* Claim 1 is measured within the inner cube's outline, which fills some of the picture. */
+static void the_first_claim_is_about_the_inner_cube(void **state) {
+    (void)state;
+    assert_status("$SUPERFRAME paper --quiet --size 80x50 -o claims", 0);
+    const char *text = strstr(text_of("claims/claims.md"), "is measured on the ");
+    unsigned pixels = 0;
+    assert_non_null(text);
+    assert_int_equal(sscanf(text, "is measured on the %u pixels", &pixels), 1);
+    assert_in_range(pixels, 80 * 50 / 100, 80 * 50 / 10);
+    assert_status("rm -r claims", 0);
+}
+
 /* ---- Where it fails ------------------------------------------------------------------------- */
 
 static const struct {
@@ -260,6 +272,7 @@ int main(void) {
         cmocka_unit_test(the_page_shows_all_of_it),
         cmocka_unit_test(curves_are_counts),
         cmocka_unit_test(a_folder_that_is_there_keeps_its_other_files),
+        cmocka_unit_test(the_first_claim_is_about_the_inner_cube),
         cmocka_unit_test(failures_leave_nothing),
         cmocka_unit_test(an_interrupted_run_leaves_nothing),
     };

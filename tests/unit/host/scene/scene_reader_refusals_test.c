@@ -396,6 +396,18 @@ static void up_may_be_a_millionth_away_from_the_view_and_no_nearer(void **state)
     }
 }
 
+/* A list may have 1024 elements; what is wrong with such a list is then said of its key. */
+static void refuses_lists_that_are_too_long(void **state) {
+    (void)state;
+    for (size_t elements = 1024; elements <= 1025; elements++) {
+        char *text = repeat("version = 1;\nsize = [ ", "1, ", elements - 1, "1 ];");
+        assert_refused(text, strlen(text), 2,
+                       elements == 1024 ? "'size' of the scene" : "too many elements in one list",
+                       elements == 1024 ? "2" : "at most 1024");
+        free(text);
+    }
+}
+
 /* 24 levels are allowed, and 25 are not. */
 static void refuses_what_nests_too_deep(void **state) {
     (void)state;
@@ -460,6 +472,7 @@ int main(void) {
         cmocka_unit_test(numbers_of_up_to_100_characters_are_read_whole),
         cmocka_unit_test(up_may_be_a_millionth_away_from_the_view_and_no_nearer),
         cmocka_unit_test(refuses_what_nests_too_deep),
+        cmocka_unit_test(refuses_lists_that_are_too_long),
         cmocka_unit_test(refuses_parts_that_unfold_too_far),
         cmocka_unit_test(refuses_without_room_for_the_reason),
     };
