@@ -50,7 +50,7 @@ USB_LIBS   := $(if $(USB_PACKAGES),$(shell pkg-config --libs $(USB_PACKAGES)))
 BOOT_UNICORN ?= unicorn
 BOOT_PACKAGE := $(if $(call has_package,$(BOOT_UNICORN)),$(BOOT_UNICORN))
 
-LIBS := -lpng -lconfig -lxxhash -ldeflate $(if $(filter yes,$(QUADMATH)),-lquadmath) -lm -lpthread \
+LIBS := -lpng -lxxhash -ldeflate $(if $(filter yes,$(QUADMATH)),-lquadmath) -lm -lpthread \
         $(USB_LIBS) $(if $(BOOT_PACKAGE),-ldl)
 
 # Streams of rays, for the arithmetics that CPUs have in vectors; fx as it suits vectors, with the

@@ -18,7 +18,6 @@ table='
 build|tool|make|make
 build|header|stdio.h|libc6-dev
 build|header|png.h|libpng-dev
-build|header|libconfig.h|libconfig-dev
 build|header|xxhash.h|libxxhash-dev
 build|header|libdeflate.h|libdeflate-dev
 test|header|cmocka.h|libcmocka-dev

@@ -15,7 +15,7 @@ static double distance_between(const double a[3], const double b[3]) {
     return sqrt(x * x + y * y + z * z);
 }
 
-static bool read_box(struct scene_reader *reader, const config_setting_t *group,
+static bool read_box(struct scene_reader *reader, const struct scene_value *group,
                      struct solid_node *node) {
     static const char *const keys[] = {"min", "max", NULL};
     const struct scene_scope scope = {reader, group, "box"};
@@ -35,7 +35,7 @@ static bool read_box(struct scene_reader *reader, const config_setting_t *group,
     return true;
 }
 
-static bool read_ball(struct scene_reader *reader, const config_setting_t *group,
+static bool read_ball(struct scene_reader *reader, const struct scene_value *group,
                       struct solid_node *node) {
     static const char *const keys[] = {"centre", "radius", NULL};
     const struct scene_scope scope = {reader, group, "ball"};
@@ -59,7 +59,7 @@ static bool read_axis(const struct scene_scope *scope, struct solid_node *node) 
     return true;
 }
 
-static bool read_cylinder(struct scene_reader *reader, const config_setting_t *group,
+static bool read_cylinder(struct scene_reader *reader, const struct scene_value *group,
                           struct solid_node *node) {
     static const char *const keys[] = {"from", "to", "radius", NULL};
     const struct scene_scope scope = {reader, group, "cylinder"};
@@ -67,7 +67,7 @@ static bool read_cylinder(struct scene_reader *reader, const config_setting_t *g
            scope_number(&scope, "radius", REQUIRED, RANGE_LENGTH, &node->radius);
 }
 
-static bool read_cone(struct scene_reader *reader, const config_setting_t *group,
+static bool read_cone(struct scene_reader *reader, const struct scene_value *group,
                       struct solid_node *node) {
     static const char *const keys[] = {"from", "to", "from_radius", "to_radius", NULL};
     const struct scene_scope scope = {reader, group, "cone"};
@@ -97,7 +97,7 @@ static bool read_cone(struct scene_reader *reader, const config_setting_t *group
     return true;
 }
 
-static bool read_ellipsoid(struct scene_reader *reader, const config_setting_t *group,
+static bool read_ellipsoid(struct scene_reader *reader, const struct scene_value *group,
                            struct solid_node *node) {
     static const char *const keys[] = {"centre", "radii", NULL};
     const struct scene_scope scope = {reader, group, "ellipsoid"};
@@ -106,7 +106,7 @@ static bool read_ellipsoid(struct scene_reader *reader, const config_setting_t *
            scope_numbers(&scope, "radii", REQUIRED, RANGE_LENGTH, 3, node->b);
 }
 
-static bool read_paraboloid(struct scene_reader *reader, const config_setting_t *group,
+static bool read_paraboloid(struct scene_reader *reader, const struct scene_value *group,
                             struct solid_node *node) {
     static const char *const keys[] = {"from", "to", "radius", NULL};
     const struct scene_scope scope = {reader, group, "paraboloid"};
@@ -115,7 +115,7 @@ static bool read_paraboloid(struct scene_reader *reader, const config_setting_t 
 }
 
 /* Reads a hyperboloid: of one sheet if `waist` is given, of two if `gap` is. */
-static bool read_hyperboloid(struct scene_reader *reader, const config_setting_t *group,
+static bool read_hyperboloid(struct scene_reader *reader, const struct scene_value *group,
                              struct solid_node *node) {
     static const char *const keys[] = {"from", "to", "radius", "waist", "gap", NULL};
     const struct scene_scope scope = {reader, group, "hyperboloid"};
@@ -147,7 +147,7 @@ static bool read_hyperboloid(struct scene_reader *reader, const config_setting_t
     return true;
 }
 
-static bool read_quadric(struct scene_reader *reader, const config_setting_t *group,
+static bool read_quadric(struct scene_reader *reader, const struct scene_value *group,
                          struct solid_node *node) {
     static const char *const keys[] = {"coefficients", NULL};
     const struct scene_scope scope = {reader, group, "quadric"};
@@ -179,7 +179,7 @@ static bool read_plane(const struct scene_scope *scope, struct scene_plane *plan
         !scope_numbers(scope, "normal", REQUIRED, RANGE_COORDINATE, 3, plane->normal)) {
         return false;
     }
-    unsigned line = config_setting_source_line(scope->group);
+    unsigned line = scope->group->line;
     bool has_point = scope_has(scope, "through");
     if (has_point == scope_has(scope, "offset")) {
         return scene_fail(scope->reader, line,
@@ -206,7 +206,7 @@ static bool read_plane(const struct scene_scope *scope, struct scene_plane *plan
     return true;
 }
 
-static bool read_half_space(struct scene_reader *reader, const config_setting_t *group,
+static bool read_half_space(struct scene_reader *reader, const struct scene_value *group,
                             struct solid_node *node) {
     const struct scene_scope scope = {reader, group, "half_space"};
     node->planes = scene_allocate(reader, 1, sizeof *node->planes);
@@ -214,20 +214,19 @@ static bool read_half_space(struct scene_reader *reader, const config_setting_t 
     return node->planes && read_plane(&scope, node->planes);
 }
 
-static bool read_polyhedron(struct scene_reader *reader, const config_setting_t *group,
+static bool read_polyhedron(struct scene_reader *reader, const struct scene_value *group,
                             struct solid_node *node) {
     static const char *const keys[] = {"planes", NULL};
     const struct scene_scope scope = {reader, group, "polyhedron"};
-    const config_setting_t *list;
+    const struct scene_value *list;
     if (!scope_check_keys(&scope, keys) ||
         !scope_list(&scope, "planes", REQUIRED, PLANES_LEAST, SCENE_PLANES_MOST, &list)) {
         return false;
     }
-    node->plane_count = (size_t)config_setting_length(list);
+    node->plane_count = list->count;
     node->planes = scene_allocate(reader, node->plane_count, sizeof *node->planes);
     for (size_t i = 0; node->planes && i < node->plane_count; i++) {
-        const struct scene_scope plane = {reader, config_setting_get_elem(list, (unsigned)i),
-                                          "plane"};
+        const struct scene_scope plane = {reader, &list->members[i], "plane"};
         if (!scene_is_group(reader, plane.group, "plane") ||
             !read_plane(&plane, &node->planes[i])) {
             return false;

@@ -16,8 +16,8 @@ static const struct scene_range RANGE_CAUCHY = {-10, 10};
 
 /* Reads `specular`: a number, or a table over the angle of incidence. */
 static bool read_specular(const struct scene_scope *scope, struct scene_material *material) {
-    const config_setting_t *setting = config_setting_get_member(scope->group, "specular");
-    if (!setting || !config_setting_is_aggregate(setting)) {
+    const struct scene_value *setting = value_member(scope->group, "specular");
+    if (!setting || !value_is_sequence(setting)) {
         return scope_number(scope, "specular", OPTIONAL, RANGE_SHARE, &material->specular);
     }
     material->has_specular_table = true;
@@ -126,7 +126,7 @@ static bool read_pattern(const struct scene_scope *outer, struct scene_material 
     return true;
 }
 
-static bool read_material(struct scene_reader *reader, const config_setting_t *group,
+static bool read_material(struct scene_reader *reader, const struct scene_value *group,
                           struct scene_material *material) {
     static const char *const keys[] = {"colour",
                                        "ambient",
@@ -143,7 +143,7 @@ static bool read_material(struct scene_reader *reader, const config_setting_t *g
                                        "casts_shadow",
                                        "pattern",
                                        NULL};
-    const char *name = config_setting_name(group);
+    const char *name = group->name;
     char what[64];
     snprintf(what, sizeof what, "material '%.40s'", name);
     const struct scene_scope scope = {reader, group, what};
@@ -151,7 +151,7 @@ static bool read_material(struct scene_reader *reader, const config_setting_t *g
         return false;
     }
     *material = (struct scene_material){.name = material->name,
-                                        .line = config_setting_source_line(group),
+                                        .line = group->line,
                                         .gloss = GLOSS_DEFAULT,
                                         .ior = 1,
                                         .ior_by_channel = {1, 1, 1},
@@ -171,27 +171,26 @@ static bool read_material(struct scene_reader *reader, const config_setting_t *g
            read_pattern(&scope, material);
 }
 
-bool scene_read_materials(struct scene_reader *reader, const config_setting_t *root) {
+bool scene_read_materials(struct scene_reader *reader, const struct scene_value *root) {
     const struct scene_scope top = {reader, root, "scene"};
     struct scene_description *scene = reader->scene;
-    const config_setting_t *group;
+    const struct scene_value *group;
     if (!scope_group(&top, "materials", REQUIRED, &group)) {
         return false;
     }
-    int count = config_setting_length(group);
+    int count = (int)group->count;
     if (count < 1 || count > SCENE_MATERIALS_MOST) {
-        return scene_fail(reader, config_setting_source_line(group),
-                          "the scene has %d materials: 1 to %d are allowed", count,
-                          SCENE_MATERIALS_MOST);
+        return scene_fail(reader, group->line, "the scene has %d materials: 1 to %d are allowed",
+                          count, SCENE_MATERIALS_MOST);
     }
     scene->materials = scene_allocate(reader, (size_t)count, sizeof *scene->materials);
     if (!scene->materials) {
         return false;
     }
     for (int i = 0; i < count; i++) {
-        const config_setting_t *element = config_setting_get_elem(group, (unsigned)i);
+        const struct scene_value *element = &group->members[i];
         struct scene_material *material = &scene->materials[i];
-        material->name = scene_copy(reader, config_setting_name(element));
+        material->name = scene_copy(reader, element->name);
         scene->material_count++;
         if (!material->name || !read_material(reader, element, material)) {
             return false;

@@ -19,10 +19,10 @@ static void trim_nodes(struct scene_description *scene) {
     }
 }
 
-static bool read_part(struct scene_reader *reader, const config_setting_t *group) {
+static bool read_part(struct scene_reader *reader, const struct scene_value *group) {
     static const char *const keys[] = {"name", "solid", NULL};
     const struct scene_scope scope = {reader, group, "part"};
-    const config_setting_t *solid;
+    const struct scene_value *solid;
     struct scene_part part = {"", 0};
     if (!scene_is_group(reader, group, "part") || !scope_check_keys(&scope, keys) ||
         !scope_string(&scope, "name", REQUIRED, &part.name) ||
@@ -47,31 +47,31 @@ static bool read_part(struct scene_reader *reader, const config_setting_t *group
     return true;
 }
 
-bool scene_read_parts(struct scene_reader *reader, const config_setting_t *root) {
+bool scene_read_parts(struct scene_reader *reader, const struct scene_value *root) {
     const struct scene_scope top = {reader, root, "scene"};
     if (!make_nodes(reader) ||
         !scope_list(&top, "parts", OPTIONAL, 0, SCENE_NODES_MOST - 1, &reader->part_list)) {
         return false;
     }
-    int count = reader->part_list ? config_setting_length(reader->part_list) : 0;
+    int count = reader->part_list ? (int)reader->part_list->count : 0;
     reader->parts = scene_allocate(reader, (size_t)count, sizeof *reader->parts);
     if (!reader->parts) {
         return false;
     }
     for (int i = 0; i < count; i++) {
-        if (!read_part(reader, config_setting_get_elem(reader->part_list, (unsigned)i))) {
+        if (!read_part(reader, &reader->part_list->members[i])) {
             return false;
         }
     }
     return true;
 }
 
-static bool read_object(struct scene_reader *reader, const config_setting_t *group) {
+static bool read_object(struct scene_reader *reader, const struct scene_value *group) {
     static const char *const keys[] = {"name", "material", "solid", NULL};
     struct scene_description *scene = reader->scene;
     const struct scene_scope scope = {reader, group, "object"};
-    struct scene_object object = {.line = config_setting_source_line(group)};
-    const config_setting_t *solid;
+    struct scene_object object = {.line = group->line};
+    const struct scene_value *solid;
     const char *name = "", *material = NULL;
     if (!scene_is_group(reader, group, "object") || !scope_check_keys(&scope, keys) ||
         !scope_string(&scope, "name", OPTIONAL, &name) ||
@@ -120,19 +120,19 @@ static bool check_instances(struct scene_reader *reader) {
     return true;
 }
 
-bool scene_read_objects(struct scene_reader *reader, const config_setting_t *root) {
+bool scene_read_objects(struct scene_reader *reader, const struct scene_value *root) {
     const struct scene_scope top = {reader, root, "scene"};
-    const config_setting_t *list;
+    const struct scene_value *list;
     if (!scope_list(&top, "objects", REQUIRED, 1, SCENE_OBJECTS_MOST, &list)) {
         return false;
     }
-    int count = config_setting_length(list);
+    int count = (int)list->count;
     reader->scene->objects = scene_allocate(reader, (size_t)count, sizeof *reader->scene->objects);
     if (!reader->scene->objects) {
         return false;
     }
     for (int i = 0; i < count; i++) {
-        if (!read_object(reader, config_setting_get_elem(list, (unsigned)i))) {
+        if (!read_object(reader, &list->members[i])) {
             return false;
         }
     }

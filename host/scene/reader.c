@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Reads a scene file's text: libconfig's tree of values becomes a checked scene_description. */
+/* Reads a scene file's text: the tree of values becomes a checked scene_description. */
 #include "scene/reader_internal.h"
 
 #include <math.h>
@@ -29,8 +29,7 @@ static bool read_camera(struct scene_reader *reader, const struct scene_scope *t
     if (!scope_group(top, "camera", REQUIRED, &scope.group) || !scope_check_keys(&scope, keys)) {
         return false;
     }
-    struct scene_camera camera = {
-        .line = config_setting_source_line(scope.group), .up = {0, 0, 1}, .field_of_view = 40};
+    struct scene_camera camera = {.line = scope.group->line, .up = {0, 0, 1}, .field_of_view = 40};
     if (!scope_numbers(&scope, "eye", REQUIRED, RANGE_COORDINATE, 3, camera.eye) ||
         !scope_numbers(&scope, "look_at", REQUIRED, RANGE_COORDINATE, 3, camera.look_at) ||
         !scope_numbers(&scope, "up", OPTIONAL, RANGE_COORDINATE, 3, camera.up) ||
@@ -64,12 +63,11 @@ static bool read_camera(struct scene_reader *reader, const struct scene_scope *t
     return true;
 }
 
-static bool read_light(struct scene_reader *reader, const config_setting_t *group,
+static bool read_light(struct scene_reader *reader, const struct scene_value *group,
                        struct scene_light *light) {
     static const char *const keys[] = {"position", "direction", "colour", NULL};
     struct scene_scope scope = {reader, group, "light"};
-    *light =
-        (struct scene_light){.line = config_setting_source_line(group), .colour = {255, 255, 255}};
+    *light = (struct scene_light){.line = group->line, .colour = {255, 255, 255}};
     if (!scene_is_group(reader, group, "light") || !scope_check_keys(&scope, keys)) {
         return false;
     }
@@ -98,11 +96,11 @@ static bool read_light(struct scene_reader *reader, const config_setting_t *grou
 }
 
 static bool read_lights(struct scene_reader *reader, const struct scene_scope *top) {
-    const config_setting_t *list;
+    const struct scene_value *list;
     if (!scope_list(top, "lights", OPTIONAL, 0, SCENE_LIGHTS_MOST, &list)) {
         return false;
     }
-    size_t count = list ? (size_t)config_setting_length(list) : 0;
+    size_t count = list ? list->count : 0;
     struct scene_light *lights = scene_allocate(reader, count, sizeof *lights);
     if (!lights) {
         return false;
@@ -110,7 +108,7 @@ static bool read_lights(struct scene_reader *reader, const struct scene_scope *t
     reader->scene->lights = lights;
     reader->scene->light_count = count;
     for (size_t i = 0; i < count; i++) {
-        if (!read_light(reader, config_setting_get_elem(list, (unsigned)i), &lights[i])) {
+        if (!read_light(reader, &list->members[i], &lights[i])) {
             return false;
         }
     }
@@ -207,7 +205,7 @@ static bool read_settings(const struct scene_scope *top) {
     return scene->title != NULL;
 }
 
-static bool read_all(struct scene_reader *reader, const config_setting_t *root) {
+static bool read_all(struct scene_reader *reader, const struct scene_value *root) {
     const struct scene_scope top = {reader, root, "scene"};
     return read_settings(&top) && read_attenuation(reader, &top) && read_camera(reader, &top) &&
            read_lights(reader, &top) && scene_read_materials(reader, root) &&
@@ -229,21 +227,10 @@ static struct scene_description *make_description(struct scene_reader *reader) {
 }
 
 static bool read_text(struct scene_reader *reader, const char *text, size_t length) {
-    char *checked = scene_text_check(reader, text, length);
-    if (!checked) {
-        return false;
-    }
-    config_t config;
-    config_init(&config);
-    bool sound = true;
-    if (!config_read_string(&config, checked)) {
-        sound = scene_fail(reader, (unsigned)config_error_line(&config), "%s",
-                           config_error_text(&config));
-    }
-    sound = sound && read_all(reader, config_root_setting(&config));
-    config_destroy(&config);
-    free(checked);
-    return sound;
+    struct scene_value root;
+    bool is_read = scene_parse(reader, text, length, &root) && read_all(reader, &root);
+    memory_free(&reader->memory);
+    return is_read;
 }
 
 struct scene_description *scene_description_read(const char *path, const char *text, size_t length,

@@ -21,7 +21,7 @@ enum {
     SOLID_KEYS_MOST = 32
 };
 
-static bool read_solid_at(struct scene_reader *reader, const config_setting_t *group, int level,
+static bool read_solid_at(struct scene_reader *reader, const struct scene_value *group, int level,
                           int *index);
 
 /* Computes sine and cosine of an angle in degrees: exact at right angles, so that turned boxes stay
@@ -103,25 +103,31 @@ static bool set_children(struct scene_reader *reader, struct solid_node *node, c
 static bool read_children(const struct scene_scope *scope, const char *key, int level,
                           struct solid_node *node) {
     struct scene_reader *reader = scope->reader;
-    const config_setting_t *list;
+    const struct scene_value *list;
     int least = node->kind == SOLID_DIFFERENCE ? 2 : 1;
     if (!scope_list(scope, key, REQUIRED, least, SCENE_NODES_MOST - 1, &list)) {
         return false;
     }
-    size_t count = (size_t)config_setting_length(list);
+    size_t count = list->count;
     int *children = scene_allocate(reader, count, sizeof *children);
     if (!children) {
         return false;
     }
     bool sound = true;
     for (size_t i = 0; sound && i < count; i++) {
-        const config_setting_t *element = config_setting_get_elem(list, (unsigned)i);
+        const struct scene_value *element = &list->members[i];
         sound = scene_is_group(reader, element, "solid") &&
                 read_solid_at(reader, element, level + 1, &children[i]);
     }
     sound = sound && set_children(reader, node, children, count);
     free(children);
     return sound;
+}
+
+/* Returns the name of a part that is still to be read; NULL: it has none. */
+static const char *part_name(const struct scene_value *part) {
+    const struct scene_value *name = value_member(part, "name");
+    return name != NULL && name->kind == VALUE_STRING ? name->text : NULL;
 }
 
 /* Looks for a part among those read so far only, so that no part can hold itself. */
@@ -136,16 +142,16 @@ static bool read_part_use(const struct scene_scope *scope, struct solid_node *no
             return set_children(reader, node, &reader->parts[i].node, 1);
         }
     }
-    int length = reader->part_list ? config_setting_length(reader->part_list) : 0;
+    int length = reader->part_list ? (int)reader->part_list->count : 0;
     for (int i = 0; i < length; i++) {
-        const config_setting_t *part = config_setting_get_elem(reader->part_list, (unsigned)i);
+        const struct scene_value *part = &reader->part_list->members[i];
         const char *later = NULL;
-        if (config_setting_is_group(part) && config_setting_lookup_string(part, "name", &later) &&
+        if (part->kind == VALUE_GROUP && (later = part_name(part)) != NULL &&
             strcmp(later, name) == 0) {
             return scene_fail(reader, scope_line(scope, "part"),
                               "part '%.40s' is only given on line %u: a part can use parts that "
                               "stand above it only, never itself",
-                              name, config_setting_source_line(part));
+                              name, part->line);
         }
     }
     const char *names[SCENE_NODES_MOST + 1] = {NULL};
@@ -163,7 +169,7 @@ static bool read_part_use(const struct scene_scope *scope, struct solid_node *no
 
 /* Finds the one key that says what a solid is. *kind is the key's index in scene_leaves
  * followed by node_keys. */
-static bool find_kind(struct scene_reader *reader, const config_setting_t *group, size_t *kind) {
+static bool find_kind(struct scene_reader *reader, const struct scene_value *group, size_t *kind) {
     const char *keys[SOLID_KEYS_MOST + 1] = {NULL};
     size_t count = 0;
     for (size_t i = 0; i < scene_leaf_count; i++) {
@@ -193,7 +199,7 @@ static bool find_kind(struct scene_reader *reader, const config_setting_t *group
         found = i;
     }
     if (found == kinds) {
-        return scene_fail(reader, config_setting_source_line(group),
+        return scene_fail(reader, group->line,
                           "this solid is empty: it needs box, ball, cylinder, cone, ellipsoid, "
                           "paraboloid, hyperboloid, quadric, half_space, polyhedron, union, "
                           "intersection, difference or part");
@@ -242,7 +248,7 @@ static bool add_facts(struct scene_reader *reader, const struct solid_node *node
 static bool read_body(const struct scene_scope *scope, size_t kind, int level,
                       struct solid_node *node) {
     if (kind < scene_leaf_count) {
-        const config_setting_t *body;
+        const struct scene_value *body;
         node->kind = (enum solid_kind)kind;
         return scope_group(scope, scene_leaves[kind].key, REQUIRED, &body) &&
                scene_leaves[kind].read(scope->reader, body, node);
@@ -271,9 +277,9 @@ static bool add_node(struct scene_reader *reader, struct solid_node *node, int *
     return true;
 }
 
-static bool read_solid_at(struct scene_reader *reader, const config_setting_t *group, int level,
+static bool read_solid_at(struct scene_reader *reader, const struct scene_value *group, int level,
                           int *index) {
-    struct solid_node node = {.line = config_setting_source_line(group)};
+    struct solid_node node = {.line = group->line};
     const struct scene_scope scope = {reader, group, "solid"};
     size_t kind = 0;
     if (level > SCENE_NESTING_MOST) {
@@ -290,6 +296,6 @@ static bool read_solid_at(struct scene_reader *reader, const config_setting_t *g
     return false;
 }
 
-bool scene_read_solid(struct scene_reader *reader, const config_setting_t *group, int *index) {
+bool scene_read_solid(struct scene_reader *reader, const struct scene_value *group, int *index) {
     return read_solid_at(reader, group, 1, index);
 }

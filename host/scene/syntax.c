@@ -1,33 +1,30 @@
 /* SPDX-License-Identifier: MIT */
-/* Checks a scene's brackets, separators and keys, so that libconfig sees well-formed text only. */
+/* Reads a scene's text into a tree: brackets, separators, keys, values and small arithmetic. */
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
-#include "scene/tokens.h"
+#include "scene/syntax_internal.h"
 
-/* An open bracket, or the file itself. */
-struct bracket {
-    char open; /* { ( [, or NUL: the file */
-    unsigned line;
-    size_t count;            /* keys or elements so far */
-    size_t first_key;        /* of a group, in the keys of all open groups */
-    enum token_kind element; /* of an array, once it has one */
-};
+/* Reads the next token, or the one that was read too far. */
+bool next_token(struct checker *checker, struct token *token) {
+    if (checker->has_next) {
+        *token = checker->next;
+        checker->has_next = false;
+        return true;
+    }
+    return scanner_next(&checker->scanner, token);
+}
 
-enum expectation { WANT_KEY, WANT_EQUALS, WANT_VALUE, WANT_FIRST_VALUE, AFTER_VALUE };
-
-struct checker {
-    struct scene_reader *reader;
-    struct bracket stack[SCENE_BRACKETS_MOST + 1];
-    size_t depth; /* the innermost open bracket is stack[depth] */
-    struct token *keys;
-    size_t key_count;
-    enum expectation expectation;
-    struct token key;       /* the last one */
-    struct token value;     /* the last plain value */
-    struct token separator; /* the last one */
-};
+/* Reads the next token, which will be read again. */
+bool peek(struct checker *checker, struct token *token) {
+    if (!next_token(checker, token)) {
+        return false;
+    }
+    checker->next = *token;
+    checker->has_next = true;
+    return true;
+}
 
 static bool is_group(const struct bracket *bracket) {
     return bracket->open == '{' || bracket->open == '\0';
@@ -41,12 +38,17 @@ static bool is_closing(const struct token *token) {
     return token_is(token, '}') || token_is(token, ')') || token_is(token, ']');
 }
 
-static bool unexpected(struct checker *checker, const struct token *token, const char *wanted) {
+bool unexpected(struct checker *checker, const struct token *token, const char *wanted) {
     if (token->kind == TOKEN_END) {
         return scene_fail(checker->reader, token->line, "the file ends where %s is wanted", wanted);
     }
     return scene_fail(checker->reader, token->line, "'%.*s' stands where %s is wanted",
                       token_shown(token), token->start, wanted);
+}
+
+bool only_plain(struct checker *checker, const struct token *token) {
+    return scene_fail(checker->reader, token->line,
+                      "an array [ ] holds plain values only: use a list ( ) here");
 }
 
 static bool unclosed(struct checker *checker) {
@@ -55,8 +57,91 @@ static bool unclosed(struct checker *checker) {
                       bracket->open, closing(bracket->open));
 }
 
+/* ---- The tree ------------------------------------------------------------------------------- */
+
+/* Takes memory of the tree; NULL with the failure recorded. */
+void *take_memory(struct checker *checker, size_t size) {
+    void *memory = memory_take(&checker->reader->memory, size);
+    if (memory == NULL) {
+        scene_fail(checker->reader, 1, "not enough memory to read the scene");
+    }
+    return memory;
+}
+
+/* Copies what a token spells; of a string, what stands in its quotes. NULL with the failure
+ * recorded. */
+const char *copy_text(struct checker *checker, const struct token *token) {
+    const bool is_string = token->kind == TOKEN_STRING;
+    char *copy = take_memory(checker, token->length + 1);
+    size_t used = 0;
+    for (size_t i = is_string; copy != NULL && i + is_string < token->length; i++) {
+        i += is_string && token->start[i] == '\\';
+        copy[used++] = token->start[i];
+    }
+    return copy;
+}
+
+/* Returns a value of a kind in the innermost open bracket: with its key there, or of this line. */
+static struct scene_value value_at(const struct checker *checker, enum value_kind kind,
+                                   unsigned line) {
+    struct scene_value value = {.kind = kind, .line = line};
+    if (is_group(&checker->stack[checker->depth])) {
+        value.name = checker->key_name;
+        value.line = checker->key.line;
+    }
+    return value;
+}
+
+static bool push_value(struct checker *checker, const struct scene_value *value) {
+    if (checker->value_count == checker->value_room) {
+        size_t room = checker->value_room == 0 ? 64 : 2 * checker->value_room;
+        struct scene_value *larger = realloc(checker->values, room * sizeof *larger);
+        if (larger == NULL) {
+            return scene_fail(checker->reader, 1, "not enough memory to read the scene");
+        }
+        checker->values = larger;
+        checker->value_room = room;
+    }
+    checker->values[checker->value_count++] = *value;
+    return true;
+}
+
+/* Puts what the innermost bracket holds into a value of its own. */
+static bool gather(struct checker *checker, struct scene_value *value) {
+    const size_t first = checker->stack[checker->depth].first_value;
+    value->count = checker->value_count - first;
+    if (value->count > 0) {
+        struct scene_value *members = take_memory(checker, value->count * sizeof *members);
+        if (members == NULL) {
+            return false;
+        }
+        memcpy(members, checker->values + first, value->count * sizeof *members);
+        value->members = members;
+    }
+    checker->value_count = first;
+    return true;
+}
+
+/* Takes the number that begins with this token. */
+static bool take_number(struct checker *checker, const struct token *token) {
+    struct scene_value value = value_at(checker, VALUE_NUMBER, token->line);
+    return read_number(checker, token, &value.number) && push_value(checker, &value);
+}
+
+/* ---- Keys and brackets ---------------------------------------------------------------------- */
+
 static bool take_key(struct checker *checker, const struct token *token) {
     struct bracket *group = &checker->stack[checker->depth];
+    struct token next;
+    if (!peek(checker, &next)) {
+        return false;
+    }
+    if (next.kind == TOKEN_NAME && token->length == 3 && memcmp(token->start, "let", 3) == 0) {
+        checker->has_next = false;
+        checker->value.kind = TOKEN_END;
+        checker->expectation = AFTER_VALUE;
+        return read_constant(checker, &next);
+    }
     for (size_t i = group->first_key; i < checker->key_count; i++) {
         const struct token *other = &checker->keys[i];
         if (other->length == token->length &&
@@ -73,8 +158,29 @@ static bool take_key(struct checker *checker, const struct token *token) {
     }
     checker->keys[checker->key_count++] = *token;
     checker->key = *token;
+    checker->key_name = copy_text(checker, token);
     checker->expectation = WANT_EQUALS;
-    return true;
+    return checker->key_name != NULL;
+}
+
+/* Makes a number of a list of one number behind which arithmetic goes on: `(a + b) / 2`. */
+static bool end_parentheses(struct checker *checker, struct scene_value *value) {
+    struct token next;
+    if (value->kind != VALUE_LIST || value->count != 1 || value->members[0].kind != VALUE_NUMBER) {
+        return true;
+    }
+    if (!peek(checker, &next)) {
+        return false;
+    }
+    if (!token_is(&next, '*') && !token_is(&next, '/') && !token_is(&next, '+') &&
+        !token_is(&next, '-')) {
+        return true;
+    }
+    const double first = value->members[0].number;
+    value->kind = VALUE_NUMBER;
+    value->members = NULL;
+    value->count = 0;
+    return go_on_with_sum(checker, first, &value->number);
 }
 
 static bool close_bracket(struct checker *checker, const struct token *token) {
@@ -91,16 +197,19 @@ static bool close_bracket(struct checker *checker, const struct token *token) {
     if (is_group(bracket)) {
         checker->key_count = bracket->first_key;
     }
+    struct scene_value value = bracket->itself;
+    if (!gather(checker, &value)) {
+        return false;
+    }
     checker->depth--;
     checker->value.kind = TOKEN_END;
     checker->expectation = AFTER_VALUE;
-    return true;
+    return end_parentheses(checker, &value) && push_value(checker, &value);
 }
 
 static bool open_bracket(struct checker *checker, const struct token *token) {
     if (checker->stack[checker->depth].open == '[') {
-        return scene_fail(checker->reader, token->line,
-                          "an array [ ] holds plain values only: use a list ( ) here");
+        return only_plain(checker, token);
     }
     if (checker->depth == SCENE_BRACKETS_MOST) {
         return scene_fail(checker->reader, token->line,
@@ -108,32 +217,34 @@ static bool open_bracket(struct checker *checker, const struct token *token) {
                           "make a scene flatter",
                           SCENE_BRACKETS_MOST);
     }
-    checker->stack[++checker->depth] =
-        (struct bracket){*token->start, token->line, 0, checker->key_count, TOKEN_END};
+    const enum value_kind kind = *token->start == '{'   ? VALUE_GROUP
+                                 : *token->start == '(' ? VALUE_LIST
+                                                        : VALUE_ARRAY;
+    const struct bracket opened = {.open = *token->start,
+                                   .line = token->line,
+                                   .first_key = checker->key_count,
+                                   .element = TOKEN_END,
+                                   .first_value = checker->value_count,
+                                   .itself = value_at(checker, kind, token->line)};
+    checker->stack[++checker->depth] = opened;
     checker->expectation = *token->start == '{' ? WANT_KEY : WANT_FIRST_VALUE;
     return true;
 }
 
+/* Checks that an array holds values of one type only: numbers, strings or truths. */
 static bool fits_array(struct checker *checker, struct bracket *array, const struct token *token) {
+    const bool is_plain = token->kind == TOKEN_STRING || token->kind == TOKEN_BOOLEAN;
+    const enum token_kind kind = is_plain ? token->kind : TOKEN_FLOAT;
     if (array->element == TOKEN_END) {
-        array->element = token->kind;
+        array->element = kind;
     }
-    if (array->element == token->kind) {
-        return true;
-    }
-    struct token first = {array->element, 0, NULL, 0};
-    if (token_is_number(token) && token_is_number(&first)) {
-        return scene_fail(checker->reader, token->line,
-                          "an array [ ] cannot mix whole numbers and others: write '%.*s' and the "
-                          "rest all with a decimal point (1.0), or use a list ( )",
-                          token_shown(token), token->start);
-    }
-    return scene_fail(checker->reader, token->line,
+    return array->element == kind ||
+           scene_fail(checker->reader, token->line,
                       "an array [ ] holds values of one type only: '%.*s' is of another",
                       token_shown(token), token->start);
 }
 
-static bool take_word(struct checker *checker, const struct token *token) {
+bool refuse_word(struct checker *checker, const struct token *token) {
     static const char *const truths[] = {"yes", "no", "on", "off"};
     if (token_is_infinite_or_nan(token)) {
         return scene_fail(checker->reader, token->line,
@@ -149,8 +260,22 @@ static bool take_word(struct checker *checker, const struct token *token) {
         }
     }
     return scene_fail(checker->reader, token->line,
-                      "'%.*s' is no value: strings stand in quotes, as in \"%.*s\"",
-                      token_shown(token), token->start, token_shown(token), token->start);
+                      "'%.*s' is no value: strings stand in quotes, as in \"%.*s\", and a number "
+                      "gets a name by 'let %.*s = ...;' before",
+                      token_shown(token), token->start, token_shown(token), token->start,
+                      token_shown(token), token->start);
+}
+
+/* Takes a string, or true or false. */
+static bool take_plain(struct checker *checker, const struct token *token) {
+    const bool is_string = token->kind == TOKEN_STRING;
+    struct scene_value value =
+        value_at(checker, is_string ? VALUE_STRING : VALUE_BOOLEAN, token->line);
+    value.truth = token->length == 4;
+    if (is_string && (value.text = copy_text(checker, token)) == NULL) {
+        return false;
+    }
+    return push_value(checker, &value);
 }
 
 static bool take_value(struct checker *checker, const struct token *token) {
@@ -167,16 +292,18 @@ static bool take_value(struct checker *checker, const struct token *token) {
                           "too many elements in one list: at most %d are allowed",
                           SCENE_ELEMENTS_MOST);
     }
-    if (token_is(token, '{') || token_is(token, '(') || token_is(token, '[')) {
+    bool is_number = bracket->open == '[' && token_is(token, '('); /* in parentheses */
+    if (!is_number && (token_is(token, '{') || token_is(token, '(') || token_is(token, '['))) {
         return open_bracket(checker, token);
     }
-    if (token->kind == TOKEN_NAME) {
-        return take_word(checker, token);
+    if (token->kind == TOKEN_NAME && find_constant(checker, token) == NULL) {
+        return refuse_word(checker, token);
     }
     if (token->kind == TOKEN_END && !is_group(bracket)) {
         return unclosed(checker);
     }
-    if (token->kind == TOKEN_MARK || token->kind == TOKEN_END) {
+    bool is_sign = token_is(token, '+') || token_is(token, '-');
+    if ((token->kind == TOKEN_MARK && !is_sign && !is_number) || token->kind == TOKEN_END) {
         return unexpected(checker, token, "a value");
     }
     if (bracket->open == '[' && !fits_array(checker, bracket, token)) {
@@ -184,7 +311,9 @@ static bool take_value(struct checker *checker, const struct token *token) {
     }
     checker->value = *token;
     checker->expectation = AFTER_VALUE;
-    return true;
+    return token->kind == TOKEN_STRING || token->kind == TOKEN_BOOLEAN
+               ? take_plain(checker, token)
+               : take_number(checker, token);
 }
 
 /* Refuses a token that stands where a key or a separator is wanted. */
@@ -268,50 +397,53 @@ static bool take(struct checker *checker, const struct token *token) {
     return false;
 }
 
-static bool check_tokens(struct scene_reader *reader, char *text, size_t length) {
-    struct scanner scanner = {reader, text, length, 0, 1};
-    struct checker checker = {.reader = reader};
-    bool sound = true;
+static bool parse_tokens(struct checker *checker) {
     struct token token;
-    size_t keys_most = (size_t)(SCENE_BRACKETS_MOST + 1) * SCENE_KEYS_MOST;
-    checker.keys = scene_allocate(reader, keys_most, sizeof *checker.keys);
-    if (!checker.keys) {
-        return false;
-    }
+    bool sound = true;
     do {
-        sound = scanner_next(&scanner, &token) && take(&checker, &token);
+        sound = next_token(checker, &token) && take(checker, &token);
     } while (sound && token.kind != TOKEN_END);
-    free(checker.keys);
     return sound;
 }
 
-char *scene_text_check(struct scene_reader *reader, const char *text, size_t length) {
+/* Checks what no token can hold. */
+static bool check_bytes(struct scene_reader *reader, const char *text, size_t length) {
     if (length > SCENE_TEXT_MOST) {
-        scene_fail(reader, 1, "a scene of %zu bytes is too large: at most %d are allowed", length,
-                   SCENE_TEXT_MOST);
-        return NULL;
+        return scene_fail(reader, 1, "a scene of %zu bytes is too large: at most %d are allowed",
+                          length, SCENE_TEXT_MOST);
     }
     unsigned line = 1;
     for (size_t i = 0; i < length; i++) {
         if (text[i] == '\0') {
-            scene_fail(reader, line, "a NUL byte: a scene is plain text");
-            return NULL;
+            return scene_fail(reader, line, "a NUL byte: a scene is plain text");
         }
         line += text[i] == '\n';
     }
-    char *copy = scene_allocate(reader, length + 1, 1);
-    if (!copy) {
-        return NULL;
+    return true;
+}
+
+bool scene_parse(struct scene_reader *reader, const char *text, size_t length,
+                 struct scene_value *root) {
+    if (!check_bytes(reader, text, length)) {
+        return false;
     }
-    if (length > 0) {
-        memcpy(copy, text, length);
+    struct checker checker = {.reader = reader};
+    char *copy = take_memory(&checker, length + 1);
+    if (copy == NULL) {
+        return false;
     }
+    memcpy(copy, text, length);
     if (length >= 3 && memcmp(copy, "\xEF\xBB\xBF", 3) == 0) {
         memset(copy, ' ', 3); /* some editors' byte order mark */
     }
-    if (!check_tokens(reader, copy, length)) {
-        free(copy);
-        return NULL;
-    }
-    return copy;
+    const struct scanner scanner = {reader, copy, length, 0, 1};
+    const size_t keys_most = (size_t)(SCENE_BRACKETS_MOST + 1) * SCENE_KEYS_MOST;
+    const struct scene_value whole = {.kind = VALUE_GROUP, .line = 1};
+    checker.scanner = scanner;
+    checker.keys = scene_allocate(reader, keys_most, sizeof *checker.keys);
+    *root = whole;
+    bool sound = checker.keys != NULL && parse_tokens(&checker) && gather(&checker, root);
+    free(checker.keys);
+    free(checker.values);
+    return sound;
 }

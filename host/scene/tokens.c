@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Cuts a scene's text into tokens as libconfig 1.5 does, and refuses what libconfig misreads. */
+/* Cuts a scene's text into tokens. */
 #include "scene/tokens.h"
 
 #include <errno.h>
@@ -28,7 +28,14 @@ bool token_is(const struct token *token, char mark) {
 }
 
 bool token_is_number(const struct token *token) {
-    return token->kind == TOKEN_INTEGER || token->kind == TOKEN_LONG || token->kind == TOKEN_FLOAT;
+    return token->kind == TOKEN_INTEGER || token->kind == TOKEN_FLOAT;
+}
+
+double token_number(const struct token *token) {
+    const bool is_hex = token->kind != TOKEN_FLOAT && token->length > 2 &&
+                        (token->start[1] == 'x' || token->start[1] == 'X');
+    return token->kind == TOKEN_FLOAT ? strtod(token->start, NULL)
+                                      : (double)strtoll(token->start, NULL, is_hex ? 16 : 10);
 }
 
 int token_shown(const struct token *token) {
@@ -51,35 +58,22 @@ bool token_is_infinite_or_nan(const struct token *token) {
     return false;
 }
 
-static void blank_to_line_end(struct scanner *scanner) {
-    while (scanner->at < scanner->length && scanner->text[scanner->at] != '\n') {
-        scanner->text[scanner->at++] = ' ';
-    }
-}
-
-static bool blank_block(struct scanner *scanner) {
-    unsigned first_line = scanner->line;
-    while (scanner->at + 1 < scanner->length) {
-        char *here = scanner->text + scanner->at;
-        bool last = here[0] == '*' && here[1] == '/';
-        if (here[0] == '\n') {
-            scanner->line++;
-        } else {
-            here[0] = ' ';
-        }
-        scanner->at++;
-        if (last) {
-            here[1] = ' ';
-            scanner->at++;
+/* Passes over a comment whose begin has been passed, to its end. */
+static bool skip_block(struct scanner *scanner) {
+    const unsigned first_line = scanner->line;
+    for (; scanner->at + 1 < scanner->length; scanner->at++) {
+        const char *here = scanner->text + scanner->at;
+        if (here[0] == '*' && here[1] == '/') {
+            scanner->at += 2;
             return true;
         }
+        scanner->line += here[0] == '\n';
     }
     return scene_fail(scanner->reader, first_line,
                       "the comment that begins here with /* is never ended: it needs */");
 }
 
-/* Goes on to the next token's first byte. Comments are overwritten so that nothing in them (such
- * as an include at a line's start) can reach libconfig. */
+/* Goes on to the next token's first byte. */
 static bool skip_blanks(struct scanner *scanner) {
     while (scanner->at < scanner->length) {
         const char *here = scanner->text + scanner->at;
@@ -89,12 +83,10 @@ static bool skip_blanks(struct scanner *scanner) {
         } else if (*here == ' ' || *here == '\t' || *here == '\r' || *here == '\f') {
             scanner->at++;
         } else if (*here == '#' || (here[0] == '/' && here[1] == '/')) {
-            blank_to_line_end(scanner);
+            scanner->at += strcspn(here, "\n");
         } else if (here[0] == '/' && here[1] == '*') {
-            scanner->text[scanner->at] = ' ';
-            scanner->text[scanner->at + 1] = ' ';
             scanner->at += 2;
-            if (!blank_block(scanner)) {
+            if (!skip_block(scanner)) {
                 return false;
             }
         } else {
@@ -104,8 +96,7 @@ static bool skip_blanks(struct scanner *scanner) {
     return true;
 }
 
-/* Reads a string, if libconfig takes the string as it stands on paper: no line breaks, no escapes
- * but \" and \\. */
+/* Reads a string: no line breaks, no escapes but \" and \\. */
 static bool scan_string(struct scanner *scanner, struct token *token) {
     size_t at = scanner->at + 1;
     for (;; at++) {
@@ -193,18 +184,15 @@ static enum token_kind number_form(const char *text) {
         size_t digits = count_digits(text + 2, is_hex_digit);
         const char *rest = text + 2 + digits;
         bool suffix = strcmp(rest, "L") == 0 || strcmp(rest, "LL") == 0;
-        return digits == 0 ? TOKEN_END : suffix ? TOKEN_LONG : *rest ? TOKEN_END : TOKEN_INTEGER;
+        return digits == 0 || (*rest != '\0' && !suffix) ? TOKEN_END : TOKEN_INTEGER;
     }
     if (*text == '+' || *text == '-') {
         text++;
     }
     size_t digits = count_digits(text, is_digit);
     text += digits;
-    if (digits > 0 && *text == '\0') {
+    if (digits > 0 && (*text == '\0' || strcmp(text, "L") == 0 || strcmp(text, "LL") == 0)) {
         return TOKEN_INTEGER;
-    }
-    if (digits > 0 && (strcmp(text, "L") == 0 || strcmp(text, "LL") == 0)) {
-        return TOKEN_LONG;
     }
     if (*text == '.') {
         size_t decimals = count_digits(++text, is_digit);
@@ -223,8 +211,7 @@ static enum token_kind number_form(const char *text) {
     return digits > 0 && *text == '\0' ? TOKEN_FLOAT : TOKEN_END;
 }
 
-/* Checks that a number survives libconfig 1.5, which cuts integers to 32 bits and lets floats
- * overflow. */
+/* Checks that a number is not too large for its form. */
 static bool check_magnitude(struct scanner *scanner, const struct token *token, const char *text) {
     errno = 0;
     if (token->kind == TOKEN_FLOAT) {
@@ -237,15 +224,8 @@ static bool check_magnitude(struct scanner *scanner, const struct token *token, 
         return true;
     }
     bool hex = text[0] == '0' && (text[1] == 'x' || text[1] == 'X');
-    long long value = strtoll(text, NULL, hex ? 16 : 10);
-    bool fits = errno != ERANGE;
-    if (token->kind == TOKEN_INTEGER && (!fits || value > 2147483647 || value < -2147483647 - 1)) {
-        return scene_fail(scanner->reader, token->line,
-                          "integer '%.*s' does not fit 32 bits (-2147483648 to 2147483647): write "
-                          "it with a decimal point, or with the suffix L for 64 bits",
-                          token_shown(token), token->start);
-    }
-    if (!fits) {
+    (void)strtoll(text, NULL, hex ? 16 : 10);
+    if (errno == ERANGE) {
         return scene_fail(scanner->reader, token->line,
                           "integer '%.*s' does not fit 64 bits: write it with a decimal point",
                           token_shown(token), token->start);
@@ -265,6 +245,13 @@ static bool scan_number(struct scanner *scanner, struct token *token) {
     memcpy(text, token->start, token->length);
     text[token->length] = '\0';
     token->kind = number_form(text);
+    const char *digits = text + (*text == '-' || *text == '+');
+    if (token->kind == TOKEN_INTEGER && digits[0] == '0' && is_digit(digits[1])) {
+        return scene_fail(scanner->reader, token->line,
+                          "'%.*s' may be meant as octal, and is not read so: write it without the "
+                          "0 before it",
+                          token_shown(token), token->start);
+    }
     if (token->kind == TOKEN_END) {
         return scene_fail(scanner->reader, token->line,
                           token_is_infinite_or_nan(token)
@@ -273,6 +260,15 @@ static bool scan_number(struct scanner *scanner, struct token *token) {
                           token_shown(token), token->start);
     }
     return check_magnitude(scanner, token, text);
+}
+
+/* Tells whether a sign belongs to the number behind it, infinity or not-a-number among them. */
+static bool is_sign_of_number(const struct scanner *scanner) {
+    const char *here = scanner->text + scanner->at;
+    const struct token word = {TOKEN_NAME, 0, here, number_length(here)};
+    return (*here == '+' || *here == '-') &&
+           (is_digit(here[1]) || here[1] == '.' || here[1] == '+' || here[1] == '-' ||
+            token_is_infinite_or_nan(&word));
 }
 
 bool scanner_next(struct scanner *scanner, struct token *token) {
@@ -290,10 +286,10 @@ bool scanner_next(struct scanner *scanner, struct token *token) {
     if (is_letter(first)) {
         return scan_name(scanner, token);
     }
-    if (is_digit(first) || first == '.' || first == '+' || first == '-') {
+    if (is_digit(first) || first == '.' || is_sign_of_number(scanner)) {
         return scan_number(scanner, token);
     }
-    if (strchr("=:,;{}()[]", first)) {
+    if (strchr("=:,;{}()[]+-*/", first)) {
         token->kind = TOKEN_MARK;
         token->length = 1;
         scanner->at++;

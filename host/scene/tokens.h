@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Cuts a scene's text into tokens as libconfig 1.5 does, and refuses what libconfig misreads. */
+/* Cuts a scene's text into tokens. */
 #ifndef SUPERFRAME_SCENE_TOKENS_H
 #define SUPERFRAME_SCENE_TOKENS_H
 
@@ -10,10 +10,9 @@ enum token_kind {
     TOKEN_NAME,
     TOKEN_STRING,
     TOKEN_BOOLEAN,
-    TOKEN_INTEGER, /* of 32 bits */
-    TOKEN_LONG,    /* of 64 bits, with the suffix L */
+    TOKEN_INTEGER, /* of 64 bits, perhaps with the suffix L */
     TOKEN_FLOAT,
-    TOKEN_MARK /* one of = : , ; { } ( ) [ ] */
+    TOKEN_MARK /* one of = : , ; { } ( ) [ ] + - * / */
 };
 
 struct token {
@@ -25,7 +24,7 @@ struct token {
 
 struct scanner {
     struct scene_reader *reader; /* for errors */
-    char *text;                  /* ended by NUL; comments become blanks as they are passed */
+    const char *text;            /* ended by NUL */
     size_t length;
     size_t at;
     unsigned line;
@@ -38,6 +37,9 @@ bool scanner_next(struct scanner *scanner, struct token *token);
 bool token_is(const struct token *token, char mark);
 
 bool token_is_number(const struct token *token);
+
+/* Returns what a number token says. */
+double token_number(const struct token *token);
 
 /* Returns how many of a token's first bytes an error message shows. */
 int token_shown(const struct token *token);

@@ -15,71 +15,71 @@ const struct scene_range RANGE_COLOUR = {0, 255};
 
 enum { KEY_LIST_MOST = 400 };
 
-static const char *type_name(const config_setting_t *setting) {
-    switch (config_setting_type(setting)) {
-    case CONFIG_TYPE_GROUP:
+static const char *type_name(const struct scene_value *value) {
+    switch (value->kind) {
+    case VALUE_GROUP:
         return "a group { }";
-    case CONFIG_TYPE_ARRAY:
+    case VALUE_ARRAY:
         return "an array [ ]";
-    case CONFIG_TYPE_LIST:
+    case VALUE_LIST:
         return "a list ( )";
-    case CONFIG_TYPE_STRING:
+    case VALUE_STRING:
         return "a string";
-    case CONFIG_TYPE_BOOL:
+    case VALUE_BOOLEAN:
         return "true or false";
-    default:
-        return "a number";
+    case VALUE_NUMBER:
+        break;
     }
+    return "a number";
 }
 
 static bool fail_type(const struct scene_scope *scope, const char *key,
-                      const config_setting_t *setting, const char *wanted) {
-    return scene_fail(scope->reader, config_setting_source_line(setting),
-                      "'%s' of the %s has to be %s, and is %s", key, scope->what, wanted,
-                      type_name(setting));
+                      const struct scene_value *setting, const char *wanted) {
+    return scene_fail(scope->reader, setting->line, "'%s' of the %s has to be %s, and is %s", key,
+                      scope->what, wanted, type_name(setting));
 }
 
 /* Finds a key. NULL in *setting counts as a success where the key is optional. */
 static bool find(const struct scene_scope *scope, const char *key, enum scene_presence presence,
-                 const config_setting_t **setting) {
-    *setting = config_setting_get_member(scope->group, key);
+                 const struct scene_value **setting) {
+    *setting = value_member(scope->group, key);
     if (*setting || presence == OPTIONAL) {
         return true;
     }
-    return scene_fail(scope->reader, config_setting_source_line(scope->group),
-                      "the %s lacks '%s', which is required", scope->what, key);
+    return scene_fail(scope->reader, scope->group->line, "the %s lacks '%s', which is required",
+                      scope->what, key);
 }
 
-static bool is_number(const config_setting_t *setting) {
-    int type = config_setting_type(setting);
-    return type == CONFIG_TYPE_INT || type == CONFIG_TYPE_INT64 || type == CONFIG_TYPE_FLOAT;
-}
-
-static double number_of(const config_setting_t *setting) {
-    switch (config_setting_type(setting)) {
-    case CONFIG_TYPE_INT:
-        return config_setting_get_int(setting);
-    case CONFIG_TYPE_INT64:
-        return (double)config_setting_get_int64(setting);
-    default:
-        return config_setting_get_float(setting);
+/* Returns the number that a value is: a plain one, or one in parentheses; NULL: it is none. */
+static const struct scene_value *number_in(const struct scene_value *value) {
+    while (value->kind == VALUE_LIST && value->count == 1) {
+        value = value->members;
     }
+    return value->kind == VALUE_NUMBER ? value : NULL;
+}
+
+static bool is_number(const struct scene_value *value) {
+    return number_in(value) != NULL;
+}
+
+static double number_of(const struct scene_value *value) {
+    return number_in(value)->number;
 }
 
 /* Checks that a value is in range. The comparison is written so that not-a-number fails it. */
 static bool check_range(const struct scene_scope *scope, const char *key,
-                        const config_setting_t *setting, struct scene_range range, double value) {
+                        const struct scene_value *setting, struct scene_range range, double value) {
     if (value >= range.least && value <= range.most) {
         return true;
     }
-    return scene_fail(scope->reader, config_setting_source_line(setting),
+    return scene_fail(scope->reader, setting->line,
                       "'%s' of the %s is %.15g: %.10g to %.10g is allowed", key, scope->what, value,
                       range.least, range.most);
 }
 
 bool scope_number(const struct scene_scope *scope, const char *key, enum scene_presence presence,
                   struct scene_range range, double *value) {
-    const config_setting_t *setting;
+    const struct scene_value *setting;
     if (!find(scope, key, presence, &setting)) {
         return false;
     }
@@ -98,19 +98,19 @@ bool scope_number(const struct scene_scope *scope, const char *key, enum scene_p
 }
 
 static bool read_elements(const struct scene_scope *scope, const char *key,
-                          const config_setting_t *setting, struct scene_range range, int count,
+                          const struct scene_value *setting, struct scene_range range, int count,
                           double *values) {
-    int length = config_setting_length(setting);
+    int length = (int)setting->count;
     if (length != count) {
-        return scene_fail(scope->reader, config_setting_source_line(setting),
+        return scene_fail(scope->reader, setting->line,
                           "'%s' of the %s has to be %d numbers, and is %d%s", key, scope->what,
                           count, length,
                           length > count ? " (the decimal point is a dot, not a comma)" : "");
     }
     for (int i = 0; i < count; i++) {
-        const config_setting_t *element = config_setting_get_elem(setting, (unsigned)i);
+        const struct scene_value *element = &setting->members[i];
         if (!is_number(element)) {
-            return scene_fail(scope->reader, config_setting_source_line(element),
+            return scene_fail(scope->reader, element->line,
                               "'%s' of the %s has to be %d numbers, and one is %s", key,
                               scope->what, count, type_name(element));
         }
@@ -123,20 +123,16 @@ static bool read_elements(const struct scene_scope *scope, const char *key,
     return true;
 }
 
-static bool is_sequence(const config_setting_t *setting) {
-    return config_setting_is_array(setting) || config_setting_is_list(setting);
-}
-
 bool scope_numbers(const struct scene_scope *scope, const char *key, enum scene_presence presence,
                    struct scene_range range, int count, double *values) {
-    const config_setting_t *setting;
+    const struct scene_value *setting;
     if (!find(scope, key, presence, &setting)) {
         return false;
     }
     if (!setting) {
         return true;
     }
-    if (!is_sequence(setting)) {
+    if (!value_is_sequence(setting)) {
         char wanted[40];
         snprintf(wanted, sizeof wanted, "%d numbers in [ ] or ( )", count);
         return fail_type(scope, key, setting, wanted);
@@ -146,7 +142,7 @@ bool scope_numbers(const struct scene_scope *scope, const char *key, enum scene_
 
 bool scope_three(const struct scene_scope *scope, const char *key, enum scene_presence presence,
                  struct scene_range range, double values[3]) {
-    const config_setting_t *setting;
+    const struct scene_value *setting;
     if (!find(scope, key, presence, &setting)) {
         return false;
     }
@@ -160,7 +156,7 @@ bool scope_three(const struct scene_scope *scope, const char *key, enum scene_pr
         values[2] = values[1] = values[0];
         return true;
     }
-    if (!is_sequence(setting)) {
+    if (!value_is_sequence(setting)) {
         return fail_type(scope, key, setting, "a number, or 3 numbers in [ ] or ( )");
     }
     return read_elements(scope, key, setting, range, 3, values);
@@ -169,13 +165,13 @@ bool scope_three(const struct scene_scope *scope, const char *key, enum scene_pr
 bool scope_integer(const struct scene_scope *scope, const char *key, enum scene_presence presence,
                    int least, int most, int *value) {
     double number = *value;
-    const config_setting_t *setting = config_setting_get_member(scope->group, key);
+    const struct scene_value *setting = value_member(scope->group, key);
     struct scene_range range = {least, most};
     if (!scope_number(scope, key, presence, range, &number)) {
         return false;
     }
     if (setting && floor(number) != number) {
-        return scene_fail(scope->reader, config_setting_source_line(setting),
+        return scene_fail(scope->reader, setting->line,
                           "'%s' of the %s is %.10g: a whole number, %d to %d, is allowed", key,
                           scope->what, number, least, most);
     }
@@ -184,58 +180,58 @@ bool scope_integer(const struct scene_scope *scope, const char *key, enum scene_
 }
 
 bool scope_boolean(const struct scene_scope *scope, const char *key, bool *value) {
-    const config_setting_t *setting = config_setting_get_member(scope->group, key);
+    const struct scene_value *setting = value_member(scope->group, key);
     if (!setting) {
         return true;
     }
-    if (config_setting_type(setting) != CONFIG_TYPE_BOOL) {
+    if (setting->kind != VALUE_BOOLEAN) {
         return fail_type(scope, key, setting, "true or false");
     }
-    *value = config_setting_get_bool(setting) != 0;
+    *value = setting->truth;
     return true;
 }
 
 bool scope_string(const struct scene_scope *scope, const char *key, enum scene_presence presence,
                   const char **value) {
-    const config_setting_t *setting;
+    const struct scene_value *setting;
     if (!find(scope, key, presence, &setting)) {
         return false;
     }
     if (!setting) {
         return true;
     }
-    if (config_setting_type(setting) != CONFIG_TYPE_STRING) {
+    if (setting->kind != VALUE_STRING) {
         return fail_type(scope, key, setting, "a string in quotes");
     }
-    *value = config_setting_get_string(setting);
+    *value = setting->text;
     return true;
 }
 
 bool scope_group(const struct scene_scope *scope, const char *key, enum scene_presence presence,
-                 const config_setting_t **group) {
+                 const struct scene_value **group) {
     if (!find(scope, key, presence, group)) {
         return false;
     }
-    if (*group && !config_setting_is_group(*group)) {
+    if (*group && (*group)->kind != VALUE_GROUP) {
         return fail_type(scope, key, *group, "a group { }");
     }
     return true;
 }
 
 bool scope_list(const struct scene_scope *scope, const char *key, enum scene_presence presence,
-                int least, int most, const config_setting_t **list) {
+                int least, int most, const struct scene_value **list) {
     if (!find(scope, key, presence, list)) {
         return false;
     }
     if (!*list) {
         return true;
     }
-    if (!is_sequence(*list)) {
+    if (!value_is_sequence(*list)) {
         return fail_type(scope, key, *list, "a list ( )");
     }
-    int length = config_setting_length(*list);
+    int length = (int)(*list)->count;
     if (length < least || length > most) {
-        return scene_fail(scope->reader, config_setting_source_line(*list),
+        return scene_fail(scope->reader, (*list)->line,
                           "'%s' of the %s has %d elements: %d to %d are allowed", key, scope->what,
                           length, least, most);
     }
@@ -266,18 +262,18 @@ bool scope_choice(const struct scene_scope *scope, const char *key, const char *
 }
 
 bool scope_has(const struct scene_scope *scope, const char *key) {
-    return config_setting_get_member(scope->group, key) != NULL;
+    return value_member(scope->group, key) != NULL;
 }
 
 unsigned scope_line(const struct scene_scope *scope, const char *key) {
-    const config_setting_t *setting = config_setting_get_member(scope->group, key);
-    return config_setting_source_line(setting ? setting : scope->group);
+    const struct scene_value *setting = value_member(scope->group, key);
+    return (setting ? setting : scope->group)->line;
 }
 
 bool scope_check_keys(const struct scene_scope *scope, const char *const *known) {
-    for (int i = 0; i < config_setting_length(scope->group); i++) {
-        const config_setting_t *setting = config_setting_get_elem(scope->group, (unsigned)i);
-        const char *name = config_setting_name(setting);
+    for (size_t i = 0; i < scope->group->count; i++) {
+        const struct scene_value *setting = &scope->group->members[i];
+        const char *name = setting->name;
         bool found = false;
         char list[KEY_LIST_MOST] = "";
         size_t used = 0;
@@ -290,7 +286,7 @@ bool scope_check_keys(const struct scene_scope *scope, const char *const *known)
             continue;
         }
         const char *nearest = nearest_word(name, known);
-        unsigned line = config_setting_source_line(setting);
+        unsigned line = setting->line;
         if (nearest) {
             return scene_fail(scope->reader, line,
                               "unknown key '%.40s' of the %s; did you mean '%s'? Allowed are %s",
@@ -302,11 +298,11 @@ bool scope_check_keys(const struct scene_scope *scope, const char *const *known)
     return true;
 }
 
-bool scene_is_group(struct scene_reader *reader, const config_setting_t *element,
+bool scene_is_group(struct scene_reader *reader, const struct scene_value *element,
                     const char *what) {
-    if (config_setting_is_group(element)) {
+    if (element->kind == VALUE_GROUP) {
         return true;
     }
-    return scene_fail(reader, config_setting_source_line(element),
-                      "the %s has to be a group { }, and is %s", what, type_name(element));
+    return scene_fail(reader, element->line, "the %s has to be a group { }, and is %s", what,
+                      type_name(element));
 }

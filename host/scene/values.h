@@ -8,7 +8,7 @@
 /* A group and what it describes ("camera", "ball"), for messages. */
 struct scene_scope {
     struct scene_reader *reader;
-    const config_setting_t *group;
+    const struct scene_value *group;
     const char *what;
 };
 
@@ -38,14 +38,14 @@ bool scope_three(const struct scene_scope *scope, const char *key, enum scene_pr
 bool scope_integer(const struct scene_scope *scope, const char *key, enum scene_presence presence,
                    int least, int most, int *value);
 bool scope_boolean(const struct scene_scope *scope, const char *key, bool *value);
-/* Reads a string, which stays libconfig's. */
+/* Reads a string, which stays the tree's. */
 bool scope_string(const struct scene_scope *scope, const char *key, enum scene_presence presence,
                   const char **value);
 /* Finds a group, or a list; NULL where an optional one is missing. */
 bool scope_group(const struct scene_scope *scope, const char *key, enum scene_presence presence,
-                 const config_setting_t **group);
+                 const struct scene_value **group);
 bool scope_list(const struct scene_scope *scope, const char *key, enum scene_presence presence,
-                int least, int most, const config_setting_t **list);
+                int least, int most, const struct scene_value **list);
 
 /* Reads one of the words of a list, which ends with NULL, as the word's index in that list. */
 bool scope_choice(const struct scene_scope *scope, const char *key, const char *const *words,
@@ -60,6 +60,7 @@ unsigned scope_line(const struct scene_scope *scope, const char *key);
 bool scope_check_keys(const struct scene_scope *scope, const char *const *known);
 
 /* Checks that an element of a list is a group; `what` names the element in the message. */
-bool scene_is_group(struct scene_reader *reader, const config_setting_t *element, const char *what);
+bool scene_is_group(struct scene_reader *reader, const struct scene_value *element,
+                    const char *what);
 
 #endif

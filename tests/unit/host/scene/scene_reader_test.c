@@ -341,11 +341,130 @@ static void survives_random_changes(void **state) {
     }
 }
 
+/* ---- Arithmetic ------------------------------------------------------------------------------ */
+
+/* Reads `threshold = TEXT` behind some definitions, and says what it is; -1 where it is refused. */
+static double value_of(const char *definitions, const char *text) {
+    char scene[4096];
+    struct scene_error error = {""};
+    (void)snprintf(scene, sizeof scene,
+                   "version = 1; %s camera = { eye = (0, -8, 0); look_at = (0, 0, 0); };\n"
+                   "materials = { m = { colour = [9, 9, 9]; }; };\nthreshold = %s;\n"
+                   "objects = ( { material = \"m\"; solid = { ball = { centre = [0, 0.5, -1]; "
+                   "radius = 1; }; }; } );",
+                   definitions, text);
+    struct scene_description *read =
+        scene_description_read("sum.scene", scene, strlen(scene), &error);
+    double value = read != NULL ? read->threshold : -1;
+    if (read == NULL) {
+        print_message("%s: %s\n", text, error.text);
+    }
+    scene_description_free(read);
+    return value;
+}
+
+static void numbers_are_worked_out(void **state) {
+    (void)state;
+    static const struct {
+        const char *text;
+        double value;
+    } sums[] = {{"1/4", 0.25},
+                {"2*3 - 5.5", 0.5},
+                {"1 - 0.25 - 0.25", 0.5},
+                {"1-0.25-0.25", 0.5},
+                {"1 / 2 / 2", 0.25},
+                {"(1 + 2) / 4", 0.75},
+                {"2 * (0.5 - (1 - 0.75))", 0.5},
+                {"- (1 - 1.5)", 0.5},
+                {"--0.5 * 1", -1}, /* no number */
+                {"- -0.5", 0.5},
+                {"-r + 1", 0.75},
+                {"r", 0.25},
+                {"(r)", 0.25},
+                {"(r) * 2", 0.5},
+                {"r*r * 4", 0.25},
+                {"half + r", 0.75},
+                {"half - r", 0.25},
+                {"0x10 * 0.03125", 0.5},
+                {"1e-1 * 5", 0.5}};
+    for (size_t i = 0; i < sizeof sums / sizeof sums[0]; i++) {
+        double value = value_of("let r = 0.25; let half = r + r;", sums[i].text);
+        if (!(value >= sums[i].value && value <= sums[i].value)) {
+            fail_msg("%s is %.17g, not %g", sums[i].text, value, sums[i].value);
+        }
+    }
+}
+
+/* Writes a random sum with its value, of numbers that halves and quarters keep exact. */
+static double random_sum(uint32_t *seed, int level, char **text) {
+    static const char *const marks[] = {" + ", " - ", "*", " / "};
+    *seed = *seed * 1664525u + 1013904223u;
+    const unsigned choice = *seed >> 24;
+    if (level == 0 || choice < 60) {
+        const double number = (double)(1 + choice % 8);
+        *text += sprintf(*text, choice % 3 == 0 ? "-%g" : "%g", number);
+        return choice % 3 == 0 ? -number : number;
+    }
+    *text += sprintf(*text, "(");
+    double value = random_sum(seed, level - 1, text);
+    const unsigned mark = choice % 4;
+    *text += sprintf(*text, "%s", marks[mark]);
+    *text += sprintf(*text, "(");
+    double other = mark == 3 ? 4 : 0;
+    if (mark == 3) {
+        *text += sprintf(*text, "4");
+    } else {
+        other = random_sum(seed, level - 1, text);
+    }
+    *text += sprintf(*text, "))");
+    return mark == 0   ? value + other
+           : mark == 1 ? value - other
+           : mark == 2 ? value * other
+                       : value / other;
+}
+
+static void sums_of_any_shape_are_worked_out(void **state) {
+    (void)state;
+    uint32_t seed = 3;
+    for (int i = 0; i < 300; i++) {
+        char text[2048], *end = text;
+        double value = random_sum(&seed, 4, &end);
+        char whole[2200];
+        /* Into 0..1, exactly: a power of two times the sum, and a half. */
+        (void)snprintf(whole, sizeof whole, "0.5 + (%s) / 4294967296.0", text);
+        double found = value_of("", whole), expected = 0.5 + value / 4294967296.0;
+        if (!(found >= expected && found <= expected)) {
+            fail_msg("%s: %.17g, not %.17g", text, found, expected);
+        }
+    }
+}
+
+static void whole_and_other_numbers_stand_in_one_array(void **state) {
+    (void)state;
+    struct scene_error error = {""};
+    static const char text[] =
+        "version = 1; camera = { eye = [0, -8, 0.5]; look_at = [0, 0.0, 1e-1]; };\n"
+        "materials = { m = { colour = [9, 9.5, 0]; }; };\n"
+        "objects = ( { material = \"m\"; solid = { ball = { centre = [0, 0x1, -0.5]; "
+        "radius = 1; }; }; } );";
+    struct scene_description *read = scene_description_read("a", text, strlen(text), &error);
+    assert_non_null(read);
+    assert_true(read->camera.eye[2] >= 0.5 && read->camera.eye[2] <= 0.5);
+    assert_true(read->nodes[0].a[1] >= 1 && read->nodes[0].a[2] <= -0.5);
+    scene_description_free(read);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(reads_the_settings),         cmocka_unit_test(reads_the_materials),
-        cmocka_unit_test(reads_parts_and_placements), cmocka_unit_test(reads_every_leaf),
-        cmocka_unit_test(fills_in_the_defaults),      cmocka_unit_test(reads_every_builtin_scene),
+        cmocka_unit_test(numbers_are_worked_out),
+        cmocka_unit_test(sums_of_any_shape_are_worked_out),
+        cmocka_unit_test(whole_and_other_numbers_stand_in_one_array),
+        cmocka_unit_test(reads_the_settings),
+        cmocka_unit_test(reads_the_materials),
+        cmocka_unit_test(reads_parts_and_placements),
+        cmocka_unit_test(reads_every_leaf),
+        cmocka_unit_test(fills_in_the_defaults),
+        cmocka_unit_test(reads_every_builtin_scene),
         cmocka_unit_test(survives_random_changes),
     };
     return cmocka_run_group_tests_name("scene_reader", tests, NULL, NULL);
