@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "scene/syntax_internal.h"
+#include "scene/parser_internal.h"
 
 /* Parentheses within each other, of one number. */
 enum { PARENTHESES_MOST = 32 };

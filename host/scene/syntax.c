@@ -4,27 +4,7 @@
 #include <string.h>
 #include <strings.h>
 
-#include "scene/syntax_internal.h"
-
-/* Reads the next token, or the one that was read too far. */
-bool next_token(struct checker *checker, struct token *token) {
-    if (checker->has_next) {
-        *token = checker->next;
-        checker->has_next = false;
-        return true;
-    }
-    return scanner_next(&checker->scanner, token);
-}
-
-/* Reads the next token, which will be read again. */
-bool peek(struct checker *checker, struct token *token) {
-    if (!next_token(checker, token)) {
-        return false;
-    }
-    checker->next = *token;
-    checker->has_next = true;
-    return true;
-}
+#include "scene/parser_internal.h"
 
 static bool is_group(const struct bracket *bracket) {
     return bracket->open == '{' || bracket->open == '\0';
@@ -38,19 +18,6 @@ static bool is_closing(const struct token *token) {
     return token_is(token, '}') || token_is(token, ')') || token_is(token, ']');
 }
 
-bool unexpected(struct checker *checker, const struct token *token, const char *wanted) {
-    if (token->kind == TOKEN_END) {
-        return scene_fail(checker->reader, token->line, "the file ends where %s is wanted", wanted);
-    }
-    return scene_fail(checker->reader, token->line, "'%.*s' stands where %s is wanted",
-                      token_shown(token), token->start, wanted);
-}
-
-bool only_plain(struct checker *checker, const struct token *token) {
-    return scene_fail(checker->reader, token->line,
-                      "an array [ ] holds plain values only: use a list ( ) here");
-}
-
 static bool unclosed(struct checker *checker) {
     const struct bracket *bracket = &checker->stack[checker->depth];
     return scene_fail(checker->reader, bracket->line, "this '%c' is never closed: '%c' is missing",
@@ -58,28 +25,6 @@ static bool unclosed(struct checker *checker) {
 }
 
 /* ---- The tree ------------------------------------------------------------------------------- */
-
-/* Takes memory of the tree; NULL with the failure recorded. */
-void *take_memory(struct checker *checker, size_t size) {
-    void *memory = memory_take(&checker->reader->memory, size);
-    if (memory == NULL) {
-        scene_fail(checker->reader, 1, "not enough memory to read the scene");
-    }
-    return memory;
-}
-
-/* Copies what a token spells; of a string, what stands in its quotes. NULL with the failure
- * recorded. */
-const char *copy_text(struct checker *checker, const struct token *token) {
-    const bool is_string = token->kind == TOKEN_STRING;
-    char *copy = take_memory(checker, token->length + 1);
-    size_t used = 0;
-    for (size_t i = is_string; copy != NULL && i + is_string < token->length; i++) {
-        i += is_string && token->start[i] == '\\';
-        copy[used++] = token->start[i];
-    }
-    return copy;
-}
 
 /* Returns a value of a kind in the innermost open bracket: with its key there, or of this line. */
 static struct scene_value value_at(const struct checker *checker, enum value_kind kind,
@@ -241,28 +186,6 @@ static bool fits_array(struct checker *checker, struct bracket *array, const str
     return array->element == kind ||
            scene_fail(checker->reader, token->line,
                       "an array [ ] holds values of one type only: '%.*s' is of another",
-                      token_shown(token), token->start);
-}
-
-bool refuse_word(struct checker *checker, const struct token *token) {
-    static const char *const truths[] = {"yes", "no", "on", "off"};
-    if (token_is_infinite_or_nan(token)) {
-        return scene_fail(checker->reader, token->line,
-                          "'%.*s' is invalid: every number must be finite", token_shown(token),
-                          token->start);
-    }
-    for (size_t i = 0; i < sizeof truths / sizeof *truths; i++) {
-        if (strlen(truths[i]) == token->length &&
-            strncasecmp(truths[i], token->start, token->length) == 0) {
-            return scene_fail(checker->reader, token->line,
-                              "'%.*s' is invalid: write true or false", token_shown(token),
-                              token->start);
-        }
-    }
-    return scene_fail(checker->reader, token->line,
-                      "'%.*s' is no value: strings stand in quotes, as in \"%.*s\", and a number "
-                      "gets a name by 'let %.*s = ...;' before",
-                      token_shown(token), token->start, token_shown(token), token->start,
                       token_shown(token), token->start);
 }
 

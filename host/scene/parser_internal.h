@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* What the parser of scene files and its arithmetic share. */
-#ifndef SUPERFRAME_SCENE_SYNTAX_INTERNAL_H
-#define SUPERFRAME_SCENE_SYNTAX_INTERNAL_H
+#ifndef SUPERFRAME_SCENE_PARSER_INTERNAL_H
+#define SUPERFRAME_SCENE_PARSER_INTERNAL_H
 
 #include "scene/tokens.h"
 #include "scene/tree.h"
