@@ -228,11 +228,11 @@ static int write_check(const struct scene_description *scene, const struct compi
 
 static int run_check(const struct options *options) {
     struct scene_error error;
-    struct scene_description *scene = load_scene(options->operands[0], &error);
+    struct scene_description *scene =
+        load_scene_with(options->operands[0], &options->overrides, &error);
     if (scene == NULL) {
         return bad_input("%s", error.text);
     }
-    scene_override(scene, &options->overrides);
     struct validations validations = {.description = scene};
     const struct compile_observer observer = {validations_look, &validations};
     struct compiled_scene *compiled =

@@ -27,11 +27,11 @@ static int write_source(const char *path, const struct scene_description *descri
 
 static int run_export(const struct options *options) {
     struct scene_error error;
-    struct scene_description *description = load_scene(options->operands[0], &error);
+    struct scene_description *description =
+        load_scene_with(options->operands[0], &options->overrides, &error);
     if (description == NULL) {
         return bad_input("%s", error.text);
     }
-    scene_override(description, &options->overrides);
     struct compiled_scene *scene = scene_compile(description, &error);
     int status;
     if (scene == NULL || !export_pov_check(description, scene, &error)) {

@@ -211,11 +211,10 @@ struct compiled_scene *scene_compile(const struct scene_description *description
 struct compiled_scene *load_compiled_scene(const char *name_or_path,
                                            const struct scene_overrides *overrides,
                                            struct scene_error *error) {
-    struct scene_description *description = load_scene(name_or_path, error);
+    struct scene_description *description = load_scene_with(name_or_path, overrides, error);
     if (description == NULL) {
         return NULL;
     }
-    scene_override(description, overrides);
     struct compiled_scene *compiled = scene_compile(description, error);
     scene_description_free(description);
     return compiled;

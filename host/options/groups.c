@@ -107,6 +107,11 @@ const struct option_group group_recording = {"Result", recording_entries};
     .name = "arith", .value = "NAME", .type = OPTION_OWN, OPTION_GIVEN(has_arithmetic),            \
     .set = set_arithmetic, .allowed = arithmetics_names
 
+#define SET_ENTRY                                                                                  \
+    .name = "set", .value = "PATH=VALUE", .type = OPTION_OWN, .set = set_value,                    \
+    .allowed = "up to 64 times, as in materials.glass.ior=1.33",                                   \
+    .help = "any value of the scene file, by its keys with dots between"
+
 static const struct option_entry scene_entries[] = {
     {DEPTH_ENTRY, .help = "the paper's depth level (the scene's)"},
     {THRESHOLD_ENTRY, .help = "the weight under which a branch ends (the scene's)"},
@@ -118,6 +123,7 @@ static const struct option_entry scene_entries[] = {
     {TAIL_ENTRY, .help = "what a cut branch counts as (black; estimate with --error)"},
     {HIGHLIGHT_ENTRY},
     {SEED_ENTRY},
+    {SET_ENTRY},
     {.name = NULL}};
 const struct option_group group_scene = {"Scene", scene_entries};
 
@@ -133,6 +139,7 @@ static const struct option_entry measured_entries[] = {
     {TAIL_ENTRY, .help = "this tail alone (both)"},
     {HIGHLIGHT_ENTRY},
     {SEED_ENTRY},
+    {SET_ENTRY},
     {.name = NULL}};
 const struct option_group group_measured = {"What is varied otherwise", measured_entries};
 

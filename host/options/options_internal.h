@@ -11,6 +11,7 @@ enum value_verdict set_arithmetic(struct options *options, const char *value);
 enum value_verdict set_size(struct options *options, const char *value);
 enum value_verdict set_model(struct options *options, const char *value);
 enum value_verdict set_colour(struct options *options, const char *value);
+enum value_verdict set_value(struct options *options, const char *value); /* of --set */
 enum value_verdict set_base(struct options *options, const char *value);
 enum value_verdict set_strict(struct options *options, const char *value); /* NULL: no grade */
 enum value_verdict set_faults(struct options *options, const char *value);

@@ -167,3 +167,12 @@ static bool read_faults(struct board_options *options, const char *value) {
 enum value_verdict set_faults(struct options *options, const char *value) {
     return option_verdict(read_faults(&options->board, value));
 }
+
+enum value_verdict set_value(struct options *options, const char *value) {
+    struct scene_overrides *overrides = &options->overrides;
+    if (strchr(value, '=') == NULL || overrides->set_count == SCENE_SETS_MOST) {
+        return VALUE_WRONG;
+    }
+    overrides->sets[overrides->set_count++] = value;
+    return VALUE_TAKEN;
+}

@@ -174,6 +174,14 @@ struct scene_error {
 struct scene_description *scene_description_read(const char *path, const char *text, size_t length,
                                                  struct scene_error *error);
 
+struct scene_overrides;
+
+/* Reads a text as scene_description_read() does, with what overrides->sets assign to its values. */
+struct scene_description *scene_description_read_with(const char *path, const char *text,
+                                                      size_t length,
+                                                      const struct scene_overrides *overrides,
+                                                      struct scene_error *error);
+
 void scene_description_free(struct scene_description *description);
 
 #endif

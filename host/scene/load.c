@@ -75,7 +75,8 @@ static void refuse_name(struct scene_error *error, const char *name, int error_n
         strerror(error_number), meant, near != NULL ? "Allowed" : "allowed", names);
 }
 
-static struct scene_description *load_file(const char *path, struct scene_error *error) {
+static struct scene_description *
+load_file(const char *path, const struct scene_overrides *overrides, struct scene_error *error) {
     struct stat facts;
     size_t length = 0;
     bool is_standard = strcmp(path, "-") == 0;
@@ -98,7 +99,8 @@ static struct scene_description *load_file(const char *path, struct scene_error 
         return NULL;
     }
     const char *shown = is_standard ? STANDARD_INPUT : path;
-    struct scene_description *description = scene_description_read(shown, text, length, error);
+    struct scene_description *description =
+        scene_description_read_with(shown, text, length, overrides, error);
     free(text);
     return description;
 }
@@ -117,10 +119,23 @@ bool scene_is_builtin(const char *name_or_path) {
     return find_builtin(name_or_path) != NULL;
 }
 
-struct scene_description *load_scene(const char *name_or_path, struct scene_error *error) {
+struct scene_description *load_scene_with(const char *name_or_path,
+                                          const struct scene_overrides *overrides,
+                                          struct scene_error *error) {
     const struct builtin_scene *scene = find_builtin(name_or_path);
-    return scene != NULL ? scene_description_read(scene->name, scene->text, scene->length, error)
-                         : load_file(name_or_path, error);
+    struct scene_description *description =
+        scene != NULL
+            ? scene_description_read_with(scene->name, scene->text, scene->length, overrides, error)
+            : load_file(name_or_path, overrides, error);
+    if (description != NULL) {
+        scene_override(description, overrides);
+    }
+    return description;
+}
+
+struct scene_description *load_scene(const char *name_or_path, struct scene_error *error) {
+    static const struct scene_overrides none;
+    return load_scene_with(name_or_path, &none, error);
 }
 
 void scene_short_name(const char *name_or_path, char *name, size_t size) {

@@ -7,10 +7,16 @@
 #include <stddef.h>
 
 #include "scene/description.h"
+#include "scene/overrides.h"
 
 /* Reads the built-in scene of that name, or else the file; "-": standard input. Returns NULL with
  * *error filled on failure. The caller gives the result to scene_description_free(). */
 struct scene_description *load_scene(const char *name_or_path, struct scene_error *error);
+
+/* Loads a scene as load_scene() does, with the overrides put in. */
+struct scene_description *load_scene_with(const char *name_or_path,
+                                          const struct scene_overrides *overrides,
+                                          struct scene_error *error);
 
 /* Writes the scene's name without folder and extension, for the names of other files. A scene of
  * standard input is called "scene". `name` gets

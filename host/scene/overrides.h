@@ -8,6 +8,8 @@
 
 #include "scene/description.h"
 
+enum { SCENE_SETS_MOST = 64 };
+
 /* All zero: the scene as it is. */
 struct scene_overrides {
     bool has_depth, has_threshold, has_size, has_model, has_highlight, has_colour, has_seed;
@@ -22,9 +24,11 @@ struct scene_overrides {
     enum scene_colour colour;
     int colour_bits; /* 1..8 with COLOUR_BITS */
     uint32_t seed;
+    const char *sets[SCENE_SETS_MOST]; /* "PATH=VALUE", for any value of the file */
+    unsigned set_count;
 };
 
-/* Puts the overrides into the description. */
+/* Puts the overrides into the description; `sets` have been put in where the file was read. */
 void scene_override(struct scene_description *description, const struct scene_overrides *overrides);
 
 #endif

@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "scene/assign.h"
+#include "scene/overrides.h"
 #include "scene/values.h"
 
 enum { SCENE_VERSION = 1, WIDTH_MOST = 640, HEIGHT_MOST = 400 };
@@ -226,15 +228,22 @@ static struct scene_description *make_description(struct scene_reader *reader) {
     return scene;
 }
 
-static bool read_text(struct scene_reader *reader, const char *text, size_t length) {
+static bool read_text(struct scene_reader *reader, const char *text, size_t length,
+                      const struct scene_overrides *overrides) {
     struct scene_value root;
-    bool is_read = scene_parse(reader, text, length, &root) && read_all(reader, &root);
+    bool is_read = scene_parse(reader, text, length, &root);
+    for (unsigned i = 0; is_read && i < overrides->set_count; i++) {
+        is_read = scene_assign(reader, &root, overrides->sets[i]);
+    }
+    is_read = is_read && read_all(reader, &root);
     memory_free(&reader->memory);
     return is_read;
 }
 
-struct scene_description *scene_description_read(const char *path, const char *text, size_t length,
-                                                 struct scene_error *error) {
+struct scene_description *scene_description_read_with(const char *path, const char *text,
+                                                      size_t length,
+                                                      const struct scene_overrides *overrides,
+                                                      struct scene_error *error) {
     struct scene_error unread;
     struct scene_reader reader = {.path = path, .error = error ? error : &unread};
     reader.error->text[0] = '\0';
@@ -242,11 +251,17 @@ struct scene_description *scene_description_read(const char *path, const char *t
     if (!reader.scene) {
         return NULL;
     }
-    bool sound = reader.scene->path && read_text(&reader, text, length);
+    bool sound = reader.scene->path && read_text(&reader, text, length, overrides);
     free(reader.parts);
     if (!sound) {
         scene_description_free(reader.scene);
         return NULL;
     }
     return reader.scene;
+}
+
+struct scene_description *scene_description_read(const char *path, const char *text, size_t length,
+                                                 struct scene_error *error) {
+    static const struct scene_overrides none;
+    return scene_description_read_with(path, text, length, &none, error);
 }

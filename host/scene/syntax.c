@@ -2,7 +2,6 @@
 /* Reads a scene's text into a tree: brackets, separators, keys, values and small arithmetic. */
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 #include "scene/parser_internal.h"
 

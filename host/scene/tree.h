@@ -18,7 +18,7 @@ struct scene_value {
     const char *text; /* of VALUE_STRING */
 
     /* Of a group { }, a list ( ) or an array [ ]: what it holds, in the file's order. */
-    const struct scene_value *members;
+    struct scene_value *members;
     size_t count;
 };
 

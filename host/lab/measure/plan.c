@@ -148,17 +148,15 @@ static int plan_star(struct measure *measure, struct measure_point point) {
 static struct scene_description *load_as_measured(const struct measure_scene *scene,
                                                   const struct scene_overrides *options,
                                                   struct scene_error *error) {
-    struct scene_description *description = load_scene(scene->operand, error);
     struct scene_overrides untold;
     memset(&untold, 0, sizeof untold);
     untold.has_highlight = options->has_highlight;
     untold.highlight = options->highlight;
     untold.has_seed = options->has_seed;
     untold.seed = options->seed;
-    if (description != NULL) {
-        scene_override(description, &untold);
-    }
-    return description;
+    untold.set_count = options->set_count;
+    memcpy(untold.sets, options->sets, sizeof untold.sets);
+    return load_scene_with(scene->operand, &untold, error);
 }
 
 /* Fills in what is known of a scene before rendering, and the point at which its settings begin.
