@@ -58,7 +58,7 @@ static const struct {
 } wrong[] = {
     {"materials.bal.ior=2", "--set materials.bal.ior: there is no 'bal'; did you mean 'ball'?"},
     {"materials.ball.ior=9", "'ior' of the material 'ball' is 9: 0.7 to 4 is allowed"},
-    {"materials.ball.iro=2", "unknown key 'iro' of the material did you mean 'ior'?"},
+    {"materials.ball.iro=2", "unknown key 'iro' of the material 'ball'; did you mean 'ior'?"},
     {"objects.7.solid=1", "no element '7'; allowed is: 0 to 4, or an element's name"},
     {"objects.5.name=1", "no element '5'"},
     {"depth=three", "'three' is no value"},
