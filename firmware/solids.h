@@ -80,7 +80,7 @@ struct form {
     real_unit a;
     real_length b;
     real_area c;
-    real_length start; /* where on the ray the foot is; quadric_form() leaves it to the caller */
+    real_length start; /* where on the ray the foot is */
 };
 
 static inline struct form quadric_form(const struct quadric *quadric, struct point foot,
@@ -90,6 +90,7 @@ static inline struct form quadric_form(const struct quadric *quadric, struct poi
                               unit_product(quadric->square.z, d.z)};
     struct form form;
     real_area bend = area_product(foot.z, quadric->linear);
+    form.start = REAL_LENGTH(0.0);
     form.a = direction_dot(slant, d);
     form.b = length_add(point_dot(foot, slant), length_scaled(quadric->linear, d.z));
     form.c = area_add(area_product(foot.x, length_scaled(foot.x, quadric->square.x)),

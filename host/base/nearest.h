@@ -4,8 +4,8 @@
 #define SUPERFRAME_NEAREST_H
 
 /* Finds the word of a list, ended by NULL, that is the fewest steps away from `word`. A step leaves
- * a letter out, puts one in, or takes another one. Returns NULL if half of the letters would
- * change. */
+ * a letter out, puts one in, takes another one, or swaps two neighbours. Returns NULL if half of
+ * the letters would change. */
 const char *nearest_word(const char *word, const char *const *words);
 
 #endif

@@ -2,6 +2,7 @@
 /* What sub-commands do alike with a board: its buses put together, its results, its verdict. */
 #include "board/session.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -102,8 +103,7 @@ static char *partial_name_of(const char *name) {
     }
     char *partial = malloc(length + sizeof ending);
     if (partial != NULL) {
-        memcpy(partial, name, length);
-        memcpy(partial + length, ending, sizeof ending);
+        (void)snprintf(partial, length + sizeof ending, "%.*s%s", (int)length, name, ending);
     }
     return partial;
 }

@@ -44,7 +44,8 @@ static struct scene_value *find_member(const struct scene_value *value, const ch
 static bool fail_step(struct scene_reader *reader, const char *assignment,
                       const struct scene_value *value, const char *step) {
     const char *names[NAMES_MOST + 1] = {NULL};
-    for (size_t i = 0; value->kind == VALUE_GROUP && i < value->count && i < NAMES_MOST; i++) {
+    const size_t count = value->kind == VALUE_GROUP && value->members != NULL ? value->count : 0;
+    for (size_t i = 0; i < count && i < NAMES_MOST; i++) {
         names[i] = value->members[i].name;
     }
     const char *near = nearest_word(step, names);
@@ -94,7 +95,7 @@ static bool add_member(struct scene_reader *reader, struct scene_value *group,
     if (members == NULL) {
         return scene_fail(reader, 1, "not enough memory to read the scene");
     }
-    if (group->count > 0) {
+    if (group->members != NULL) {
         memcpy(members, group->members, group->count * sizeof *members);
     }
     members[group->count] = *member;

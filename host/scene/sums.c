@@ -24,6 +24,7 @@ static bool read_factor(struct checker *checker, const struct token *first, int 
                         double *factor) {
     struct token token = *first;
     bool is_negative = false;
+    *factor = 0;
     while (token_is(&token, '-') || token_is(&token, '+')) {
         is_negative = is_negative != token_is(&token, '-');
         if (!next_token(checker, &token)) {
@@ -65,7 +66,7 @@ static bool read_factor(struct checker *checker, const struct token *first, int 
 static bool read_product(struct checker *checker, int level, double *product) {
     struct token mark, token;
     for (;;) {
-        double factor;
+        double factor = 0;
         if (!peek(checker, &mark)) {
             return false;
         }
@@ -93,7 +94,7 @@ static bool read_sum(struct checker *checker, double first, int level, double *s
         return false;
     }
     for (;;) {
-        double product;
+        double product = 0;
         if (!peek(checker, &mark)) {
             return false;
         }
@@ -122,7 +123,7 @@ bool go_on_with_sum(struct checker *checker, double first, double *sum) {
 }
 
 bool read_number(struct checker *checker, const struct token *token, double *number) {
-    double first;
+    double first = 0;
     return read_factor(checker, token, 0, &first) && read_sum(checker, first, 0, number);
 }
 
