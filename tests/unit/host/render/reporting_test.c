@@ -62,8 +62,11 @@ static void a_narrow_terminal_gets_a_shorter_line(void **state) {
 static void no_bar_without_a_terminal(void **state) {
     (void)state;
     struct progress progress;
+    memset(&progress, 0xA5, sizeof progress);
     progress_begin(&progress, 10, true);
     assert_false(progress.is_shown);
+    assert_null(progress.unit);
+    assert_true(progress.last_drawn <= 0 && progress.units_done == 0 && progress.rows == 10);
 }
 
 static void assert_quoted(const char *text, const char *expected) {
