@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* superframe scenes: the built-in scenes, one a line. */
 #include <stdio.h>
+#include <string.h>
 
 #include "base/json.h"
 #include "command/command.h"
@@ -19,7 +20,21 @@ static void print_scene(struct json *json, const char *name, const char *title, 
     json_end_object(json);
 }
 
+/* Prints a built-in scene's text. */
+static int print_text(const char *name) {
+    for (size_t i = 0; i < builtin_scene_count; i++) {
+        if (strcmp(builtin_scenes[i].name, name) == 0) {
+            (void)fwrite(builtin_scenes[i].text, 1, builtin_scenes[i].length, stdout);
+            return STATUS_DONE;
+        }
+    }
+    return bad_input("scenes: no built-in scene \"%.100s\"; superframe scenes lists them", name);
+}
+
 static int run_scenes(const struct options *options) {
+    if (options->printed_scene != NULL) {
+        return print_text(options->printed_scene);
+    }
     struct json json = {.out = stdout};
     if (options->json) {
         json_begin_list(&json, NULL);
@@ -39,8 +54,22 @@ static int run_scenes(const struct options *options) {
     return STATUS_DONE;
 }
 
-static const struct option_group *const groups[] = {&group_json, NULL};
-static const char *const examples[] = {"scenes", "scenes | cut -f 1", NULL};
+static bool check_scenes(const struct options *options, struct options_error *error) {
+    return !(options->json && options->printed_scene != NULL) ||
+           options_refuse(error, "--print and --json exclude each other; give one of them");
+}
+
+static const struct option_entry own_entries[] = {{.name = "print",
+                                                   .value = "NAME",
+                                                   .type = OPTION_TEXT,
+                                                   OPTION_MEMBER(printed_scene),
+                                                   .allowed = "a built-in scene's name",
+                                                   .help = "print the text of a built-in scene"},
+                                                  {.name = NULL}};
+static const struct option_group group_own = {"Result", own_entries};
+
+static const struct option_group *const groups[] = {&group_own, &group_json, NULL};
+static const char *const examples[] = {"scenes", "scenes --print fig3 > my.scene", NULL};
 
 const struct command command_scenes = {.name = "scenes",
                                        .operands = "",
@@ -51,4 +80,5 @@ const struct command command_scenes = {.name = "scenes",
                                        .kind = OPERANDS_NONE,
                                        .groups = groups,
                                        .examples = examples,
+                                       .check = check_scenes,
                                        .run = run_scenes};

@@ -64,6 +64,7 @@ struct options {
     unsigned within;            /* LSB, 0..255 */
     double share;               /* per cent, 0..100 */
     bool json;
+    const char *printed_scene; /* --print of scenes; NULL: none */
     const char *difference; /* NULL: no picture of it */
     const char *signatures; /* render: where they go; compare: the first file; NULL: none */
 };

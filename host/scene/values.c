@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/nearest.h"
+#include "scene/hints.h"
 
 const struct scene_range RANGE_LENGTH = {1e-9, 1e9};
 const struct scene_range RANGE_COORDINATE = {-1e9, 1e9};
@@ -285,8 +286,12 @@ bool scope_check_keys(const struct scene_scope *scope, const char *const *known)
         if (found) {
             continue;
         }
-        const char *nearest = nearest_word(name, known);
+        const char *nearest = nearest_word(name, known), *hint = scene_hint(name, scope->what);
         unsigned line = setting->line;
+        if (hint) {
+            return scene_fail(scope->reader, line, "unknown key '%.40s' of the %s: %s", name,
+                              scope->what, hint);
+        }
         if (nearest) {
             return scene_fail(scope->reader, line,
                               "unknown key '%.40s' of the %s; did you mean '%s'? Allowed are %s",

@@ -53,11 +53,24 @@ static void a_scene_comes_from_standard_input(void **state) {
     assert_non_null(strstr(text_of("err"), "superframe: standard input:2: "));
 }
 
+static void a_built_in_scene_is_printed_as_it_is(void **state) {
+    const struct place *place = *state;
+    char line[PATH_SIZE + 128];
+    (void)snprintf(line, sizeof line,
+                   "superframe scenes --print fig4b | cmp - %s/firmware/scenes/fig4b.scene",
+                   place->before);
+    assert_status(line, 0);
+    assert_status("superframe scenes --print fig9", 2);
+    assert_non_null(strstr(text_of("err"), "no built-in scene \"fig9\""));
+    assert_status("superframe scenes --print fig3 --json", 2);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(what_is_printed_is_json, enter, leave),
         cmocka_unit_test_setup_teardown(a_list_of_no_devices_is_a_list, enter, leave),
         cmocka_unit_test_setup_teardown(a_scene_comes_from_standard_input, enter, leave),
+        cmocka_unit_test_setup_teardown(a_built_in_scene_is_printed_as_it_is, enter, leave),
     };
     return cmocka_run_group_tests(tests, enter_group, leave_group);
 }

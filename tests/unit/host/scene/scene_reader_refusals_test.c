@@ -98,6 +98,12 @@ static const struct refusal text_refusals[] = {
 };
 
 static const struct refusal setting_refusals[] = {
+    /* Words of other programs. */
+    {"camera = {", "width = 64; camera = {", 14, "unknown key 'width' of the scene",
+     "size = [WIDTH"},
+    {"look_at = [0, 0, 0];", "target = [0, 0, 0];", 16, "'target' of the camera", "'look_at'"},
+    {"colour = [0, 32, 64]", "transparency = 1; colour = [0, 32, 64]", 26, "'transparency'",
+     "'ior'"},
     {"version = 1", "version = 2", 1, "'version' of the scene is 2", "1 to 1"},
     {"version = 1;", "", 1, "lacks 'version'", "required"},
     {"title = \"A \\\"test\\\"\"", "title = 5", 2, "'title' of the scene", "a string in quotes"},
@@ -168,7 +174,8 @@ static const struct refusal solid_refusals[] = {
     {"solid = { part = \"pair\"; };", "solid = 1;", 56, "has to be a group", "is a number"},
     {"part = \"pair\"", "part = \"pair\"; ball = { radius = 1; }", 56, "both 'ball' and 'part'",
      "union"},
-    {"part = \"pair\"", "sphere = \"pair\"", 56, "unknown key 'sphere' of the solid", "allowed"},
+    {"part = \"pair\"", "sphere = \"pair\"", 56, "unknown key 'sphere' of the solid",
+     "it is called 'ball' here"},
     {"part = \"pair\"", "cylindre = {}", 56, "'cylindre'", "did you mean 'cylinder'"},
     /* Degenerate leaves. */
     {"max = [1, 2, 3]", "max = [1, -2, 3]", 57, "the box is empty: along y", "less than"},
