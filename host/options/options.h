@@ -65,8 +65,8 @@ struct options {
     double share;               /* per cent, 0..100 */
     bool json;
     const char *printed_scene; /* --print of scenes; NULL: none */
-    const char *difference; /* NULL: no picture of it */
-    const char *signatures; /* render: where they go; compare: the first file; NULL: none */
+    const char *difference;    /* NULL: no picture of it */
+    const char *signatures;    /* render: where they go; compare: the first file; NULL: none */
 };
 
 enum { OPTIONS_JOBS_MOST = 256 };
