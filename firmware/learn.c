@@ -37,8 +37,8 @@ struct level_sum {
     int64_t radiance[WAYS]; /* in steps of 2^-16 level */
     int64_t weight[WAYS];   /* whose radiance that is, in steps of 2^-30 */
 
-    /* Of each pixel's radiance a, in steps of 2^-8 level, and weights b, down, and c, up, in steps
-     * of 2^-18. */
+    /* These products are summed over the pixels. A pixel has its radiance a, in steps of 2^-8
+     * level. Its weights are b, down, and c, up, in steps of 2^-18. */
     int64_t aa, ab, ac, bb, bc, cc;
 };
 

@@ -8,7 +8,7 @@
 
 #define SURFACE_NONE UINT16_C(0xFFFF) /* more than an int of 16 bits holds: no enumerator */
 
-/* What is around everything: object 0, which no program describes, of material 0. */
+/* Object 0 is around everything: no program describes it, and its material is 0. */
 enum { OBJECT_AIR = 0, MATERIAL_AIR = 0 };
 
 /* A switch over these has a case for each and no default. So the C compiler names the places that a
@@ -21,13 +21,13 @@ enum { PROGRAM_UNION = 0xFD, PROGRAM_INTERSECTION = 0xFE, PROGRAM_DIFFERENCE = 0
 /* The face of a quadric that is curved; the faces 0 to 5 are those of the box that cuts it. */
 enum { QUADRIC_FACE = 6 };
 
-/* What stands for no entry of a table. */
+/* These numbers stand for no entry of a table. */
 enum { FRAME_WORLD = 0xFF, ENCLOSURE_NONE = 0xFF, PATTERN_NONE = 0xFF, SPECULAR_CONSTANT = 0xFF };
 
 /* w(theta) is given at so many angles from 0 to 90 degrees. */
 enum { SPECULAR_STEPS = 17 };
 
-/* How the colours are shown (show.h). A dither goes up to half the screen's width and height, for
+/* These ways show the colours (show.h). A dither goes up to half the screen's width and height, for
  * each of its pixels takes 2 x 2 dots. */
 enum show { SHOW_FULL, SHOW_BITS, SHOW_DITHER, SHOW_EXPOSURES };
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What sub-commands do alike with a board: its buses put together, its results, its verdict. */
+/* Does what every sub-command with a board needs: puts buses together, writes results, judges. */
 #include "board/session.h"
 
 #include <stdio.h>

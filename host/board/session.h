@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What sub-commands do alike with a board: its buses put together, its results, its verdict. The
+/* Does what every sub-command with a board needs: puts buses together, writes results, judges. The
  * functions below stand in the order in which a sub-command calls them. */
 #ifndef SUPERFRAME_SESSION_H
 #define SUPERFRAME_SESSION_H
@@ -18,7 +18,7 @@ struct session_files {
     const char *picture, *trace, *stats;
 };
 
-/* What stands at the end of the buses in the board's place. */
+/* Describes a device that takes the board's place at the end of the buses. */
 struct session_device {
     struct bus *bus;                      /* stays the caller's; NULL: an empty slot */
     void (*explain)(const void *context); /* prints why the bus failed; NULL: the session does */

@@ -133,7 +133,8 @@ static void add_results(struct results *results, const struct command *command,
     }
     for (size_t i = 0; (entry = command_option(command, i)) != NULL; i++) {
         if (entry->role == ROLE_EXPOSURES) {
-            add_exposures(results, "--keep-exposures", name_of(entry, options));
+            add_exposures(results, shown(entry, results->what[results->count]),
+                          name_of(entry, options));
         }
     }
 }

@@ -20,7 +20,6 @@ static int find_word(const char *value, const char *const *words) {
 
 enum value_verdict set_arithmetic(struct options *options, const char *value) {
     options->arithmetic = value;
-    options->has_arithmetic = true;
     return arithmetic_is_missing(value) ? VALUE_NOT_BUILT
                                         : option_verdict(arithmetic_find(value) != NULL);
 }
@@ -30,7 +29,6 @@ enum value_verdict set_size(struct options *options, const char *value) {
     if (!value_pair(value, 'x', 1, BOARD_WIDTH, BOARD_HEIGHT, &width, &height)) {
         return VALUE_WRONG;
     }
-    options->overrides.has_size = true;
     options->overrides.width = (int)width;
     options->overrides.height = (int)height;
     return VALUE_TAKEN;
@@ -43,7 +41,6 @@ enum value_verdict set_model(struct options *options, const char *value) {
     static const enum scene_model models[] = {MODEL_SIMPLE, MODEL_FRESNEL, MODEL_WAVELENGTH,
                                               MODEL_FRESNEL};
     int word = find_word(value, words);
-    options->overrides.has_model = true;
     options->overrides.model = models[word >= 0 ? word : 1];
     return option_verdict(word >= 0);
 }
@@ -54,7 +51,6 @@ enum value_verdict set_colour(struct options *options, const char *value) {
     static const char bits[] = "bits:";
     uint64_t kept;
     int word = find_word(value, words);
-    options->overrides.has_colour = true;
     if (strncmp(value, bits, sizeof bits - 1) == 0) {
         options->overrides.colour = COLOUR_BITS;
         if (!value_whole(value + sizeof bits - 1, 1, 8, &kept)) {
@@ -72,7 +68,6 @@ enum value_verdict set_base(struct options *options, const char *value) {
     if (!value_port(value, &base) || !board_base_is_offered((uint16_t)base)) {
         return VALUE_WRONG;
     }
-    options->board.has_base = true;
     options->board.base = (uint16_t)base;
     return VALUE_TAKEN;
 }

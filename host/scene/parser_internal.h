@@ -27,7 +27,7 @@ struct constant {
     struct constant *before;
 };
 
-struct checker {
+struct parser {
     struct scene_reader *reader;
     struct scanner scanner;
     struct token next; /* was read too far, if has_next */
@@ -47,37 +47,37 @@ struct checker {
 };
 
 /* Reads the next token, or the one that was read too far. */
-bool next_token(struct checker *checker, struct token *token);
+bool next_token(struct parser *parser, struct token *token);
 
 /* Reads the next token, which will be read again. */
-bool peek(struct checker *checker, struct token *token);
+bool peek(struct parser *parser, struct token *token);
 
 /* Records that a token stands where something else is wanted, and returns false. */
-bool unexpected(struct checker *checker, const struct token *token, const char *wanted);
+bool unexpected(struct parser *parser, const struct token *token, const char *wanted);
 
 /* Records that an array may not hold lists or groups, and returns false. */
-bool only_plain(struct checker *checker, const struct token *token);
+bool only_plain(struct parser *parser, const struct token *token);
 
 /* Records that a word is no value, and returns false. */
-bool refuse_word(struct checker *checker, const struct token *token);
+bool refuse_word(struct parser *parser, const struct token *token);
 
 /* Takes memory of the tree; NULL with the failure recorded. */
-void *take_memory(struct checker *checker, size_t size);
+void *take_memory(struct parser *parser, size_t size);
 
 /* Copies what a token spells; of a string, what stands in its quotes. NULL with the failure
  * recorded. */
-const char *copy_text(struct checker *checker, const struct token *token);
+const char *copy_text(struct parser *parser, const struct token *token);
 
 /* Finds a number with a name; NULL: no `let` has that name so far. */
-const struct constant *find_constant(const struct checker *checker, const struct token *token);
+const struct constant *find_constant(const struct parser *parser, const struct token *token);
 
 /* Reads the number that begins with this token. */
-bool read_number(struct checker *checker, const struct token *token, double *number);
+bool read_number(struct parser *parser, const struct token *token, double *number);
 
 /* Goes on with a sum whose first factor has been read. */
-bool go_on_with_sum(struct checker *checker, double first, double *sum);
+bool go_on_with_sum(struct parser *parser, double first, double *sum);
 
 /* Reads `let NAME = NUMBER`, whose name is this token. */
-bool read_constant(struct checker *checker, const struct token *name);
+bool read_constant(struct parser *parser, const struct token *name);
 
 #endif
