@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The command line: every option's values, good and wrong, and what excludes what. */
+#include <stddef.h>
+
 #include "base/numbers.h"
 #include "options_fixture.h"
 
@@ -65,6 +67,47 @@ static void all_options_of_render(void **state) {
     assert_true(parse("render --strict -- -fig3", &options, &error));
     assert_true(options.board.strict && !options.board.has_strict_grade);
     assert_string_equal(options.operands[0], "-fig3");
+}
+
+/* Options of render with a member that tells whether the option was given. */
+static const struct {
+    const char *option;
+    size_t given;
+} tells[] = {
+    {"--depth 10", offsetof(struct options, overrides.has_depth)},
+    {"--threshold 0", offsetof(struct options, overrides.has_threshold)},
+    {"--error 1", offsetof(struct options, overrides.has_error)},
+    {"--size 640x400", offsetof(struct options, overrides.has_size)},
+    {"--model simple", offsetof(struct options, overrides.has_model)},
+    {"--colour full", offsetof(struct options, overrides.has_colour)},
+    {"--tail black", offsetof(struct options, overrides.has_estimates)},
+    {"--highlight phong", offsetof(struct options, overrides.has_highlight)},
+    {"--seed 1", offsetof(struct options, overrides.has_seed)},
+    {"--arith fx", offsetof(struct options, has_arithmetic)},
+    {"--profile 1987", offsetof(struct options, board.has_profile)},
+    {"--base 00D0", offsetof(struct options, board.has_base)},
+};
+
+/* The default's own value counts as given too. */
+static void an_option_that_is_given_tells_so_and_no_other_does(void **state) {
+    (void)state;
+    for (size_t i = 0; i < sizeof tells / sizeof tells[0]; i++) {
+        struct options options;
+        struct options_error error;
+        char line[64];
+        (void)snprintf(line, sizeof line, "render a %s", tells[i].option);
+        if (!parse(line, &options, &error)) {
+            fail_msg("\"%s\": %s", line, error.text);
+        }
+        for (size_t j = 0; j < sizeof tells / sizeof tells[0]; j++) {
+            bool is_given;
+            memcpy(&is_given, (const unsigned char *)&options + tells[j].given, sizeof is_given);
+            if (is_given != (i == j)) {
+                fail_msg("\"%s\": %s counts as %s", line, tells[j].option,
+                         is_given ? "given" : "not given");
+            }
+        }
+    }
 }
 
 /* Refused, and with a message that holds the fragment. */
@@ -408,6 +451,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(defaults),
         cmocka_unit_test(all_options_of_render),
+        cmocka_unit_test(an_option_that_is_given_tells_so_and_no_other_does),
         cmocka_unit_test(refusals),
         cmocka_unit_test(help_is_not_refused_for_what_is_lacking),
         cmocka_unit_test(whole_numbers),
