@@ -4,16 +4,16 @@
 #
 # The page's lines between "<!-- targets -->" and "<!-- end of targets -->" are replaced. The
 # reference is what the native program gives in the same run. TARGETS and FLOAT_TARGETS name fewer
-# targets; JOBS run at a time (2), each for TARGET_TIMEOUT seconds at most (1500). SIZE and DEPTH are
-# the picture's: 320x200 and 10 in the page, less for a trial.
+# targets; JOBS run at a time (2), each for TARGET_TIMEOUT seconds at most (600). SIZE and DEPTH are
+# the picture's: 160x100 and 10 in the page, as in the page's table of all scenes.
 # Exit status: 0 every hash is the native one, 1 one is not, and the page is as it was.
 set -eu
 
 page=$1
 BUILD=${BUILD:-build}
 SUPERFRAME=${SUPERFRAME:-$BUILD/superframe}
-TARGET_TIMEOUT=${TARGET_TIMEOUT:-1500}
-SIZE=${SIZE:-320x200}
+TARGET_TIMEOUT=${TARGET_TIMEOUT:-600}
+SIZE=${SIZE:-160x100}
 DEPTH=${DEPTH:-10}
 export BUILD SUPERFRAME TARGET_TIMEOUT SIZE DEPTH
 here=$(dirname "$0")
