@@ -3,14 +3,28 @@
 #include "base/complain.h"
 
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stdio.h>
+#include <string.h>
+#include <unistd.h>
 
-/* Prints a message by one call of fprintf, so that the messages of two processes don't mix within a
- * line. */
+enum { MESSAGE_BYTES = 20000 };
+
+/* Prints a message, each line by one call of fprintf, so that the messages of two processes don't
+ * mix within a line. */
 static void print_message(const char *format, va_list arguments) {
-    char text[1024];
+    char text[MESSAGE_BYTES];
+    const bool is_terminal = isatty(STDERR_FILENO) == 1;
     (void)vsnprintf(text, sizeof text, format, arguments);
-    (void)fprintf(stderr, "superframe: %s\n", text);
+    for (const char *line = text, *end; line != NULL; line = end) {
+        const int length = (int)strcspn(line, "\n");
+        if (*line != ' ') {
+            (void)fprintf(stderr, "superframe: %.*s\n", length, line);
+        } else if (is_terminal) {
+            (void)fprintf(stderr, "%.*s\n", length, line);
+        }
+        end = line[length] == '\n' ? line + length + 1 : NULL;
+    }
 }
 
 void complain(const char *format, ...) {

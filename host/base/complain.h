@@ -18,7 +18,9 @@ enum exit_status {
 #define FORMAT_OF_PRINTF
 #endif
 
-/* Prints "superframe: ", the message and a line's end to standard error. */
+/* Prints "superframe: ", the message and a line's end to standard error. Each line of a message is
+ * printed so. A line that begins with a blank shows what the one before speaks of: it is printed as
+ * it is, and on a terminal only. */
 void complain(const char *format, ...) FORMAT_OF_PRINTF;
 
 /* Complains as complain() does, for messages that are made elsewhere; returns STATUS_BAD_INPUT. */

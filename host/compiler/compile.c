@@ -157,10 +157,28 @@ static bool compile_round(struct compiler *compiler) {
     return compile_tables(compiler);
 }
 
+/* Checks that the file's materials and lights have room; what else there is a table for is checked
+ * where it is added. */
+static bool check_room(struct compiler *compiler) {
+    const struct scene_description *from = compiler->description;
+    if (from->material_count >= COMPILED_MATERIALS_MOST) {
+        return compile_fail(compiler, from->materials[COMPILED_MATERIALS_MOST - 1].line,
+                            "the scene has %zu materials: at most %d are allowed",
+                            from->material_count, COMPILED_MATERIALS_MOST - 1);
+    }
+    return from->light_count <= COMPILED_LIGHTS_MOST ||
+           compile_fail(compiler, from->lights[COMPILED_LIGHTS_MOST].line,
+                        "the scene has %zu lights: at most %d are allowed", from->light_count,
+                        COMPILED_LIGHTS_MOST);
+}
+
 /* Makes the tables, and makes them anew as long as they prove more to be dead. What is left may
  * have another scale then. */
 static bool compile_live(struct compiler *compiler) {
     unsigned known;
+    if (!check_room(compiler)) {
+        return false;
+    }
     do {
         known = compiler->dead->count;
         if (!compile_round(compiler) || !compile_find_dead(compiler)) {

@@ -48,13 +48,13 @@ enum { COMPILED_DIRECTIONS_MOST = 3 + 3 * COMPILED_FRAMES_MOST + COMPILED_SURFAC
  * may. */
 struct compile_dead {
     const char *part[COMPILED_OBJECTS_MOST]; /* objects fall apart into one part a material */
-    const char *light[SCENE_LIGHTS_MOST];
-    const char *material[SCENE_MATERIALS_MOST];
+    const char *light[COMPILED_LIGHTS_MOST];
+    const char *material[COMPILED_MATERIALS_MOST];
     /* Of a material that is not dead. Its look is all of it but its shadow; the rest are parts of
      * its look. */
-    const char *look[SCENE_MATERIALS_MOST], *pattern[SCENE_MATERIALS_MOST];
-    const char *table[SCENE_MATERIALS_MOST]; /* of w(theta): a constant does as well */
-    const char *highlight[SCENE_MATERIALS_MOST], *absorption[SCENE_MATERIALS_MOST];
+    const char *look[COMPILED_MATERIALS_MOST], *pattern[COMPILED_MATERIALS_MOST];
+    const char *table[COMPILED_MATERIALS_MOST]; /* of w(theta): a constant does as well */
+    const char *highlight[COMPILED_MATERIALS_MOST], *absorption[COMPILED_MATERIALS_MOST];
     unsigned count; /* of all these */
     size_t object_of_part[COMPILED_OBJECTS_MOST];
     int part_count;
@@ -68,9 +68,9 @@ struct compiler {
     struct scene_error *error;
     const struct compile_observer *observer; /* NULL: none */
     struct compile_dead *dead;
-    int part;                                  /* the number of the next part */
-    uint8_t material_of[SCENE_MATERIALS_MOST]; /* a material of the file: its number here */
-    struct affine scaling;                     /* the file's coordinates to scaled ones */
+    int part;                                     /* the number of the next part */
+    uint8_t material_of[COMPILED_MATERIALS_MOST]; /* a material of the file: its number here */
+    struct affine scaling;                        /* the file's coordinates to scaled ones */
     double same;             /* lengths that differ by no more are one, in scaled units */
     unsigned line;           /* of the node or object at work */
     unsigned lost_line;      /* of a half-space of the object that lies out of the world; 0: none */

@@ -10,7 +10,7 @@ struct compile_reach {
     const char *lost[COMPILED_OBJECTS_MOST]; /* why no ray touches the object; NULL: one may */
     bool is_seen[COMPILED_OBJECTS_MOST]; /* on a path from the eye; false: by shadow rays at most */
     bool is_shown[COMPILED_MATERIALS_MOST]; /* an object of that material is seen */
-    bool lights[SCENE_LIGHTS_MOST];         /* something that is shown, if nothing is in between */
+    bool lights[COMPILED_LIGHTS_MOST];      /* something that is shown, if nothing is in between */
 };
 
 /* Finds what rays may reach, never too little; false with the failure recorded. */

@@ -4,6 +4,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum { PROGRAM_DEPTH_MOST = 32 };
@@ -173,8 +174,11 @@ static bool add_objects(struct compiler *compiler, const struct instance *instan
         }
         return true;
     }
-    struct cutter cutters[SCENE_NODES_MOST];
     size_t count = node->child_count - 1;
+    struct cutter *cutters = calloc(count + 1, sizeof *cutters);
+    if (cutters == NULL) {
+        return compile_fail(compiler, 0, "not enough memory to compile the scene");
+    }
     for (size_t i = 0; i < count; i++) {
         cutters[i].code = code_of(node->kind);
         cutters[i].node = node->children[i + 1];
@@ -185,7 +189,9 @@ static bool add_objects(struct compiler *compiler, const struct instance *instan
     if (count > 0) {
         child.cutters = cutters;
     }
-    return add_objects(compiler, &child);
+    bool is_added = add_objects(compiler, &child);
+    free(cutters);
+    return is_added;
 }
 
 bool compile_objects(struct compiler *compiler) {

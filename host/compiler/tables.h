@@ -24,10 +24,12 @@ enum {
     COMPILED_PLANES_MOST = 512,
     COMPILED_OBJECTS_MOST = 128,
     COMPILED_PROGRAM_BYTES_MOST = 4096,
-    COMPILED_MATERIALS_MOST = SCENE_MATERIALS_MOST + 1,
+    COMPILED_MATERIALS_MOST = 64, /* the air is one */
+    COMPILED_LIGHTS_MOST = 128,
     COMPILED_PATTERN_FACES_MOST = 1024,
     COMPILED_NEAR_MOST = 16,
-    COMPILED_DEAD_MOST = COMPILED_OBJECTS_MOST + SCENE_LIGHTS_MOST + 6 * SCENE_MATERIALS_MOST + 8
+    COMPILED_DEAD_MOST =
+        COMPILED_OBJECTS_MOST + COMPILED_LIGHTS_MOST + 6 * COMPILED_MATERIALS_MOST + 8
 };
 
 struct compiled_set {
@@ -184,7 +186,7 @@ struct compiled_scene {
     struct compiled_pattern patterns[COMPILED_MATERIALS_MOST];
     struct compiled_pattern_face pattern_faces[COMPILED_PATTERN_FACES_MOST];
     struct compiled_specular_table specular_tables[COMPILED_MATERIALS_MOST];
-    struct compiled_light lights[SCENE_LIGHTS_MOST];
+    struct compiled_light lights[COMPILED_LIGHTS_MOST];
 
     /* Parts of the file's objects that the picture does not need; no part of the firmware's tables.
      */

@@ -10,6 +10,8 @@
 
 enum { STEP_SIZE = 64, NAMES_MOST = 200 };
 
+static const struct scene_place nowhere = {0, 0};
+
 /* Finds an element of a list by its number or its name; NULL: there is none. */
 static struct scene_value *find_element(const struct scene_value *list, const char *step) {
     char *stop;
@@ -51,15 +53,15 @@ static bool fail_step(struct scene_reader *reader, const char *assignment,
     const char *near = nearest_word(step, names);
     const int shown = (int)strcspn(assignment, "=");
     if (near != NULL) {
-        return scene_fail(reader, value->line, "--set %.*s: there is no '%s'; did you mean '%s'?",
+        return scene_fail(reader, value->at, "--set %.*s: there is no '%s'; did you mean '%s'?",
                           shown, assignment, step, near);
     }
     if (value_is_sequence(value)) {
-        return scene_fail(reader, value->line,
+        return scene_fail(reader, value->at,
                           "--set %.*s: no element '%s'; allowed is: 0 to %zu, or an element's name",
                           shown, assignment, step, value->count - (value->count > 0));
     }
-    return scene_fail(reader, value->line, "--set %.*s: there is no '%s'", shown, assignment, step);
+    return scene_fail(reader, value->at, "--set %.*s: there is no '%s'", shown, assignment, step);
 }
 
 /* Reads what stands behind the '=' as the value of a key. */
@@ -67,18 +69,16 @@ static bool read_value(struct scene_reader *reader, const char *assignment, cons
                        struct scene_value *value) {
     char text[1024];
     struct scene_value whole;
-    struct scene_error inner;
-    struct scene_error *outer = reader->error;
+    const size_t before = reader->refusal_count;
     const char *given = strchr(assignment, '=') + 1;
     int length = snprintf(text, sizeof text, "%s = %s", key, given);
     if (length >= (int)sizeof text) {
-        return scene_fail(reader, 1, "--set %.40s...: the value is too long", assignment);
+        return scene_fail(reader, nowhere, "--set %.40s...: the value is too long", assignment);
     }
-    reader->error = &inner;
-    bool is_read = scene_parse(reader, text, (size_t)length, &whole) && whole.count == 1;
-    reader->error = outer;
-    if (!is_read) {
-        return scene_fail(reader, 1,
+    scene_parse(reader, text, (size_t)length, &whole);
+    if (reader->refusal_count > before || whole.count != 1) {
+        reader->refusal_count = before; /* the places there are not the file's */
+        return scene_fail(reader, nowhere,
                           "--set %.100s: '%.60s' is no value; allowed are numbers, \"text\", true, "
                           "false, [ ] and ( )",
                           assignment, given);
@@ -93,7 +93,7 @@ static bool add_member(struct scene_reader *reader, struct scene_value *group,
     struct scene_value *members =
         memory_take(&reader->memory, (group->count + 1) * sizeof *members);
     if (members == NULL) {
-        return scene_fail(reader, 1, "not enough memory to read the scene");
+        return scene_fail(reader, nowhere, "not enough memory to read the scene");
     }
     if (group->members != NULL) {
         memcpy(members, group->members, group->count * sizeof *members);
@@ -112,7 +112,7 @@ static bool put(struct scene_reader *reader, struct scene_value *at, const char 
     if (!read_value(reader, assignment, is_element ? "element" : step, &value)) {
         return false;
     }
-    value.line = old != NULL ? old->line : at->line;
+    value.at = old != NULL ? old->at : at->at;
     if (is_element) {
         value.name = NULL;
     }
@@ -131,7 +131,7 @@ bool scene_assign(struct scene_reader *reader, struct scene_value *root, const c
         char step[STEP_SIZE];
         size_t length = strcspn(begin, ".=");
         if (length == 0 || length >= sizeof step || *stop == '\0') {
-            return scene_fail(reader, 1,
+            return scene_fail(reader, nowhere,
                               "--set %.100s: allowed is PATH=VALUE, as in materials.glass.ior=1.33",
                               assignment);
         }

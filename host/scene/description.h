@@ -7,6 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "scene/tree.h"
 #include "scene_constants.h"
 
 /* Lengths are in the file's own unit, colours in levels (255 = white), angles in degrees. Every
@@ -14,14 +15,10 @@
 
 enum {
     SCENE_DEPTH_MOST = 255,
-    SCENE_ERROR_DEPTH = 64,      /* the depth level if an accuracy is asked for, but no depth */
-    SCENE_NESTING_MOST = 24,     /* levels of CSG nodes of an object, those of parts included */
-    SCENE_NODES_MOST = 1024,     /* CSG nodes in the file */
-    SCENE_INSTANCES_MOST = 4096, /* CSG nodes, a part's own counted at each use of the part */
-    SCENE_PLANES_MOST = 64,      /* half-spaces of a polyhedron */
-    SCENE_MATERIALS_MOST = 63,
-    SCENE_LIGHTS_MOST = 128,
-    SCENE_OBJECTS_MOST = 128
+    SCENE_ERROR_DEPTH = 64,  /* the depth level if an accuracy is asked for, but no depth */
+    SCENE_NESTING_MOST = 24, /* levels of CSG nodes of an object, those of parts included */
+    SCENE_PLANES_MOST = 64,  /* half-spaces of a polyhedron */
+    SCENE_INSTANCES_MOST = 1024 * 1024
 };
 
 /* The finest accuracy that can be asked for, in levels. */
@@ -77,7 +74,7 @@ struct solid_node {
     struct scene_plane *planes;
     size_t plane_count;
     /* Nodes: indices into nodes, always less than the node's own index. */
-    int *children;
+    const int *children;
     size_t child_count;
 };
 
@@ -89,7 +86,7 @@ struct scene_pattern {
 };
 
 struct scene_material {
-    char *name;
+    const char *name;
     unsigned line;
     double colour[3];    /* Ic */
     double ambient;      /* a, 0..1 */
@@ -120,8 +117,8 @@ struct scene_light {
 
 struct scene_object {
     unsigned line;
-    char *name; /* "" if none is given */
-    int solid;  /* index into nodes */
+    const char *name; /* "" if none is given */
+    int solid;        /* index into nodes */
     /* Where objects overlap, the later one in the file fills the place. */
 };
 
@@ -134,8 +131,9 @@ struct scene_camera {
 };
 
 struct scene_description {
-    char *path; /* as it was given, for messages */
-    char *title;
+    struct scene_memory memory; /* of all that the pointers here lead to, but the nodes */
+    const char *path;           /* as it was given, for messages */
+    const char *title;
     enum scene_model model;
     enum scene_highlight highlight;
     enum scene_mixing mixing;
@@ -161,12 +159,20 @@ struct scene_description {
     size_t node_count;
     struct scene_object *objects;
     size_t object_count;
+    size_t instances; /* nodes of all objects, a part's own counted at each use of the part */
 };
 
-/* Why something was refused: "FILE:LINE: what is wrong, and what is allowed". LINE is left out
- * where no line is at fault. */
+enum {
+    SCENE_REFUSALS_MOST = 20, /* of one file */
+    SCENE_REFUSAL_MOST = 448  /* bytes of one */
+};
+
+/* Why something was refused: "FILE:LINE:COLUMN: what is wrong, and what is allowed". COLUMN is left
+ * out where a whole line is at fault, LINE where none is. A file's reader gives all refusals of the
+ * file, one a line, in the file's order. Below each stand two lines that begin with a blank: the
+ * file's line, and a mark under the column. */
 struct scene_error {
-    char text[512];
+    char text[SCENE_REFUSALS_MOST * 2 * SCENE_REFUSAL_MOST];
 };
 
 /* Reads a scene file's text (length bytes; path is for messages only). Returns NULL with

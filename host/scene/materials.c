@@ -1,219 +1,226 @@
 /* SPDX-License-Identifier: MIT */
 /* Reads the materials of a scene file. */
-#include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/nearest.h"
-#include "scene/values.h"
+#include "scene/keys.h"
 
-enum { GLOSS_MOST = 65535, GLOSS_DEFAULT = 32 };
-
-static const struct scene_range RANGE_IOR = {0.7, 4};
-static const struct scene_range RANGE_ABSORPTION = {0, 1e9};
-static const struct scene_range RANGE_PATTERN_SIZE = {0, 1e9};
-static const struct scene_range RANGE_CAUCHY = {-10, 10};
+static const struct scene_range indices = {0.7, 4, NULL};
+static const struct scene_range absorptions = {0, 1e9, "0..10⁹ per unit of length"};
+static const struct scene_range cell_sizes = {0, 1e9, "length"};
+static const struct scene_range cauchy_coefficients = {-10, 10, NULL};
+static const struct scene_range glosses = {0, 65535, NULL};
 
 /* Reads `specular`: a number, or a table over the angle of incidence. */
-static bool read_specular(const struct scene_scope *scope, struct scene_material *material) {
-    const struct scene_value *setting = value_member(scope->group, "specular");
-    if (!setting || !value_is_sequence(setting)) {
-        return scope_number(scope, "specular", OPTIONAL, RANGE_SHARE, &material->specular);
+static void read_specular(const struct scene_scope *scope, const struct scene_value *value,
+                          void *into) {
+    struct scene_material *material = into;
+    material->has_specular_table = value_is_sequence(value) && value->count != 1;
+    if (value_is_sequence(value)) {
+        (void)scene_read_numbers(scope, "specular", value, &RANGE_SHARE, SPECULAR_STEPS,
+                                 material->specular_table);
+    } else {
+        (void)scene_read_number(scope, "specular", value, &RANGE_SHARE, &material->specular);
     }
-    material->has_specular_table = true;
-    return scope_numbers(scope, "specular", OPTIONAL, RANGE_SHARE, SPECULAR_STEPS,
-                         material->specular_table);
 }
 
 /* Computes Cauchy's n = A + B / wavelength^2 at each channel's wavelength, in micrometres. */
-static bool read_cauchy(const struct scene_scope *scope, struct scene_material *material) {
-    double coefficients[2] = {1, 0};
-    if (!scope_numbers(scope, "cauchy", OPTIONAL, RANGE_CAUCHY, 2, coefficients)) {
-        return false;
+static void read_cauchy(const struct scene_scope *scope, const struct scene_value *value,
+                        void *into) {
+    struct scene_material *material = into;
+    double coefficients[2];
+    if (!scene_read_numbers(scope, "cauchy", value, &cauchy_coefficients, 2, coefficients)) {
+        return;
     }
     for (int i = 0; i < 3; i++) {
         double micrometres = scope->reader->wavelengths[i] / 1000;
         double ior = coefficients[0] + coefficients[1] / (micrometres * micrometres);
-        if (!(ior >= RANGE_IOR.least && ior <= RANGE_IOR.most)) {
-            return scene_fail(scope->reader, scope_line(scope, "cauchy"),
-                              "'cauchy' of the %s gives an index of %.6g at %.6g nm: %.10g to "
-                              "%.10g is allowed",
-                              scope->what, ior, scope->reader->wavelengths[i], RANGE_IOR.least,
-                              RANGE_IOR.most);
+        if (!(ior >= indices.least && ior <= indices.most)) {
+            (void)scene_fail(scope->reader, value->at,
+                             "'cauchy' of the %s gives an index of %.6g at %.6g nm: %.10g to "
+                             "%.10g is allowed",
+                             scope->what, ior, scope->reader->wavelengths[i], indices.least,
+                             indices.most);
+            return;
         }
         material->ior_by_channel[i] = ior;
     }
-    return true;
 }
 
-/* Reads the optical members of a transparent material, and whether the material casts a shadow. */
-static bool read_optics(const struct scene_scope *scope, struct scene_material *material) {
-    if (scope_has(scope, "ior") && scope_has(scope, "cauchy")) {
-        return scene_fail(scope->reader, scope_line(scope, "cauchy"),
-                          "the %s has both 'ior' and 'cauchy': give one of them", scope->what);
-    }
-    if (!scope_three(scope, "ior", OPTIONAL, RANGE_IOR, material->ior_by_channel) ||
-        (scope_has(scope, "cauchy") && !read_cauchy(scope, material))) {
-        return false;
-    }
-    material->ior = material->ior_by_channel[1];
-    double amplitude = (material->ior - 1) / (material->ior + 1);
-    material->transmittance = 1 - amplitude * amplitude; /* what enters at normal incidence */
-    return scope_number(scope, "transmittance", OPTIONAL, RANGE_SHARE, &material->transmittance) &&
-           scope_three(scope, "reflectance_factors", OPTIONAL, RANGE_SHARE,
-                       material->reflectance_by_channel) &&
-           scope_three(scope, "transmittance_factors", OPTIONAL, RANGE_SHARE,
-                       material->transmittance_by_channel) &&
-           scope_three(scope, "absorption", OPTIONAL, RANGE_ABSORPTION, material->absorption) &&
-           scope_boolean(scope, "casts_shadow", &material->casts_shadow);
-}
+static const struct scene_key pattern_rows[] = {
+    {THREE_KEY("size", scene_pattern, size, cell_sizes), .is_required = true,
+     .meaning = "of a cell along x, y, z. 0: no change along that axis; not 0 along all three"},
+    {NUMBERS_KEY("origin", scene_pattern, origin, 3, RANGE_COORDINATE), .noun = "point",
+     .meaning = "a corner of a cell"},
+    {NUMBERS_KEY("colour", scene_pattern, colour, 3, RANGE_COLOUR), .noun = "colour",
+     .is_required = true, .meaning = "of the odd cells"}};
+const struct scene_keys scene_pattern_keys = SCENE_KEYS("pattern", pattern_rows, NULL);
 
-static bool check_opaque(const struct scene_scope *scope, struct scene_material *material) {
-    static const char *const keys[] = {"reflectance_factors", "transmittance_factors",
-                                       "absorption"};
-    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
-        if (scope_has(scope, keys[i])) {
-            return scene_fail(scope->reader, scope_line(scope, keys[i]),
-                              "'%s' is for transparent materials, and the %s is opaque: give it "
-                              "'ior', 'cauchy' or 'transmittance' as well",
-                              keys[i], scope->what);
-        }
-    }
-    if (!scope_boolean(scope, "casts_shadow", &material->casts_shadow)) {
-        return false;
-    }
-    if (!material->casts_shadow) {
-        return scene_fail(scope->reader, scope_line(scope, "casts_shadow"),
-                          "'casts_shadow' of the %s is false: an opaque material always casts a "
-                          "shadow",
-                          scope->what);
-    }
-    return true;
-}
-
-static bool read_pattern(const struct scene_scope *outer, struct scene_material *material) {
-    static const char *const keys[] = {"size", "origin", "colour", NULL};
-    struct scene_pattern *pattern = &material->pattern;
-    struct scene_scope scope = {outer->reader, NULL, "pattern"};
-    if (!scope_group(outer, "pattern", OPTIONAL, &scope.group)) {
-        return false;
-    }
-    pattern->present = scope.group != NULL;
-    if (!pattern->present) {
-        return true;
-    }
-    if (!scope_check_keys(&scope, keys) ||
-        !scope_three(&scope, "size", REQUIRED, RANGE_PATTERN_SIZE, pattern->size) ||
-        !scope_numbers(&scope, "origin", OPTIONAL, RANGE_COORDINATE, 3, pattern->origin) ||
-        !scope_numbers(&scope, "colour", REQUIRED, RANGE_COLOUR, 3, pattern->colour)) {
-        return false;
-    }
+static void read_pattern(const struct scene_scope *outer, const struct scene_value *value,
+                         void *into) {
+    struct scene_pattern *pattern = &((struct scene_material *)into)->pattern;
+    const struct scene_scope scope = {outer->reader, value, scene_pattern_keys.what};
     bool changes = false;
+    pattern->present = true;
+    if (!scene_read_keys(&scope, &scene_pattern_keys, pattern)) {
+        return;
+    }
     for (int i = 0; i < 3; i++) {
-        if (pattern->size[i] > 0 && pattern->size[i] < RANGE_LENGTH.least) {
-            return scene_fail(outer->reader, scope_line(&scope, "size"),
-                              "'size' of the pattern is %.10g: 0 (no change along that axis), or "
-                              "%.10g to %.10g, is allowed",
-                              pattern->size[i], RANGE_LENGTH.least, RANGE_LENGTH.most);
-        }
         changes = changes || pattern->size[i] > 0;
+        if (pattern->size[i] > 0 && pattern->size[i] < RANGE_LENGTH.least) {
+            (void)scene_fail(outer->reader, scene_place_of(value, "size"),
+                             "'size' of the pattern is %.10g: 0 (no change along that axis), or "
+                             "%.10g to %.10g, is allowed",
+                             pattern->size[i], RANGE_LENGTH.least, RANGE_LENGTH.most);
+            return;
+        }
     }
     if (!changes) {
-        return scene_fail(outer->reader, scope_line(&scope, "size"),
-                          "'size' of the pattern is 0 along all three axes: leave the pattern out "
-                          "for one colour");
+        (void)scene_fail(outer->reader, scene_place_of(value, "size"),
+                         "'size' of the pattern is 0 along all three axes: leave the pattern out "
+                         "for one colour");
     }
-    return true;
 }
 
-static bool read_material(struct scene_reader *reader, const struct scene_value *group,
-                          struct scene_material *material) {
-    static const char *const keys[] = {"colour",
-                                       "ambient",
-                                       "ambient_is_own",
-                                       "diffuse",
-                                       "specular",
-                                       "gloss",
-                                       "ior",
-                                       "cauchy",
-                                       "transmittance",
-                                       "reflectance_factors",
-                                       "transmittance_factors",
-                                       "absorption",
-                                       "casts_shadow",
-                                       "pattern",
-                                       NULL};
-    const char *name = group->name;
-    char what[64];
-    snprintf(what, sizeof what, "material '%.40s'", name);
-    const struct scene_scope scope = {reader, group, what};
-    if (!scene_is_group(reader, group, "material") || !scope_check_keys(&scope, keys)) {
-        return false;
-    }
-    *material = (struct scene_material){.name = material->name,
-                                        .line = group->line,
-                                        .gloss = GLOSS_DEFAULT,
-                                        .ior = 1,
-                                        .ior_by_channel = {1, 1, 1},
-                                        .reflectance_by_channel = {1, 1, 1},
-                                        .transmittance_by_channel = {1, 1, 1}};
-    material->transparent = scope_has(&scope, "ior") || scope_has(&scope, "cauchy") ||
-                            scope_has(&scope, "transmittance");
-    material->casts_shadow = !material->transparent;
-    return scope_numbers(&scope, "colour", REQUIRED, RANGE_COLOUR, 3, material->colour) &&
-           scope_number(&scope, "ambient", OPTIONAL, RANGE_SHARE, &material->ambient) &&
-           scope_boolean(&scope, "ambient_is_own", &material->ambient_is_own) &&
-           scope_number(&scope, "diffuse", OPTIONAL, RANGE_SHARE, &material->diffuse) &&
-           read_specular(&scope, material) &&
-           scope_integer(&scope, "gloss", OPTIONAL, 0, GLOSS_MOST, &material->gloss) &&
-           (material->transparent ? read_optics(&scope, material)
-                                  : check_opaque(&scope, material)) &&
-           read_pattern(&scope, material);
-}
+static const struct scene_material material_defaults = {.gloss = 32,
+                                                        .ior = 1,
+                                                        .ior_by_channel = {1, 1, 1},
+                                                        .reflectance_by_channel = {1, 1, 1},
+                                                        .transmittance_by_channel = {1, 1, 1}};
 
-bool scene_read_materials(struct scene_reader *reader, const struct scene_value *root) {
-    const struct scene_scope top = {reader, root, "scene"};
-    struct scene_description *scene = reader->scene;
-    const struct scene_value *group;
-    if (!scope_group(&top, "materials", REQUIRED, &group)) {
-        return false;
-    }
-    int count = (int)group->count;
-    if (count < 1 || count > SCENE_MATERIALS_MOST) {
-        return scene_fail(reader, group->line, "the scene has %d materials: 1 to %d are allowed",
-                          count, SCENE_MATERIALS_MOST);
-    }
-    scene->materials = scene_allocate(reader, (size_t)count, sizeof *scene->materials);
-    if (!scene->materials) {
-        return false;
-    }
-    for (int i = 0; i < count; i++) {
-        const struct scene_value *element = &group->members[i];
-        struct scene_material *material = &scene->materials[i];
-        material->name = scene_copy(reader, element->name);
-        scene->material_count++;
-        if (!material->name || !read_material(reader, element, material)) {
-            return false;
+/* The rows of transparent materials only come last. */
+enum { FIRST_TRANSPARENT_ROW = 8 };
+static const struct scene_key material_rows[] = {
+    {NUMBERS_KEY("colour", scene_material, colour, 3, RANGE_COLOUR), .noun = "colour",
+     .is_required = true,
+     .meaning = "Ic, the own colour; transparent materials have one too and add it at every "
+                "boundary"},
+    {NUMBER_KEY("ambient", scene_material, ambient, RANGE_SHARE),
+     .meaning = "a, the share of the ambient light. 0: none"},
+    {KEY_AT("ambient_is_own", KEY_TRUTH, scene_material, ambient_is_own),
+     .meaning = "the ambient term is a·Ic, not a·Ia: the material shows its own colour where no "
+                "light gets"},
+    {NUMBER_KEY("diffuse", scene_material, diffuse, RANGE_SHARE),
+     .meaning = "ρd, the diffuse reflectance"},
+    {OTHER_KEY("specular", read_specular), .noun = "0..1, or 17 of them", .fallback = "0",
+     .meaning = "ρs, the highlight's strength; of an opaque material also w, its mirror "
+                "coefficient. 17 numbers: w(θ) at θ = 0°, 5.625°, ... 90° of incidence, straight "
+                "lines in cos θ between"},
+    {WHOLE_KEY("gloss", scene_material, gloss, glosses),
+     .meaning = "g, the highlight's exponent: the larger, the smaller the highlight. 0: as wide as "
+                "the lit side"},
+    {OTHER_KEY("pattern", read_pattern), .noun = "group", .fallback = "left out",
+     .meaning = "a second colour in cells, below"},
+    {KEY_AT("casts_shadow", KEY_TRUTH, scene_material, casts_shadow),
+     .fallback = "`false` if transparent",
+     .meaning = "whether it keeps light off other surfaces; an opaque material always does"},
+    {THREE_KEY("ior", scene_material, ior_by_channel, indices),
+     .meaning = "n, the index of refraction, or n for R, G and B (model `wavelength`; the others "
+                "take that of G). 1: rays go straight on and nothing is reflected"},
+    {OTHER_KEY("cauchy", read_cauchy), .noun = "2 numbers, -10..10", .fallback = "",
+     .meaning = "A and B (in µm²) of n = A + B/λ², in place of `ior`; the n at each of the scene's "
+                "`wavelengths` has to be 0.7..4"},
+    {NUMBER_KEY("transmittance", scene_material, transmittance, RANGE_SHARE),
+     .fallback = "1 − ((n−1)/(n+1))²",
+     .meaning = "τ of model `simple`; the default is what a surface lets through straight on"},
+    {THREE_KEY("reflectance_factors", scene_material, reflectance_by_channel, RANGE_SHARE),
+     .meaning = "model `wavelength`: Ks of R, G, B is multiplied by this"},
+    {THREE_KEY("transmittance_factors", scene_material, transmittance_by_channel, RANGE_SHARE),
+     .meaning = "the same for Kt"},
+    {THREE_KEY("absorption", scene_material, absorption, absorptions),
+     .meaning = "α of τ(x) = exp(−αx) along the way x in the medium, for R, G, B. 0: none"}};
+const struct scene_keys scene_material_keys =
+    SCENE_KEYS("material", material_rows, &material_defaults);
+
+/* Checks what goes for opaque materials alone. */
+static void check_opaque(const struct scene_scope *scope, const struct scene_material *material) {
+    for (size_t i = FIRST_TRANSPARENT_ROW; i < scene_material_keys.count; i++) {
+        const char *key = material_rows[i].name;
+        if (value_member(scope->group, key) != NULL) {
+            (void)scene_fail(scope->reader, scene_place_of(scope->group, key),
+                             "'%s' is for transparent materials, and the %s is opaque: give it "
+                             "'ior', 'cauchy' or 'transmittance' as well",
+                             key, scope->what);
         }
     }
-    return true;
+    if (!material->casts_shadow) {
+        (void)scene_fail(scope->reader, scene_place_of(scope->group, "casts_shadow"),
+                         "'casts_shadow' of the %s is false: an opaque material always casts a "
+                         "shadow",
+                         scope->what);
+    }
 }
 
-bool scene_find_material(struct scene_reader *reader, const char *name, unsigned line, int *index) {
+static void read_material(struct scene_reader *reader, const struct scene_value *group,
+                          struct scene_material *material) {
+    char what[64];
+    (void)snprintf(what, sizeof what, "material '%.40s'", group->name);
+    const struct scene_scope scope = {reader, group, what};
+    const bool has_ior = value_member(group, "ior") != NULL;
+    const bool has_cauchy = value_member(group, "cauchy") != NULL;
+    const bool has_transmittance = value_member(group, "transmittance") != NULL;
+    *material = material_defaults;
+    material->name = scene_copy(reader, group->name);
+    material->line = group->at.line;
+    material->transparent = has_ior || has_cauchy || has_transmittance;
+    material->casts_shadow = !material->transparent;
+    if (!scene_read_keys(&scope, &scene_material_keys, material)) {
+        return;
+    }
+    material->ior = material->ior_by_channel[1];
+    if (material->transparent && !has_transmittance) {
+        double amplitude = (material->ior - 1) / (material->ior + 1);
+        material->transmittance = 1 - amplitude * amplitude; /* what enters at normal incidence */
+    }
+    if (has_ior && has_cauchy) {
+        (void)scene_fail(reader, scene_place_of(group, "cauchy"),
+                         "the %s has both 'ior' and 'cauchy': give one of them", what);
+    }
+    if (!material->transparent) {
+        check_opaque(&scope, material);
+    }
+}
+
+void scene_read_materials(struct scene_reader *reader, const struct scene_value *root) {
+    struct scene_description *scene = reader->scene;
+    const struct scene_value *group = scene_find_group(root, "materials");
+    reader->knows_materials = group != NULL && !group->is_partial;
+    if (group == NULL) {
+        return;
+    }
+    if (group->count == 0 && !group->is_partial) {
+        (void)scene_fail(reader, group->at, "the scene has no material: 1 or more are wanted");
+    }
+    scene->materials = scene_allocate(reader, group->count, sizeof *scene->materials);
+    for (size_t i = 0; scene->materials != NULL && i < group->count; i++) {
+        read_material(reader, &group->members[i], &scene->materials[i]);
+        scene->material_count = i + 1;
+    }
+}
+
+bool scene_find_material(struct scene_reader *reader, const char *name, struct scene_place at,
+                         int *index) {
     const struct scene_description *scene = reader->scene;
-    const char *names[SCENE_MATERIALS_MOST + 1] = {NULL};
-    for (size_t i = 0; i < scene->material_count; i++) {
+    const char **names = calloc(scene->material_count + 1, sizeof *names);
+    for (size_t i = 0; names != NULL && i < scene->material_count; i++) {
         names[i] = scene->materials[i].name;
-        if (strcmp(names[i], name) == 0) {
+        if (names[i] != NULL && strcmp(names[i], name) == 0) {
             *index = (int)i;
+            free(names);
             return true;
         }
     }
-    const char *nearest = nearest_word(name, names);
-    if (nearest) {
-        return scene_fail(reader, line, "unknown material '%.40s'; did you mean '%.40s'?", name,
+    const char *nearest = names != NULL ? nearest_word(name, names) : NULL;
+    free(names);
+    if (!reader->knows_materials) {
+        return false;
+    }
+    if (nearest != NULL) {
+        return scene_fail(reader, at, "unknown material '%.40s'; did you mean '%.40s'?", name,
                           nearest);
     }
-    return scene_fail(reader, line, "unknown material '%.40s': it has to be one of 'materials'",
+    return scene_fail(reader, at, "unknown material '%.40s': it has to be one of 'materials'",
                       name);
 }

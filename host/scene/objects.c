@@ -1,141 +1,134 @@
 /* SPDX-License-Identifier: MIT */
 /* Reads the named parts of a scene file and the objects that it shows. */
-#include <stdlib.h>
+#include <math.h>
 #include <string.h>
 
-#include "scene/values.h"
+#include "scene/keys.h"
 
-/* Allocates the nodes' table, as large as a file may need; trim_nodes() shortens the table. */
-static bool make_nodes(struct scene_reader *reader) {
-    struct scene_description *scene = reader->scene;
-    scene->nodes = scene_allocate(reader, SCENE_NODES_MOST, sizeof *scene->nodes);
-    return scene->nodes != NULL;
-}
+static const struct scene_key part_rows[] = {
+    {KEY_AT("name", KEY_TEXT, scene_part, name), .is_required = true,
+     .meaning = "by which solids below use the part"},
+    {.name = "solid", .type = KEY_GROUP, .is_required = true, .noun = "a solid"}};
+const struct scene_keys scene_part_keys = SCENE_KEYS("part", part_rows, NULL);
 
-static void trim_nodes(struct scene_description *scene) {
-    struct solid_node *trimmed = realloc(scene->nodes, scene->node_count * sizeof *scene->nodes);
-    if (trimmed) {
-        scene->nodes = trimmed;
+static void read_part(struct scene_reader *reader, const struct scene_value *group) {
+    const struct scene_scope scope = {reader, group, scene_part_keys.what};
+    struct scene_part part = {NULL, -1};
+    const bool is_good = scene_read_keys(&scope, &scene_part_keys, &part);
+    if (group->kind != VALUE_GROUP) {
+        reader->knows_parts = false;
+        return;
     }
-}
-
-static bool read_part(struct scene_reader *reader, const struct scene_value *group) {
-    static const char *const keys[] = {"name", "solid", NULL};
-    const struct scene_scope scope = {reader, group, "part"};
-    const struct scene_value *solid;
-    struct scene_part part = {"", 0};
-    if (!scene_is_group(reader, group, "part") || !scope_check_keys(&scope, keys) ||
-        !scope_string(&scope, "name", REQUIRED, &part.name) ||
-        !scope_group(&scope, "solid", REQUIRED, &solid)) {
-        return false;
+    const struct scene_value *solid = scene_find_group(group, "solid");
+    reader->knows_parts = reader->knows_parts && part.name != NULL && *part.name != '\0';
+    if (is_good && *part.name == '\0') {
+        (void)scene_fail(reader, scene_place_of(group, "name"),
+                         "'name' of the part is empty: it needs a name to be used by");
     }
-    if (!*part.name) {
-        return scene_fail(reader, scope_line(&scope, "name"),
-                          "'name' of the part is empty: it needs a name to be used by");
-    }
-    for (size_t i = 0; i < reader->part_count; i++) {
+    for (size_t i = 0; part.name != NULL && i < reader->part_count; i++) {
         if (strcmp(reader->parts[i].name, part.name) == 0) {
-            return scene_fail(reader, scope_line(&scope, "name"),
-                              "duplicate part '%.40s': each part needs a name of its own",
-                              part.name);
+            (void)scene_fail(reader, scene_place_of(group, "name"),
+                             "duplicate part '%.40s': each part needs a name of its own",
+                             part.name);
+            reader->knows_parts = false; /* one of the two may be meant as another */
         }
     }
-    if (!scene_read_solid(reader, solid, &part.node)) {
-        return false;
+    part.node = solid != NULL ? scene_read_solid(reader, solid) : -1;
+    if (part.name != NULL) {
+        reader->parts[reader->part_count++] = part;
     }
-    reader->parts[reader->part_count++] = part;
-    return true;
 }
 
-bool scene_read_parts(struct scene_reader *reader, const struct scene_value *root) {
-    const struct scene_scope top = {reader, root, "scene"};
-    if (!make_nodes(reader) ||
-        !scope_list(&top, "parts", OPTIONAL, 0, SCENE_NODES_MOST - 1, &reader->part_list)) {
-        return false;
+void scene_read_parts(struct scene_reader *reader, const struct scene_value *root) {
+    const struct scene_value *list = scene_find_list(root, "parts");
+    reader->part_list = list;
+    reader->knows_parts =
+        list == NULL ? value_member(root, "parts") == NULL && !root->is_partial : !list->is_partial;
+    reader->parts =
+        list == NULL ? NULL : scene_allocate(reader, list->count, sizeof *reader->parts);
+    for (size_t i = 0; reader->parts != NULL && i < list->count; i++) {
+        read_part(reader, &list->members[i]);
     }
-    int count = reader->part_list ? (int)reader->part_list->count : 0;
-    reader->parts = scene_allocate(reader, (size_t)count, sizeof *reader->parts);
-    if (!reader->parts) {
-        return false;
-    }
-    for (int i = 0; i < count; i++) {
-        if (!read_part(reader, &reader->part_list->members[i])) {
-            return false;
-        }
-    }
-    return true;
 }
 
-static bool read_object(struct scene_reader *reader, const struct scene_value *group) {
-    static const char *const keys[] = {"name", "material", "solid", NULL};
+/* An object as the file has it. */
+struct read_object {
+    const char *name, *material;
+};
+
+static const struct read_object object_defaults = {.name = ""};
+static const struct scene_key object_rows[] = {
+    {KEY_AT("name", KEY_TEXT, read_object, name), .meaning = "for messages and reports"},
+    {KEY_AT("material", KEY_TEXT, read_object, material), .noun = "a material's name",
+     .fallback = "",
+     .meaning = "of all its solids that have none of their own; required unless each has one"},
+    {.name = "solid", .type = KEY_GROUP, .is_required = true, .noun = "a solid"}};
+const struct scene_keys scene_object_keys = SCENE_KEYS("object", object_rows, &object_defaults);
+
+/* Gives an object's material to its solids that have none. */
+static void give_material(struct scene_reader *reader, const struct scene_value *group,
+                          const char *name, int solid) {
     struct scene_description *scene = reader->scene;
-    const struct scene_scope scope = {reader, group, "object"};
-    struct scene_object object = {.line = group->line};
-    const struct scene_value *solid;
-    const char *name = "", *material = NULL;
-    if (!scene_is_group(reader, group, "object") || !scope_check_keys(&scope, keys) ||
-        !scope_string(&scope, "name", OPTIONAL, &name) ||
-        !scope_string(&scope, "material", OPTIONAL, &material) ||
-        !scope_group(&scope, "solid", REQUIRED, &solid) ||
-        !scene_read_solid(reader, solid, &object.solid)) {
-        return false;
-    }
-    struct solid_node *node = &scene->nodes[object.solid];
-    int bare = reader->facts[object.solid].without_material;
-    if (material) {
-        int index;
-        if (!scene_find_material(reader, material, scope_line(&scope, "material"), &index)) {
-            return false;
+    const int bare = solid >= 0 ? reader->facts[solid].without_material : -1;
+    int material = -1;
+    if (name != NULL) {
+        if (scene_find_material(reader, name, scene_place_of(group, "material"), &material) &&
+            solid >= 0 && scene->nodes[solid].material < 0) {
+            scene->nodes[solid].material = material;
         }
-        node->material = node->material < 0 ? index : node->material;
     } else if (bare >= 0) {
-        return scene_fail(reader, object.line,
-                          "the object lacks a 'material', and its solid on line %u has none "
-                          "either: give one to the object, to the solid, or to what the solid is "
-                          "a part of",
-                          scene->nodes[bare].line);
+        (void)scene_fail(reader, group->at,
+                         "the object lacks a 'material', and its solid on line %u has none "
+                         "either: give one to the object, to the solid, or to what the solid is "
+                         "a part of",
+                         scene->nodes[bare].line);
     }
-    object.name = scene_copy(reader, name);
-    if (!object.name) {
-        return false;
+}
+
+static void read_object(struct scene_reader *reader, const struct scene_value *group) {
+    struct scene_description *scene = reader->scene;
+    const struct scene_scope scope = {reader, group, scene_object_keys.what};
+    struct read_object read = object_defaults;
+    bool is_good = scene_read_keys(&scope, &scene_object_keys, &read);
+    if (group->kind != VALUE_GROUP) {
+        return;
     }
-    scene->objects[scene->object_count++] = object;
-    return true;
+    const struct scene_value *solid = scene_find_group(group, "solid");
+    const int index = solid != NULL ? scene_read_solid(reader, solid) : -1;
+    if (is_good || read.material != NULL) {
+        give_material(reader, group, read.material, index);
+    }
+    scene->objects[scene->object_count++] = (struct scene_object){
+        .line = group->at.line, .name = scene_copy(reader, read.name), .solid = index};
 }
 
 /* Checks the number of solids in all objects together, a part's counted at each use. The firmware's
  * work grows with that number. */
-static bool check_instances(struct scene_reader *reader) {
+static void check_instances(struct scene_reader *reader, const struct scene_value *list) {
     long sum = 0;
     for (size_t i = 0; i < reader->scene->object_count; i++) {
-        const struct scene_object *object = &reader->scene->objects[i];
-        sum += reader->facts[object->solid].instances;
+        const int solid = reader->scene->objects[i].solid;
+        sum += solid >= 0 ? reader->facts[solid].instances : 0;
         if (sum > SCENE_INSTANCES_MOST) {
-            return scene_fail(reader, object->line,
-                              "too many solids up to here: at most %d are allowed, those of a "
-                              "part counted each time it is used",
-                              SCENE_INSTANCES_MOST);
+            (void)scene_fail(reader, list->members[i].at,
+                             "too many solids up to here: at most %d are allowed, those of a "
+                             "part counted each time it is used",
+                             SCENE_INSTANCES_MOST);
+            return;
         }
     }
-    return true;
+    reader->scene->instances = (size_t)sum;
 }
 
-bool scene_read_objects(struct scene_reader *reader, const struct scene_value *root) {
-    const struct scene_scope top = {reader, root, "scene"};
-    const struct scene_value *list;
-    if (!scope_list(&top, "objects", REQUIRED, 1, SCENE_OBJECTS_MOST, &list)) {
-        return false;
+void scene_read_objects(struct scene_reader *reader, const struct scene_value *root) {
+    const struct scene_value *list = scene_find_list(root, "objects");
+    struct scene_description *scene = reader->scene;
+    if (list == NULL) {
+        return;
     }
-    int count = (int)list->count;
-    reader->scene->objects = scene_allocate(reader, (size_t)count, sizeof *reader->scene->objects);
-    if (!reader->scene->objects) {
-        return false;
+    scene->objects = scene_allocate(reader, list->count, sizeof *scene->objects);
+    for (size_t i = 0; scene->objects != NULL && i < list->count; i++) {
+        read_object(reader, &list->members[i]);
     }
-    for (int i = 0; i < count; i++) {
-        if (!read_object(reader, &list->members[i])) {
-            return false;
-        }
-    }
-    trim_nodes(reader->scene);
-    return check_instances(reader);
+    check_instances(reader, list);
 }

@@ -1,22 +1,26 @@
 /* SPDX-License-Identifier: MIT */
 /* Reads a scene file's text: the tree of values becomes a checked scene_description. */
-#include "scene/reader_internal.h"
-
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "scene/assign.h"
+#include "scene/keys.h"
 #include "scene/overrides.h"
-#include "scene/values.h"
 
-enum { SCENE_VERSION = 1, WIDTH_MOST = 640, HEIGHT_MOST = 400 };
+enum { WIDTH_MOST = 640, HEIGHT_MOST = 400, TEXT_MOST = 64 * 1024 * 1024 };
 
 /* A light may be many times white, for scenes in which light fades with the distance. */
-static const struct scene_range RANGE_LIGHT = {0, 32767};
-static const struct scene_range RANGE_FIELD_OF_VIEW = {1, 170};
-static const struct scene_range RANGE_WELD = {0, 1e9};
-static const struct scene_range RANGE_WAVELENGTH = {380, 780};
+static const struct scene_range light_levels = {0, 32767, NULL};
+static const struct scene_range degrees = {1, 170, NULL};
+static const struct scene_range distances = {0, 1e9, "length, or 0"};
+static const struct scene_range nanometres = {380, 780, NULL};
+static const struct scene_range pixels = {1, WIDTH_MOST, NULL};
+static const struct scene_range depths = {0, SCENE_DEPTH_MOST, NULL};
+static const struct scene_range versions = {1, 1, NULL};
+static const struct scene_range any_number = {0, INFINITY, NULL};
+static const struct scene_range one_or_more = {1, INFINITY, NULL};
 
 /* The spectral primaries of the CIE 1931 RGB system, in nm. */
 static const double CIE_PRIMARIES[3] = {700.0, 546.1, 435.8};
@@ -25,239 +29,314 @@ static double length_of(const double v[3]) {
     return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
-static bool read_camera(struct scene_reader *reader, const struct scene_scope *top) {
-    static const char *const keys[] = {"eye", "look_at", "up", "field_of_view", NULL};
-    struct scene_scope scope = {reader, NULL, "camera"};
-    if (!scope_group(top, "camera", REQUIRED, &scope.group) || !scope_check_keys(&scope, keys)) {
-        return false;
-    }
-    struct scene_camera camera = {.line = scope.group->line, .up = {0, 0, 1}, .field_of_view = 40};
-    if (!scope_numbers(&scope, "eye", REQUIRED, RANGE_COORDINATE, 3, camera.eye) ||
-        !scope_numbers(&scope, "look_at", REQUIRED, RANGE_COORDINATE, 3, camera.look_at) ||
-        !scope_numbers(&scope, "up", OPTIONAL, RANGE_COORDINATE, 3, camera.up) ||
-        !scope_number(&scope, "field_of_view", OPTIONAL, RANGE_FIELD_OF_VIEW,
-                      &camera.field_of_view)) {
-        return false;
-    }
+/* ---- Camera, lights, attenuation ------------------------------------------------------------- */
+
+static const struct scene_camera camera_defaults = {.up = {0, 0, 1}, .field_of_view = 40};
+static const struct scene_key camera_rows[] = {
+    {NUMBERS_KEY("eye", scene_camera, eye, 3, RANGE_COORDINATE), .is_required = true,
+     .noun = "point", .meaning = "the viewpoint"},
+    {NUMBERS_KEY("look_at", scene_camera, look_at, 3, RANGE_COORDINATE), .is_required = true,
+     .noun = "point", .meaning = "what is in the middle of the picture; not the eye"},
+    {NUMBERS_KEY("up", scene_camera, up, 3, RANGE_COORDINATE), .noun = "direction of any length",
+     .meaning = "upwards in the picture; neither 0 nor parallel to the view"},
+    {NUMBER_KEY("field_of_view", scene_camera, field_of_view, degrees), .noun = "degrees",
+     .meaning = "from the picture's left edge to its right one. Pixels are square"}};
+const struct scene_keys scene_camera_keys = SCENE_KEYS("camera", camera_rows, &camera_defaults);
+
+static void read_camera(struct scene_reader *reader, const struct scene_value *group) {
+    const struct scene_scope scope = {reader, group, scene_camera_keys.what};
+    struct scene_camera camera = camera_defaults;
     double view[3], across[3];
+    camera.line = group->at.line;
+    if (!scene_read_keys(&scope, &scene_camera_keys, &camera)) {
+        return;
+    }
+    reader->scene->camera = camera;
     for (int i = 0; i < 3; i++) {
         view[i] = camera.look_at[i] - camera.eye[i];
-    }
-    if (length_of(view) < RANGE_LENGTH.least) {
-        return scene_fail(reader, scope_line(&scope, "look_at"),
-                          "'look_at' of the camera is where its 'eye' is: they have to differ");
-    }
-    if (length_of(camera.up) < RANGE_LENGTH.least) {
-        return scene_fail(reader, scope_line(&scope, "up"),
-                          "'up' of the camera is zero: it needs a direction, such as [0, 0, 1]");
     }
     for (int i = 0; i < 3; i++) {
         int j = (i + 1) % 3, k = (i + 2) % 3;
         across[i] = view[j] * camera.up[k] - view[k] * camera.up[j];
     }
-    if (length_of(across) < 1e-6 * length_of(view) * length_of(camera.up)) {
-        return scene_fail(reader, scope_line(&scope, "up"),
-                          "the camera looks along 'up' ([%.10g, %.10g, %.10g]): give an 'up' that "
-                          "is not parallel to the way from 'eye' to 'look_at'",
-                          camera.up[0], camera.up[1], camera.up[2]);
+    if (length_of(view) < RANGE_LENGTH.least) {
+        (void)scene_fail(reader, scene_place_of(group, "look_at"),
+                         "'look_at' of the camera is where its 'eye' is: they have to differ");
+    } else if (length_of(camera.up) < RANGE_LENGTH.least) {
+        (void)scene_fail(reader, scene_place_of(group, "up"),
+                         "'up' of the camera is zero: it needs a direction, such as [0, 0, 1]");
+    } else if (length_of(across) < 1e-6 * length_of(view) * length_of(camera.up)) {
+        (void)scene_fail(reader, scene_place_of(group, "up"),
+                         "the camera looks along 'up' ([%.10g, %.10g, %.10g]): give an 'up' that "
+                         "is not parallel to the way from 'eye' to 'look_at'",
+                         camera.up[0], camera.up[1], camera.up[2]);
     }
-    reader->scene->camera = camera;
-    return true;
 }
 
-static bool read_light(struct scene_reader *reader, const struct scene_value *group,
+static const struct scene_light light_defaults = {.colour = {255, 255, 255}};
+static const struct scene_key light_rows[] = {
+    {NUMBERS_KEY("position", scene_light, position, 3, RANGE_COORDINATE), .noun = "point",
+     .fallback = "", .meaning = "of a point light"},
+    {NUMBERS_KEY("direction", scene_light, direction, 3, RANGE_COORDINATE),
+     .noun = "direction of any length, not 0", .fallback = "",
+     .meaning = "of parallel light: the way that the light goes, so `[0, 0, -1]` comes from above"},
+    {NUMBERS_KEY("colour", scene_light, colour, 3, light_levels), .noun = "colour",
+     .meaning = "Ip. 0: no light"}};
+const struct scene_keys scene_light_keys = SCENE_KEYS("light", light_rows, &light_defaults);
+
+static void read_light(struct scene_reader *reader, const struct scene_value *group,
                        struct scene_light *light) {
-    static const char *const keys[] = {"position", "direction", "colour", NULL};
-    struct scene_scope scope = {reader, group, "light"};
-    *light = (struct scene_light){.line = group->line, .colour = {255, 255, 255}};
-    if (!scene_is_group(reader, group, "light") || !scope_check_keys(&scope, keys)) {
-        return false;
+    const struct scene_scope scope = {reader, group, scene_light_keys.what};
+    *light = light_defaults;
+    light->line = group->at.line;
+    if (!scene_read_keys(&scope, &scene_light_keys, light)) {
+        return;
     }
-    light->parallel = scope_has(&scope, "direction");
-    if (light->parallel == scope_has(&scope, "position")) {
-        return scene_fail(reader, light->line,
-                          "a light needs either 'position' (of a point light) or 'direction' (of "
-                          "parallel light): this one has %s",
-                          light->parallel ? "both" : "none");
-    }
-    if (!scope_numbers(&scope, "position", OPTIONAL, RANGE_COORDINATE, 3, light->position) ||
-        !scope_numbers(&scope, "direction", OPTIONAL, RANGE_COORDINATE, 3, light->direction) ||
-        !scope_numbers(&scope, "colour", OPTIONAL, RANGE_LIGHT, 3, light->colour)) {
-        return false;
-    }
-    double length = length_of(light->direction);
-    if (light->parallel && length < RANGE_LENGTH.least) {
-        return scene_fail(reader, scope_line(&scope, "direction"),
-                          "'direction' of the light is zero: it needs a direction, such as "
-                          "[0, 0, -1] for light from above");
+    const double length = length_of(light->direction);
+    light->parallel = value_member(group, "direction") != NULL;
+    if (light->parallel == (value_member(group, "position") != NULL)) {
+        (void)scene_fail(reader, group->at,
+                         "a light needs either 'position' (of a point light) or 'direction' (of "
+                         "parallel light): this one has %s",
+                         light->parallel ? "both" : "none");
+    } else if (light->parallel && length < RANGE_LENGTH.least) {
+        (void)scene_fail(reader, scene_place_of(group, "direction"),
+                         "'direction' of the light is zero: it needs a direction, such as "
+                         "[0, 0, -1] for light from above");
     }
     for (int i = 0; light->parallel && i < 3; i++) {
         light->direction[i] /= length;
     }
-    return true;
 }
 
-static bool read_lights(struct scene_reader *reader, const struct scene_scope *top) {
-    const struct scene_value *list;
-    if (!scope_list(top, "lights", OPTIONAL, 0, SCENE_LIGHTS_MOST, &list)) {
-        return false;
-    }
-    size_t count = list ? list->count : 0;
-    struct scene_light *lights = scene_allocate(reader, count, sizeof *lights);
-    if (!lights) {
-        return false;
+static void read_lights(struct scene_reader *reader, const struct scene_value *list) {
+    struct scene_light *lights = scene_allocate(reader, list->count, sizeof *lights);
+    for (size_t i = 0; lights != NULL && i < list->count; i++) {
+        read_light(reader, &list->members[i], &lights[i]);
+        reader->scene->light_count = i + 1;
     }
     reader->scene->lights = lights;
-    reader->scene->light_count = count;
-    for (size_t i = 0; i < count; i++) {
-        if (!read_light(reader, &list->members[i], &lights[i])) {
-            return false;
+}
+
+static const struct scene_key attenuation_rows[] = {
+    {NUMBER_KEY("constant", scene_description, attenuation_constant, distances),
+     .is_required = true, .meaning = "C of C + D, in the file's unit"}};
+const struct scene_keys scene_attenuation_keys = SCENE_KEYS("attenuation", attenuation_rows, NULL);
+
+/* ---- The scene ------------------------------------------------------------------------------- */
+
+/* The scene and what of it is not yet as the description has it. */
+struct read_scene {
+    struct scene_description scene;
+    const char *title;
+    int version, model, highlight, mixing, colour;
+};
+
+static void read_size(const struct scene_scope *scope, const struct scene_value *value,
+                      void *into) {
+    struct scene_description *scene = &((struct read_scene *)into)->scene;
+    double size[2];
+    if (!scene_read_numbers(scope, "size", value, &pixels, 2, size)) {
+        return;
+    }
+    if (size[1] > HEIGHT_MOST || floor(size[0]) != size[0] || floor(size[1]) != size[1]) {
+        (void)scene_fail(scope->reader, value->at,
+                         "'size' of the scene is %.10g x %.10g: whole numbers of pixels, up to "
+                         "%d x %d, are allowed",
+                         size[0], size[1], WIDTH_MOST, HEIGHT_MOST);
+        return;
+    }
+    scene->width = (int)size[0];
+    scene->height = (int)size[1];
+}
+
+static void read_wavelengths(const struct scene_scope *scope, const struct scene_value *value,
+                             void *into) {
+    (void)into;
+    (void)scene_read_numbers(scope, "wavelengths", value, &nanometres, 3,
+                             scope->reader->wavelengths);
+}
+
+static const char *const models[] = {"simple", "fresnel", "wavelength", NULL};
+static const char *const highlights[] = {"phong", "blinn", NULL};
+static const char *const mixings[] = {"additive", "filter", NULL};
+static const char *const colours[] = {"full",   "dither", "exposures", "bits:1", "bits:2", "bits:3",
+                                      "bits:4", "bits:5", "bits:6",    "bits:7", "bits:8", NULL};
+
+static const struct read_scene scene_defaults = {
+    .scene = {.width = 320, .height = 200, .depth = 10, .threshold = 1.0 / 4096, .seed = 1},
+    .title = "",
+    .model = MODEL_FRESNEL};
+
+static const struct scene_key scene_rows[] = {
+    {WHOLE_KEY("version", read_scene, version, versions), .is_required = true,
+     .meaning = "of this format"},
+    {KEY_AT("title", KEY_TEXT, read_scene, title),
+     .meaning = "one sentence; `superframe scenes` shows it"},
+    {OTHER_KEY("size", read_size), .noun = "2 whole numbers, up to 640 and 400",
+     .fallback = "`[320, 200]`", .meaning = "width and height in pixels"},
+    {WHOLE_KEY("depth", read_scene, scene.depth, depths),
+     .meaning = "the paper's depth level N: how many reflections and refractions a path may have. "
+                "0: the surfaces' own colours only"},
+    {NUMBER_KEY("threshold", read_scene, scene.threshold, RANGE_SHARE), .fallback = "1/4096",
+     .meaning = "the product of reflectances and transmittances under which a branch ends. 0: only "
+                "`depth` ends it"},
+    {KEY_AT("model", KEY_WORD, read_scene, model), .words = models,
+     .meaning = "Table 1 (a), (b), (c); (d) is the material's `absorption`"},
+    {KEY_AT("highlight", KEY_WORD, read_scene, highlight), .words = highlights,
+     .meaning = "the highlight by α, to the mirror direction, or by β, between normal and half-way "
+                "direction"},
+    {KEY_AT("mixing", KEY_WORD, read_scene, mixing), .words = mixings,
+     .meaning = "`additive`: intensities add up as in Eq. (3). `filter`: a transparent material "
+                "adds nothing of its own; going into it multiplies by colour/255, so that Z like "
+                "media pass T^Z"},
+    {KEY_AT("colour", KEY_WORD, read_scene, colour), .words = colours,
+     .noun = "`\"full\"`, `\"bits:1\"` to `\"bits:8\"`, `\"dither\"`, `\"exposures\"`",
+     .meaning = "256 levels; the upper bits only; 8 colours by a random dither; 8 pictures of a "
+                "multiple exposure"},
+    {NUMBERS_KEY("background", read_scene, scene.background, 3, RANGE_COLOUR), .noun = "colour",
+     .meaning = "what a ray brings that leaves the scene"},
+    {NUMBERS_KEY("ambient", read_scene, scene.ambient, 3, RANGE_COLOUR), .noun = "colour",
+     .meaning = "Ia of Eq. (1). 0: ambient light only where a material has its own"},
+    {KEY_AT("attenuation", KEY_GROUP, read_scene, scene), .fallback = "left out",
+     .meaning = "divides a light's part by C + D (below); left out: by 1"},
+    {NUMBER_KEY("weld", read_scene, scene.weld, distances), .noun = "up to 1/32768 of the scene",
+     .meaning = "faces that are nearer than this are one: for numbers that were rounded before "
+                "they came into the file"},
+    {KEY_AT("camera", KEY_GROUP, read_scene, scene), .is_required = true, .meaning = "below"},
+    {KEY_AT("lights", KEY_LIST, read_scene, scene), .range = &any_number, .fallback = "none",
+     .noun = "list of groups", .meaning = "below"},
+    {OTHER_KEY("wavelengths", read_wavelengths), .noun = "3 numbers, 380..780 nm",
+     .fallback = "`(700, 546.1, 435.8)`",
+     .meaning = "of R, G, B, for `cauchy`; the default are the spectral primaries of the CIE 1931 "
+                "RGB system"},
+    {KEY_AT("materials", KEY_GROUP, read_scene, scene), .is_required = true,
+     .noun = "group of groups, 1 or more", .meaning = "below"},
+    {KEY_AT("parts", KEY_LIST, read_scene, scene), .range = &any_number, .fallback = "none",
+     .noun = "list of groups", .meaning = "named solids, below"},
+    {KEY_AT("objects", KEY_LIST, read_scene, scene), .range = &one_or_more, .is_required = true,
+     .noun = "list of groups, 1 or more", .meaning = "below"}};
+const struct scene_keys scene_top_keys = SCENE_KEYS("scene", scene_rows, &scene_defaults);
+
+static void read_settings(struct scene_reader *reader, const struct scene_value *root) {
+    const struct scene_scope scope = {reader, root, scene_top_keys.what};
+    struct read_scene read = scene_defaults;
+    enum { FIRST_BITS = 3 };
+    static const enum scene_colour kinds[FIRST_BITS] = {COLOUR_FULL, COLOUR_DITHER,
+                                                        COLOUR_EXPOSURES};
+    read.scene.memory = reader->scene->memory;
+    (void)scene_read_keys(&scope, &scene_top_keys, &read);
+    *reader->scene = read.scene;
+    reader->scene->model = (enum scene_model)read.model;
+    reader->scene->highlight = (enum scene_highlight)read.highlight;
+    reader->scene->mixing = (enum scene_mixing)read.mixing;
+    reader->scene->colour = read.colour < FIRST_BITS ? kinds[read.colour] : COLOUR_BITS;
+    reader->scene->colour_bits = read.colour < FIRST_BITS ? 0 : read.colour - FIRST_BITS + 1;
+    reader->scene->path = scene_copy(reader, reader->path);
+    reader->scene->title = scene_copy(reader, read.title);
+}
+
+static void read_sections(struct scene_reader *reader, const struct scene_value *root) {
+    const struct scene_value *camera = scene_find_group(root, "camera");
+    const struct scene_value *lights = scene_find_list(root, "lights");
+    const struct scene_scope fading = {reader, scene_find_group(root, "attenuation"),
+                                       scene_attenuation_keys.what};
+    reader->scene->has_attenuation = fading.group != NULL;
+    if (fading.group != NULL) {
+        (void)scene_read_keys(&fading, &scene_attenuation_keys, reader->scene);
+    }
+    if (camera != NULL) {
+        read_camera(reader, camera);
+    }
+    if (lights != NULL) {
+        read_lights(reader, lights);
+    }
+    scene_read_materials(reader, root);
+    scene_read_parts(reader, root);
+    scene_read_objects(reader, root);
+}
+
+/* Checks what no token can hold. */
+static bool check_bytes(struct scene_reader *reader, const char *text, size_t length) {
+    struct scene_place at = {1, 1};
+    if (length > TEXT_MOST) {
+        return scene_fail(reader, at, "a scene of %zu bytes is too large: at most %d are allowed",
+                          length, TEXT_MOST);
+    }
+    for (size_t i = 0; i < length; i++, at.column++) {
+        if (text[i] == '\0') {
+            return scene_fail(reader, at, "a NUL byte: a scene is plain text");
+        }
+        if (text[i] == '\n') {
+            at.line++;
+            at.column = 0;
         }
     }
     return true;
 }
 
-static bool read_attenuation(struct scene_reader *reader, const struct scene_scope *top) {
-    static const char *const keys[] = {"constant", NULL};
-    static const struct scene_range range = {0, 1e9};
-    struct scene_scope scope = {reader, NULL, "attenuation"};
-    if (!scope_group(top, "attenuation", OPTIONAL, &scope.group)) {
-        return false;
-    }
-    reader->scene->has_attenuation = scope.group != NULL;
-    return !scope.group ||
-           (scope_check_keys(&scope, keys) && scope_number(&scope, "constant", REQUIRED, range,
-                                                           &reader->scene->attenuation_constant));
-}
-
-/* Reads `colour`: full, bits:1 to bits:8, dither or exposures. */
-static bool read_colour(const struct scene_scope *top) {
-    static const char *const words[] = {"full",   "dither", "exposures", "bits:1",
-                                        "bits:2", "bits:3", "bits:4",    "bits:5",
-                                        "bits:6", "bits:7", "bits:8",    NULL};
-    static const enum scene_colour colours[] = {COLOUR_FULL, COLOUR_DITHER, COLOUR_EXPOSURES};
-    enum { FIRST_BITS = 3 };
-    struct scene_description *scene = top->reader->scene;
-    int index = 0;
-    if (!scope_choice(top, "colour", words, &index)) {
-        return false;
-    }
-    scene->colour = index >= FIRST_BITS ? COLOUR_BITS : colours[index];
-    scene->colour_bits = index >= FIRST_BITS ? index - FIRST_BITS + 1 : 0;
-    return true;
-}
-
-static bool read_size(const struct scene_scope *top) {
-    double size[2] = {320, 200};
-    struct scene_range whole = {1, WIDTH_MOST};
-    if (!scope_numbers(top, "size", OPTIONAL, whole, 2, size)) {
-        return false;
-    }
-    if (size[1] > HEIGHT_MOST || floor(size[0]) != size[0] || floor(size[1]) != size[1]) {
-        return scene_fail(top->reader, scope_line(top, "size"),
-                          "'size' of the scene is %.10g x %.10g: whole numbers of pixels, up to "
-                          "%d x %d, are allowed",
-                          size[0], size[1], WIDTH_MOST, HEIGHT_MOST);
-    }
-    top->reader->scene->width = (int)size[0];
-    top->reader->scene->height = (int)size[1];
-    return true;
-}
-
-/* Reads the choices of the optical model, of highlights and of mixing. */
-static bool read_choices(const struct scene_scope *top) {
-    static const char *const models[] = {"simple", "fresnel", "wavelength", NULL};
-    static const char *const highlights[] = {"phong", "blinn", NULL};
-    static const char *const mixings[] = {"additive", "filter", NULL};
-    struct scene_description *scene = top->reader->scene;
-    int model = MODEL_FRESNEL, highlight = HIGHLIGHT_PHONG, mixing = MIXING_ADDITIVE;
-    if (!scope_choice(top, "model", models, &model) ||
-        !scope_choice(top, "highlight", highlights, &highlight) ||
-        !scope_choice(top, "mixing", mixings, &mixing)) {
-        return false;
-    }
-    scene->model = (enum scene_model)model;
-    scene->highlight = (enum scene_highlight)highlight;
-    scene->mixing = (enum scene_mixing)mixing;
-    return true;
-}
-
-static bool read_settings(const struct scene_scope *top) {
-    static const char *const keys[] = {
-        "version",     "title",  "size",      "depth",      "threshold",   "model",  "highlight",
-        "mixing",      "colour", "ambient",   "background", "attenuation", "camera", "lights",
-        "wavelengths", "weld",   "materials", "parts",      "objects",     NULL};
-    struct scene_reader *reader = top->reader;
-    struct scene_description *scene = reader->scene;
-    int version = SCENE_VERSION;
-    const char *title = "";
-    if (!scope_check_keys(top, keys) ||
-        !scope_integer(top, "version", REQUIRED, SCENE_VERSION, SCENE_VERSION, &version) ||
-        !scope_string(top, "title", OPTIONAL, &title) || !read_size(top) ||
-        !scope_integer(top, "depth", OPTIONAL, 0, SCENE_DEPTH_MOST, &scene->depth) ||
-        !scope_number(top, "threshold", OPTIONAL, RANGE_SHARE, &scene->threshold) ||
-        !read_choices(top) || !read_colour(top) ||
-        !scope_numbers(top, "background", OPTIONAL, RANGE_COLOUR, 3, scene->background) ||
-        !scope_numbers(top, "ambient", OPTIONAL, RANGE_COLOUR, 3, scene->ambient) ||
-        !scope_number(top, "weld", OPTIONAL, RANGE_WELD, &scene->weld) ||
-        !scope_numbers(top, "wavelengths", OPTIONAL, RANGE_WAVELENGTH, 3, reader->wavelengths)) {
-        return false;
-    }
-    scene->title = scene_copy(reader, title);
-    return scene->title != NULL;
-}
-
-static bool read_all(struct scene_reader *reader, const struct scene_value *root) {
-    const struct scene_scope top = {reader, root, "scene"};
-    return read_settings(&top) && read_attenuation(reader, &top) && read_camera(reader, &top) &&
-           read_lights(reader, &top) && scene_read_materials(reader, root) &&
-           scene_read_parts(reader, root) && scene_read_objects(reader, root);
-}
-
-/* Makes a description with the defaults of depth, seed, threshold and wavelengths. Other defaults
- * stand where their keys are read. */
-static struct scene_description *make_description(struct scene_reader *reader) {
-    struct scene_description *scene = scene_allocate(reader, 1, sizeof *scene);
-    if (scene) {
-        scene->depth = 10;
-        scene->seed = 1;
-        scene->threshold = 1.0 / 4096;
-        scene->path = scene_copy(reader, reader->path);
-        memcpy(reader->wavelengths, CIE_PRIMARIES, sizeof reader->wavelengths);
-    }
-    return scene;
-}
-
-static bool read_text(struct scene_reader *reader, const char *text, size_t length,
+static void read_text(struct scene_reader *reader, const char *text, size_t length,
                       const struct scene_overrides *overrides) {
     struct scene_value root;
-    bool is_read = scene_parse(reader, text, length, &root);
-    for (unsigned i = 0; is_read && i < overrides->set_count; i++) {
-        is_read = scene_assign(reader, &root, overrides->sets[i]);
+    if (!check_bytes(reader, text, length)) {
+        return;
     }
-    is_read = is_read && read_all(reader, &root);
-    memory_free(&reader->memory);
-    return is_read;
+    scene_parse(reader, text, length, &root);
+    for (unsigned i = 0; i < overrides->set_count; i++) {
+        (void)scene_assign(reader, &root, overrides->sets[i]);
+    }
+    read_settings(reader, &root);
+    read_sections(reader, &root);
+}
+
+/* Copies a text and ends it by NUL; some editors' byte order mark becomes blanks. */
+static char *copy_text(const char *text, size_t length) {
+    char *copy = malloc(length + 1);
+    if (copy != NULL) {
+        memcpy(copy, text, length);
+        copy[length] = '\0';
+        if (length >= 3 && memcmp(copy, "\xEF\xBB\xBF", 3) == 0) {
+            memset(copy, ' ', 3);
+        }
+    }
+    return copy;
 }
 
 struct scene_description *scene_description_read_with(const char *path, const char *text,
                                                       size_t length,
                                                       const struct scene_overrides *overrides,
                                                       struct scene_error *error) {
-    struct scene_error unread;
-    struct scene_reader reader = {.path = path, .error = error ? error : &unread};
-    reader.error->text[0] = '\0';
-    reader.scene = make_description(&reader);
-    if (!reader.scene) {
-        return NULL;
+    struct scene_reader *reader = calloc(1, sizeof *reader);
+    struct scene_description *scene = calloc(1, sizeof *scene);
+    char *copy = copy_text(text, length);
+    if (error != NULL) {
+        error->text[0] = '\0';
     }
-    bool sound = reader.scene->path && read_text(&reader, text, length, overrides);
-    free(reader.parts);
-    if (!sound) {
-        scene_description_free(reader.scene);
-        return NULL;
+    if (reader == NULL || scene == NULL || copy == NULL) {
+        if (error != NULL) {
+            (void)snprintf(error->text, sizeof error->text,
+                           "%.200s: not enough memory to read the scene", path);
+        }
+        free(scene);
+        scene = NULL;
+    } else {
+        reader->path = path;
+        reader->scene = scene;
+        memcpy(reader->wavelengths, CIE_PRIMARIES, sizeof reader->wavelengths);
+        read_text(reader, copy, length, overrides);
+        if (reader->refusal_count > 0) {
+            if (error != NULL) {
+                scene_report(reader, copy, error);
+            }
+            scene_description_free(scene);
+            scene = NULL;
+        }
+        memory_free(&reader->memory);
+        free(reader->facts);
     }
-    return reader.scene;
+    free(reader);
+    free(copy);
+    return scene;
 }
 
 struct scene_description *scene_description_read(const char *path, const char *text, size_t length,

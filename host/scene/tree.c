@@ -15,7 +15,7 @@ struct scene_block {
 };
 
 const struct scene_value *value_member(const struct scene_value *group, const char *key) {
-    for (size_t i = 0; i < group->count; i++) {
+    for (size_t i = 0; group->kind == VALUE_GROUP && i < group->count; i++) {
         if (strcmp(group->members[i].name, key) == 0) {
             return &group->members[i];
         }

@@ -326,8 +326,6 @@ struct stand {
     struct exact_map to_local, from_local, magnitudes;
 };
 
-enum { SHAPES_MOST = 2 * SCENE_INSTANCES_MOST };
-
 static struct stand stand_of(const struct stand *outer, const struct solid_node *node) {
     struct stand stand;
     struct exact_map placement = placement_of(node), inverse = invert(&placement);
@@ -367,8 +365,8 @@ static void set_slack(struct shape *leaf, const struct exact_map *magnitudes) {
 
 static int add_shape(struct described *described, int node, const struct stand *outer) {
     const int index = described->shape_count;
-    if (index == SHAPES_MOST) {
-        return -1; /* the reader refuses more */
+    if (index == described->shapes_most) {
+        return -1;
     }
     described->shape_count++;
     struct shape *shape = &described->shapes[index];
@@ -453,11 +451,14 @@ bool described_unfold(struct described *described, const struct scene_descriptio
         world.magnitudes.m[i][3] = fabsl(world.from_local.m[i][3]);
     }
     described->description = description;
-    described->shapes = calloc(SHAPES_MOST, sizeof *described->shapes);
-    described->trims = calloc(SHAPES_MOST, sizeof *described->trims);
-    described->parts = calloc(SHAPES_MOST, sizeof *described->parts);
-    described->leaves = calloc(SHAPES_MOST, sizeof *described->leaves);
-    described->corners = calloc(DESCRIBED_CORNERS_MOST, sizeof *described->corners);
+    described->shapes_most = 2 * (int)description->instances;
+    described->corners_most = CORNERS_OF_NODE * (int)description->instances;
+    const size_t most = (size_t)described->shapes_most;
+    described->shapes = calloc(most, sizeof *described->shapes);
+    described->trims = calloc(most, sizeof *described->trims);
+    described->parts = calloc(most, sizeof *described->parts);
+    described->leaves = calloc(most, sizeof *described->leaves);
+    described->corners = calloc((size_t)described->corners_most, sizeof *described->corners);
     if (described->shapes == NULL || described->trims == NULL || described->parts == NULL ||
         described->leaves == NULL || described->corners == NULL) {
         return false;

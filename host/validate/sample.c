@@ -42,7 +42,7 @@ static void include(struct shape *leaf, const long double q[3]) {
 
 static void add_corner(struct described *described, struct shape *leaf, const long double q[3]) {
     include(leaf, q);
-    if (described->corner_count < DESCRIBED_CORNERS_MOST) {
+    if (described->corner_count < described->corners_most) {
         for (int i = 0; i < 3; i++) {
             described->corners[described->corner_count][i] = q[i];
         }

@@ -71,7 +71,7 @@ struct part {
     bool is_left_out; /* of the tables: what is drawn does not need it */
 };
 
-enum { DESCRIBED_CORNERS_MOST = 16 * SCENE_NODES_MOST };
+enum { CORNERS_OF_NODE = 16 };
 
 struct described {
     const struct scene_description *description;
@@ -81,6 +81,7 @@ struct described {
     int *leaves;
     long double (*corners)[3];
     int shape_count, trim_count, part_count, leaf_count, corner_count;
+    int shapes_most, corners_most; /* of which there is room; trims, parts and leaves like shapes */
 };
 
 /* Unfolds a description as seen through a scaling; false if memory is out. Call described_free() in

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Fuzzes the way of a scene's text through reader and compiler to three rows in fx and f32: it is
- * refused in one line that names the file, or no ray leaks. */
+ * refused in lines that name the file or show it, or no ray leaks. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -20,8 +20,21 @@ enum {
 static const char path[] = "fuzz.scene";
 
 static void check_refusal(const struct scene_error *error) {
-    assert(strncmp(error->text, path, sizeof path - 1) == 0 && error->text[sizeof path - 1] == ':');
-    assert(strchr(error->text, '\n') == NULL);
+    const char *line = error->text, *end;
+    unsigned refusals = 0;
+    assert(*line != ' ');
+    for (; line != NULL; line = end) {
+        end = strchr(line, '\n');
+        end = end == NULL ? NULL : end + 1;
+        if (*line != ' ') {
+            refusals++;
+            assert(strncmp(line, path, sizeof path - 1) == 0 && line[sizeof path - 1] == ':');
+        }
+        for (; *line != '\n' && *line != '\0'; line++) {
+            assert((unsigned char)*line >= 0x20 && *line != 0x7F);
+        }
+    }
+    assert(refusals <= SCENE_REFUSALS_MOST && strlen(error->text) < sizeof error->text - 1);
 }
 
 /* Checks that the pixels of a row are numbers; a NaN would be black on the board. */

@@ -50,7 +50,7 @@ static void a_scene_comes_from_standard_input(void **state) {
                    place->before, place->before);
     assert_status(line, 0);
     assert_status("echo 'version = ' | superframe check -", 2);
-    assert_non_null(strstr(text_of("err"), "superframe: standard input:2: "));
+    assert_non_null(strstr(text_of("err"), "superframe: standard input:2:1: "));
 }
 
 static void a_built_in_scene_is_printed_as_it_is(void **state) {

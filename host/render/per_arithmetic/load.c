@@ -39,7 +39,7 @@ struct loaded {
     struct pattern patterns[COMPILED_MATERIALS_MOST];
     struct pattern_face pattern_faces[COMPILED_PATTERN_FACES_MOST];
     struct specular_table specular_tables[COMPILED_MATERIALS_MOST];
-    struct light lights[SCENE_LIGHTS_MOST];
+    struct light lights[COMPILED_LIGHTS_MOST];
 };
 
 static struct point point_of(const double p[3]) {

@@ -279,7 +279,7 @@ static void chains_of_one_operation_are_one_operation(void **state) {
 static void names_stay_within_their_comments(void **state) {
     (void)state;
     struct exported scene = export_text(HEAD MATERIALS "objects = ( " BALL("clay", "0") " );");
-    memcpy(scene.description->title, "A\n#rror", 7);
+    scene.description->title = "A\n#rror";
     (void)snprintf(scene.scene->object_names[1], sizeof scene.scene->object_names[1],
                    "ball\r\n#error");
     write_again(&scene);

@@ -311,7 +311,7 @@ static void assert_description_or_error(const char *text, size_t length) {
             }
         }
     } else {
-        assert_int_equal(sscanf(error.text, "m:%u: %n", &line, &used), 1);
+        assert_int_equal(sscanf(error.text, "m:%u:%*u: %n", &line, &used), 1);
         assert_true(used > 0 && strlen(error.text) > (size_t)used + 8);
         assert_true(line >= 1 && line <= lines);
     }
