@@ -548,11 +548,13 @@ static void parse_bracket(struct parser *parser, struct scene_value *value) {
     gather(parser, value);
     parser->bracket = bracket.outer;
     parser->depth--;
-    const bool is_number = value->kind == VALUE_LIST && value->count == 1 &&
-                           value->members[0].kind == VALUE_NUMBER && goes_on(parser);
-    if (is_number) { /* `(a + b) / 2` */
+    const struct scene_value *sole = value; /* `((a + b)) / 2` */
+    while (sole->kind == VALUE_LIST && sole->count == 1) {
+        sole = sole->members;
+    }
+    if (sole != value && sole->kind == VALUE_NUMBER && goes_on(parser)) {
         bool is_good = true;
-        value->number = go_on_with_sum(parser, value->members[0].number, &is_good);
+        value->number = go_on_with_sum(parser, sole->number, &is_good);
         value->kind = is_good ? VALUE_NUMBER : VALUE_REFUSED;
     }
 }
@@ -597,6 +599,6 @@ void scene_parse(struct scene_reader *reader, const char *text, size_t length,
     parser.next = scanner_next(&parser.scanner);
     parse_members(&parser, root);
     gather(&parser, root);
-    root->is_partial = reader->refusal_count > 0;
+    root->is_partial = root->is_partial || parser.scanner.is_cut || parser.is_unclosed;
     free(parser.values);
 }

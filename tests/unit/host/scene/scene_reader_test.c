@@ -2,6 +2,7 @@
 /* The scene reader: what good files give, field by field, and files changed at random. */
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -439,6 +440,62 @@ static void sums_of_any_shape_are_worked_out(void **state) {
     }
 }
 
+/* Appends a random sum of numbers, names and parentheses, with blanks round its marks or without.
+ * A sign has a blank on both sides or on none: "2 -1" lacks a mark, and is refused in a list. */
+static void append_spaced_sum(uint32_t *seed, int level, char *plain, char *spaced) {
+    static const char *const factors[] = {"2", "0.5", "r", "-3", "1e-1", "half"};
+    static const char marks[] = "+-*/";
+    *seed = *seed * 1664525u + 1013904223u;
+    const uint32_t choice = *seed >> 16;
+    const unsigned terms = 1 + choice % 3;
+    for (unsigned i = 0; i < terms; i++) {
+        *seed = *seed * 1664525u + 1013904223u;
+        const uint32_t next = *seed >> 16;
+        const bool is_bracket = level > 0 && next % 3 == 0;
+        if (i > 0) {
+            /* A name may have '-' in it, so a name has a blank behind it. */
+            const char mark = marks[next / 3 % 4], *last = plain + strlen(plain) - 1;
+            const bool is_name = *last == 'r' || *last == 'f';
+            const bool has_blanks = is_name || next / 12 % 2 == 0;
+            (void)sprintf(plain + strlen(plain), " %c ", mark);
+            (void)sprintf(spaced + strlen(spaced), has_blanks ? " %c " : "%c", mark);
+        }
+        if (is_bracket) {
+            strcat(plain, "(");
+            strcat(spaced, next / 24 % 2 == 0 ? "(" : "( ");
+            append_spaced_sum(seed, level - 1, plain, spaced);
+            strcat(plain, ")");
+            strcat(spaced, next / 48 % 2 == 0 ? ")" : " )");
+        } else {
+            const char *factor = factors[next / 24 % 6];
+            const bool is_double = i > 0 && *factor == '-'; /* "1--3" is no number */
+            strcat(plain, is_double ? factor + 1 : factor);
+            strcat(spaced, is_double ? factor + 1 : factor);
+        }
+    }
+}
+
+static void blanks_round_marks_change_nothing(void **state) {
+    (void)state;
+    uint32_t seed = 11;
+    for (int i = 0; i < 500; i++) {
+        char sums[2][2048] = {"", ""}, texts[2][4096];
+        double values[2];
+        append_spaced_sum(&seed, 3, sums[0], sums[1]);
+        for (int j = 0; j < 2; j++) {
+            /* A value that begins with parentheses is read by another way than one within. */
+            (void)snprintf(texts[j], sizeof texts[j],
+                           i % 2 == 0 ? "0.5 + (%s) / 4294967296.0" : "(%s)/4294967296.0 + 0.5",
+                           sums[j]);
+            values[j] = value_of("let r = 0.25; let half = r + r;", texts[j]);
+        }
+        if (!(values[0] >= values[1] && values[0] <= values[1] && values[0] >= 0)) {
+            fail_msg("%s: %.17g; %s: %.17g", texts[0], values[0], texts[1], values[1]);
+        }
+    }
+    assert_true(value_of("", "(1 + 2)-2.5") >= 0.5 && value_of("", "(1 + 2) -2.5") < 0);
+}
+
 static void whole_and_other_numbers_stand_in_one_array(void **state) {
     (void)state;
     struct scene_error error = {""};
@@ -458,6 +515,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(numbers_are_worked_out),
         cmocka_unit_test(sums_of_any_shape_are_worked_out),
+        cmocka_unit_test(blanks_round_marks_change_nothing),
         cmocka_unit_test(whole_and_other_numbers_stand_in_one_array),
         cmocka_unit_test(reads_the_settings),
         cmocka_unit_test(reads_the_materials),
