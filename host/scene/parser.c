@@ -552,8 +552,9 @@ static void parse_bracket(struct parser *parser, struct scene_value *value) {
     while (sole->kind == VALUE_LIST && sole->count == 1) {
         sole = sole->members;
     }
-    if (sole != value && sole->kind == VALUE_NUMBER && goes_on(parser)) {
-        bool is_good = true;
+    if (sole != value && goes_on(parser) &&
+        (sole->kind == VALUE_NUMBER || sole->kind == VALUE_REFUSED)) {
+        bool is_good = sole->kind == VALUE_NUMBER;
         value->number = go_on_with_sum(parser, sole->number, &is_good);
         value->kind = is_good ? VALUE_NUMBER : VALUE_REFUSED;
     }
