@@ -82,6 +82,10 @@ bool compile_scaling(struct compiler *compiler) {
                             reach);
     }
     scene->exponent = (int)floor(log2(COMPILE_EXTENT / reach));
+    if (compiler->description->world > 0) {
+        int farther = (int)floor(log2(COMPILE_WORLD / compiler->description->world));
+        scene->exponent = farther < scene->exponent ? farther : scene->exponent;
+    }
     double farthest = 0;
     for (int i = 0; i < 3; i++) {
         farthest = fmax(farthest, fmax(fabs(all.low[i]), fabs(all.high[i])));

@@ -12,7 +12,7 @@
 /* Bounded content lies within COMPILE_EXTENT; what is unbounded ends at twice that
  * (firmware/scene.h). */
 #define COMPILE_EXTENT 512.0
-#define COMPILE_WORLD  1024.0
+#define COMPILE_WORLD  COMPILED_WORLD
 
 /* Surfaces and coordinates nearer to each other than this, in scaled units, are one. So are those
  * nearer than the file's own numbers resolve. At 512 that is 32 units in the last place of a

@@ -32,6 +32,9 @@ enum {
         COMPILED_OBJECTS_MOST + COMPILED_LIGHTS_MOST + 6 * COMPILED_MATERIALS_MOST + 8
 };
 
+/* What has no end goes on to here from the middle, in scaled units. */
+#define COMPILED_WORLD 1024.0
+
 struct compiled_set {
     uint32_t word[COMPILED_PRIMITIVES_MOST / 32];
 };

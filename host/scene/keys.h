@@ -96,6 +96,11 @@ bool scene_read_numbers(const struct scene_scope *scope, const char *key,
                         const struct scene_value *value, const struct scene_range *range, int count,
                         double *numbers);
 
+enum {
+    SCENE_KINDS = SOLID_PART + 1, /* of solids: the first rows of scene_solid_keys */
+    SCENE_TRANSPARENT_ROW = 8 /* from here on, rows of a material are of transparent ones only */
+};
+
 /* The sorts of groups, for the reference; those of a solid's kinds are in scene_leaves. */
 extern const struct scene_keys scene_top_keys, scene_attenuation_keys, scene_camera_keys,
     scene_light_keys, scene_material_keys, scene_pattern_keys, scene_solid_keys, scene_plane_keys,

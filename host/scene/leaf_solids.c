@@ -147,9 +147,10 @@ static void check_quadric(const struct scene_scope *scope, struct solid_node *no
 /* A plane is read as a node with a normal in `a`, a point in `b` and an offset in `radius`. */
 static const struct scene_key plane_rows[] = {
     {NUMBERS_KEY("normal", solid_node, a, 3, RANGE_COORDINATE), .is_required = true,
-     .noun = "direction of any length, not 0"},
-    {NUMBER_KEY("offset", solid_node, radius, RANGE_COORDINATE), .fallback = "that or `through`"},
-    {POINT_ROW("through", b), .fallback = "that or `offset`"}};
+     .noun = "direction of any length, not 0", .meaning = "out of the solid"},
+    {NUMBER_KEY("offset", solid_node, radius, RANGE_COORDINATE), .fallback = "that or `through`",
+     .meaning = "the points with normal·p ≤ offset are inside"},
+    {POINT_ROW("through", b), .fallback = "that or `offset`", .meaning = "a point of the plane"}};
 const struct scene_keys scene_plane_keys = SCENE_KEYS("plane", plane_rows, NULL);
 
 /* Makes a plane of what was read: its normal, of any length, and an offset or a point that the

@@ -7,6 +7,9 @@
 #include "base/nearest.h"
 #include "scene/keys.h"
 
+/* The material that needs no description. */
+static const char AIR[] = "air";
+
 static const struct scene_range indices = {0.7, 4, NULL};
 static const struct scene_range absorptions = {0, 1e9, "0..10⁹ per unit of length"};
 static const struct scene_range cell_sizes = {0, 1e9, "length"};
@@ -90,8 +93,6 @@ static const struct scene_material material_defaults = {.gloss = 32,
                                                         .reflectance_by_channel = {1, 1, 1},
                                                         .transmittance_by_channel = {1, 1, 1}};
 
-/* The rows of transparent materials only come last. */
-enum { FIRST_TRANSPARENT_ROW = 8 };
 static const struct scene_key material_rows[] = {
     {NUMBERS_KEY("colour", scene_material, colour, 3, RANGE_COLOUR), .noun = "colour",
      .is_required = true,
@@ -136,7 +137,7 @@ const struct scene_keys scene_material_keys =
 
 /* Checks what goes for opaque materials alone. */
 static void check_opaque(const struct scene_scope *scope, const struct scene_material *material) {
-    for (size_t i = FIRST_TRANSPARENT_ROW; i < scene_material_keys.count; i++) {
+    for (size_t i = SCENE_TRANSPARENT_ROW; i < scene_material_keys.count; i++) {
         const char *key = material_rows[i].name;
         if (value_member(scope->group, key) != NULL) {
             (void)scene_fail(scope->reader, scene_place_of(scope->group, key),
@@ -193,11 +194,27 @@ void scene_read_materials(struct scene_reader *reader, const struct scene_value 
     if (group->count == 0 && !group->is_partial) {
         (void)scene_fail(reader, group->at, "the scene has no material: 1 or more are wanted");
     }
-    scene->materials = scene_allocate(reader, group->count, sizeof *scene->materials);
+    /* One more, for air. */
+    scene->materials = scene_allocate(reader, group->count + 1, sizeof *scene->materials);
     for (size_t i = 0; scene->materials != NULL && i < group->count; i++) {
         read_material(reader, &group->members[i], &scene->materials[i]);
         scene->material_count = i + 1;
     }
+}
+
+/* Adds what an "air" is made of that the file does not describe: rays go straight on, and nothing
+ * is reflected, added or kept. Returns its index. */
+static int add_air(struct scene_reader *reader, unsigned line) {
+    struct scene_material *air = &reader->scene->materials[reader->scene->material_count];
+    *air = material_defaults;
+    air->name = AIR;
+    air->line = line;
+    air->transparent = true;
+    air->transmittance = 1;
+    for (int i = 0; i < 3; i++) {
+        air->colour[i] = RANGE_COLOUR.most; /* which mixing = "filter" passes unchanged */
+    }
+    return (int)reader->scene->material_count++;
 }
 
 bool scene_find_material(struct scene_reader *reader, const char *name, struct scene_place at,
@@ -217,10 +234,14 @@ bool scene_find_material(struct scene_reader *reader, const char *name, struct s
     if (!reader->knows_materials) {
         return false;
     }
+    if (strcmp(name, AIR) == 0) {
+        *index = add_air(reader, at.line);
+        return true;
+    }
     if (nearest != NULL) {
         return scene_fail(reader, at, "unknown material '%.40s'; did you mean '%.40s'?", name,
                           nearest);
     }
-    return scene_fail(reader, at, "unknown material '%.40s': it has to be one of 'materials'",
-                      name);
+    return scene_fail(reader, at,
+                      "unknown material '%.40s': it has to be one of 'materials', or 'air'", name);
 }

@@ -200,9 +200,14 @@ static const struct scene_key scene_rows[] = {
      .meaning = "Ia of Eq. (1). 0: ambient light only where a material has its own"},
     {KEY_AT("attenuation", KEY_GROUP, read_scene, scene), .fallback = "left out",
      .meaning = "divides a light's part by C + D (below); left out: by 1"},
-    {NUMBER_KEY("weld", read_scene, scene.weld, distances), .noun = "up to 1/32768 of the scene",
+    {NUMBER_KEY("weld", read_scene, scene.weld, distances),
+     .noun = "length, up to 1/32768 of the scene",
      .meaning = "faces that are nearer than this are one: for numbers that were rounded before "
                 "they came into the file"},
+    {NUMBER_KEY("world", read_scene, scene.world, distances), .fallback = "as far as is needed",
+     .meaning = "how far from the scene's middle what has no end goes on, at least: the farther, "
+                "the nearer to its horizon it is seen to end, and the coarser is all else in `fx` "
+                "and `f32`"},
     {KEY_AT("camera", KEY_GROUP, read_scene, scene), .is_required = true, .meaning = "below"},
     {KEY_AT("lights", KEY_LIST, read_scene, scene), .range = &any_number, .fallback = "none",
      .noun = "list of groups", .meaning = "below"},

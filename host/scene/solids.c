@@ -27,7 +27,6 @@ static const struct placement placement_defaults = {.scale = {1, 1, 1}};
     { .name = kind, .type = KEY_LIST, .range = &(least), .meaning = (meaning_) }
 
 /* The kinds by enum solid_kind, then what may stand beside any kind. */
-enum { KINDS = SOLID_PART + 1 };
 static const struct scene_key solid_rows[] = {
     [SOLID_BOX] = LEAF_ROW("box", "parallel to the axes; min is less than max along each"),
     [SOLID_BALL] = LEAF_ROW("ball", ""),
@@ -59,13 +58,15 @@ static const struct scene_key solid_rows[] = {
     [SOLID_PART] = {KEY_AT("part", KEY_TEXT, placement, part), .noun = "a part's name",
                     .meaning = "that solid, again"},
     {KEY_AT("material", KEY_TEXT, placement, material), .noun = "a material's name",
-     .fallback = "the surrounding solid's, or the object's"},
+     .fallback = "the surrounding solid's, or the object's",
+     .meaning = "what the solid is made of. `\"air\"` need not be described"},
     {THREE_KEY("scale", placement, scale, scales),
      .meaning = "along x, y, z, from the origin; below 0 it mirrors too"},
-    {NUMBERS_KEY("rotate", placement, rotate, 3, angles), .noun = "angles",
+    {NUMBERS_KEY("rotate", placement, rotate, 3, angles), .noun = "3 angles",
      .meaning =
          "about the x axis, then y, then z; counterclockwise as seen from the axis's far end"},
-    {NUMBERS_KEY("translate", placement, translate, 3, RANGE_COORDINATE), .noun = "3 lengths"}};
+    {NUMBERS_KEY("translate", placement, translate, 3, RANGE_COORDINATE), .noun = "3 lengths",
+     .meaning = "along x, y, z, as the last of the three"}};
 const struct scene_keys scene_solid_keys = SCENE_KEYS("solid", solid_rows, &placement_defaults);
 
 static int read_solid_at(struct scene_reader *reader, const struct scene_value *group, int level);
@@ -189,7 +190,7 @@ static bool use_part(const struct scene_scope *scope, const char *name, struct s
  * there is none is said unless a key was refused, which may be meant as one. */
 static bool find_kind(const struct scene_scope *scope, bool is_good, enum solid_kind *kind) {
     const char *found = NULL;
-    for (int i = 0; i < KINDS; i++) {
+    for (int i = 0; i < SCENE_KINDS; i++) {
         const char *key = solid_rows[i].name;
         if (value_member(scope->group, key) == NULL) {
             continue;

@@ -57,6 +57,42 @@ static void check_tells_of_refraction_where_something_is_transparent(void **stat
     assert_says("out", "\nrefraction  indices 1.5 to 1.5\n");
 }
 
+/* A floor that ends too early is remarked upon; the `world` that is named there mends it. */
+static void check_and_render_tell_where_a_floor_ends_too_early(void **state) {
+    (void)state;
+    static const char *const normals[] = {"0, 0, 1", "0, 0.02, 1", "0, 0, -1"};
+    for (int i = 0; i < 3; i++) {
+        char objects[300], command[300];
+        (void)snprintf(
+            objects, sizeof objects,
+            "{ material = \"clay\"; solid = { ball = { radius = 1; }; }; }, { material = "
+            "\"clay\"; solid = { half_space = { normal = [%s]; offset = %s; }; }; }",
+            normals[i], i == 2 ? "-9" : "-1");
+        write_scene(objects);
+        assert_status(i == 2 ? "superframe check some.scene --set camera.look_at=[0,0,6]"
+                             : "superframe check some.scene --set camera.look_at=[0,0,2]",
+                      0);
+        assert_says("out", "\nhorizon     the endless object of line 4 is seen to end ");
+        const char *world = strstr(text_of("out"), "world = ");
+        (void)snprintf(command, sizeof command,
+                       "superframe check some.scene --set camera.look_at=[0,0,%d] --set world=%d",
+                       i == 2 ? 6 : 2, atoi(world + strlen("world = ")) + 1);
+        assert_status(command, 0);
+        assert_null(strstr(text_of("out"), "horizon"));
+        (void)snprintf(command, sizeof command,
+                       "superframe render some.scene -o p.png --set camera.look_at=[0,0,%d]",
+                       i == 2 ? 6 : 2);
+        assert_status(command, 0);
+        assert_says("err", "superframe: some.scene:4: this endless object is seen to end, ");
+    }
+    /* Not where the picture ends before it, nor of what has an end. */
+    assert_status("superframe check some.scene --set camera.look_at=[3,-6,0]", 0);
+    assert_null(strstr(text_of("out"), "horizon"));
+    write_scene(solids);
+    assert_status("superframe check some.scene --set camera.look_at=[0,0,3]", 0);
+    assert_null(strstr(text_of("out"), "horizon"));
+}
+
 static unsigned count_of(const char *text, const char *word) {
     unsigned count = 0;
     for (const char *found = text; (found = strstr(found, word)) != NULL; found++) {
@@ -88,6 +124,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         TEST(check_says_what_became_of_the_solids),
         TEST(check_tells_of_refraction_where_something_is_transparent),
+        TEST(check_and_render_tell_where_a_floor_ends_too_early),
         TEST(check_validates_each_step_on_demand),
         TEST(a_compiled_scene_says_the_same),
     };
