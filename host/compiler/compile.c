@@ -60,6 +60,28 @@ static double bounds_half(const struct bounds *bounds) {
     return reach;
 }
 
+/* Refuses a scene that has no size: a polyhedron that is open, or nothing but half-spaces. */
+static bool fail_without_size(struct compiler *compiler, double reach) {
+    const struct scene_description *from = compiler->description;
+    for (size_t i = 0; i < from->node_count && reach < REACH_LEAST; i++) {
+        struct bounds bounds = solid_bounds(from, (int)i, &affine_identity);
+        if (from->nodes[i].kind == SOLID_POLYHEDRON && !bounds_are_finite(&bounds)) {
+            return compile_fail(compiler, from->nodes[i].line,
+                                "a polyhedron without an end, and nothing else that has a size: "
+                                "add the planes that close it");
+        }
+    }
+    return reach < REACH_LEAST
+               ? compile_fail(compiler, 0,
+                              "nothing here has a size (solids, eye and lights lie within %g "
+                              "units): add a bounded solid, or give a light a place",
+                              reach)
+               : compile_fail(compiler, 0,
+                              "solids, eye and lights reach %g units from their middle; up to 1e12 "
+                              "is allowed: choose another unit of length",
+                              reach);
+}
+
 /* Scales by what is not dead. Dead things count, too, where something endless is seen, as they
  * decide where it ends. They also count where nothing else has a size, or where compile_round()
  * asks for them. */
@@ -76,10 +98,7 @@ bool compile_scaling(struct compiler *compiler) {
         scene->centre[i] = all.low[i] / 2 + all.high[i] / 2;
     }
     if (!(reach <= 1e12 && reach >= REACH_LEAST)) {
-        return compile_fail(compiler, 0,
-                            "solids, eye and lights lie within %g units; 1e-12 to 1e12 is allowed: "
-                            "choose another unit of length",
-                            reach);
+        return fail_without_size(compiler, reach);
     }
     scene->exponent = (int)floor(log2(COMPILE_EXTENT / reach));
     if (compiler->description->world > 0) {

@@ -161,6 +161,11 @@ void remarks_complain(const struct compiled_scene *scene, const struct arithmeti
             weld_of(scene), scene->near_count);
     }
     struct short_floor floor;
+    if (scene->object_count == 1) {
+        complain("%s: nothing is in view, the picture is all background; turn the camera's "
+                 "'look_at' to the objects (`superframe check` names what is out of view)",
+                 scene->path);
+    }
     if (find_short_floor(scene, &floor)) {
         complain("%s:%u: this endless object is seen to end, %.3g units away and %.1f pixels under "
                  "its horizon; 'world = %.10g;' in the scene puts its end farther",
@@ -203,6 +208,9 @@ void remarks_print(FILE *out, const struct compiled_scene *scene) {
                       weld_of(scene));
     }
     struct short_floor floor;
+    if (scene->object_count == 1) {
+        (void)fprintf(out, "view        nothing is in view: the picture is all background\n");
+    }
     if (find_short_floor(scene, &floor)) {
         (void)fprintf(
             out,

@@ -93,6 +93,31 @@ static void check_and_render_tell_where_a_floor_ends_too_early(void **state) {
     assert_null(strstr(text_of("out"), "horizon"));
 }
 
+static void a_scene_of_which_nothing_is_seen_says_so(void **state) {
+    (void)state;
+    write_scene(solids);
+    assert_status("superframe check some.scene", 0);
+    assert_null(strstr(text_of("out"), "nothing is in view"));
+    assert_status("superframe check some.scene --set camera.look_at=[6,-14,10]", 0);
+    assert_says("out", "\nview        nothing is in view");
+    assert_status("superframe render some.scene -o p.png --set camera.look_at=[6,-14,10]", 0);
+    assert_says("err", "superframe: some.scene: nothing is in view, ");
+}
+
+/* What has no size is told by what there is to mend. */
+static void a_scene_without_a_size_is_told_why(void **state) {
+    (void)state;
+    write_scene("{ material = \"clay\"; solid = { half_space = { normal = [0, 0, 1]; offset = 0; "
+                "}; }; }");
+    assert_status("superframe check some.scene", 2);
+    assert_says("err", "superframe: some.scene: nothing here has a size");
+    write_scene("{ material = \"clay\"; solid = { polyhedron = { planes = ( { normal = [1, 0, 0]; "
+                "offset = 1; }, { normal = [-1, 0, 0]; offset = 1; }, { normal = [0, 1, 0]; "
+                "offset = 1; }, { normal = [0, 0, 1]; offset = 1; } ); }; }; }");
+    assert_status("superframe check some.scene", 2);
+    assert_says("err", "superframe: some.scene:4: a polyhedron without an end");
+}
+
 static unsigned count_of(const char *text, const char *word) {
     unsigned count = 0;
     for (const char *found = text; (found = strstr(found, word)) != NULL; found++) {
@@ -125,6 +150,8 @@ int main(void) {
         TEST(check_says_what_became_of_the_solids),
         TEST(check_tells_of_refraction_where_something_is_transparent),
         TEST(check_and_render_tell_where_a_floor_ends_too_early),
+        TEST(a_scene_of_which_nothing_is_seen_says_so),
+        TEST(a_scene_without_a_size_is_told_why),
         TEST(check_validates_each_step_on_demand),
         TEST(a_compiled_scene_says_the_same),
     };
