@@ -13,7 +13,7 @@
 
 /* The most that is read of a file. BYTES_MOST is more than the reader takes, so that the reader
  * says what is allowed. The limit also ends the reading of an endless file. */
-enum { BYTES_MOST = 2 * 1024 * 1024, CHUNK = 65536, BUILTIN_MOST = 32 };
+enum { BYTES_MOST = 65 * 1024 * 1024, CHUNK = 65536, BUILTIN_MOST = 32 };
 
 /* What messages call a scene from there. */
 static const char STANDARD_INPUT[] = "standard input";
