@@ -19,8 +19,8 @@ enum exit_status {
 #endif
 
 /* Prints "superframe: ", the message and a line's end to standard error. Each line of a message is
- * printed so. A line that begins with a blank shows what the one before speaks of: it is printed as
- * it is, and on a terminal only. */
+ * printed so. A line that begins with a blank shows what the line before speaks of. Such a line is
+ * printed as it is, and on a terminal only. */
 void complain(const char *format, ...) FORMAT_OF_PRINTF;
 
 /* Complains as complain() does, for messages that are made elsewhere; returns STATUS_BAD_INPUT. */

@@ -101,7 +101,8 @@ bool compile_scaling(struct compiler *compiler) {
         return fail_without_size(compiler, reach);
     }
     scene->exponent = (int)floor(log2(COMPILE_EXTENT / reach));
-    if (compiler->description->world > 0) {
+    scene->has_world = compiler->description->world > 0;
+    if (scene->has_world) {
         int farther = (int)floor(log2(COMPILE_WORLD / compiler->description->world));
         scene->exponent = farther < scene->exponent ? farther : scene->exponent;
     }

@@ -201,6 +201,7 @@ struct compiled_scene {
     bool has_shadows; /* some light casts them; no part of the firmware's tables */
 
     /* No part of the firmware's tables either. */
+    bool has_world;      /* the file says how far the world goes */
     bool has_branches;   /* paths go on behind some surface, if the depth level lets them */
     uint8_t depth_asked; /* depth is as much of it as paths can use */
     struct compiled_dead dead[COMPILED_DEAD_MOST];

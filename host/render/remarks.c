@@ -166,7 +166,7 @@ void remarks_complain(const struct compiled_scene *scene, const struct arithmeti
                  "'look_at' to the objects (`superframe check` names what is out of view)",
                  scene->path);
     }
-    if (find_short_floor(scene, &floor)) {
+    if (!scene->has_world && find_short_floor(scene, &floor)) {
         complain("%s:%u: this endless object is seen to end, %.3g units away and %.1f pixels under "
                  "its horizon; 'world = %.10g;' in the scene puts its end farther",
                  scene->path, floor.line, floor.away, floor.pixels, floor.far_world);

@@ -149,7 +149,7 @@ struct scene_description {
     double ambient[3]; /* Ia */
     bool has_attenuation;
     double attenuation_constant; /* C of C + D, >= 0 */
-    double weld; /* faces nearer than this count as one; 0: only where rounding explains the gap */
+    double weld;  /* faces nearer than this count as one; 0: only where rounding explains the gap */
     double world; /* how far from the middle what has no end goes on, at least; 0: as it comes */
     struct scene_camera camera;
     struct scene_light *lights;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The keys that a group of a scene file may have, as rows: from the rows come the reading of the
+/* The keys that a group of a scene file may have, as rows. From the rows come the reading of the
  * file, its refusals, and the reference in docs/scene-format.md. */
 #ifndef SUPERFRAME_SCENE_KEYS_H
 #define SUPERFRAME_SCENE_KEYS_H
@@ -113,8 +113,7 @@ struct scene_leaf {
     void (*check)(const struct scene_scope *scope, struct solid_node *node);
 };
 
-/* By enum solid_kind; the keys of a solid have the names of the kinds in this order, and then those
- * of the nodes. */
+/* By enum solid_kind. The keys of a solid are these kinds in this order, and then the nodes. */
 extern const struct scene_leaf scene_leaves[];
 extern const size_t scene_leaf_count;
 

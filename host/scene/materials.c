@@ -96,8 +96,8 @@ static const struct scene_material material_defaults = {.gloss = 32,
 static const struct scene_key material_rows[] = {
     {NUMBERS_KEY("colour", scene_material, colour, 3, RANGE_COLOUR), .noun = "colour",
      .is_required = true,
-     .meaning = "Ic, the own colour; transparent materials have one too and add it at every "
-                "boundary"},
+     .meaning = "Ic, the own colour. Transparent materials have one too, and add it at every "
+                "boundary as far as `ambient` and `diffuse` say; without these two it is not seen"},
     {NUMBER_KEY("ambient", scene_material, ambient, RANGE_SHARE),
      .meaning = "a, the share of the ambient light. 0: none"},
     {KEY_AT("ambient_is_own", KEY_TRUTH, scene_material, ambient_is_own),
@@ -131,7 +131,8 @@ static const struct scene_key material_rows[] = {
     {THREE_KEY("transmittance_factors", scene_material, transmittance_by_channel, RANGE_SHARE),
      .meaning = "the same for Kt"},
     {THREE_KEY("absorption", scene_material, absorption, absorptions),
-     .meaning = "α of τ(x) = exp(−αx) along the way x in the medium, for R, G, B. 0: none"}};
+     .meaning = "α of τ(x) = exp(−αx) along the way x in the medium, for R, G, B. 0.1 leaves 90 % "
+                "after one unit. 0: none"}};
 const struct scene_keys scene_material_keys =
     SCENE_KEYS("material", material_rows, &material_defaults);
 
@@ -202,8 +203,8 @@ void scene_read_materials(struct scene_reader *reader, const struct scene_value 
     }
 }
 
-/* Adds what an "air" is made of that the file does not describe: rays go straight on, and nothing
- * is reflected, added or kept. Returns its index. */
+/* Adds the material "air", which the file does not describe. Rays go straight on in it, and nothing
+ * is reflected, added or kept. Returns the material's index. */
 static int add_air(struct scene_reader *reader, unsigned line) {
     struct scene_material *air = &reader->scene->materials[reader->scene->material_count];
     *air = material_defaults;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Reads a scene's text into a tree: keys, values, brackets, and numbers that are worked out.
  *
- * What is wrong is recorded and passed over: a refused value is VALUE_REFUSED; where a token stands
+ * What is wrong is recorded and passed over. A refused value is VALUE_REFUSED. Where a token stands
  * in a wrong place, reading goes on behind the next separator of the same bracket. */
 #include <math.h>
 #include <stdlib.h>
@@ -98,8 +98,8 @@ static bool is_closing(const struct token *token) {
     return token_is(token, '}') || token_is(token, ')') || token_is(token, ']');
 }
 
-/* Passes over tokens up to one of these marks, or to a bracket that closes, neither of them in
- * brackets that open here. Then the parser is no longer astray. */
+/* Passes over tokens up to one of these marks, or to a bracket that closes. Brackets that open here
+ * are passed over whole. Then the parser is no longer astray. */
 static void pass_over(struct parser *parser, const char *marks) {
     const struct token *next = &parser->next;
     unsigned open = 0;
@@ -143,6 +143,23 @@ static void refuse_word(struct parser *parser) {
                              token_shown(word), word->start);
             return;
         }
+    }
+    const char *minus = memchr(word->start, '-', word->length);
+    struct token first = *word;
+    first.length = minus != NULL ? (size_t)(minus - word->start) : 0;
+    if (minus != NULL && find_constant(parser, &first) != NULL) {
+        (void)scene_fail(parser->reader, word->at,
+                         "'%.*s' is one name, for a name may have '-' in it: write '%.*s - %.*s'",
+                         token_shown(word), word->start, token_shown(&first), word->start,
+                         token_shown(word) - token_shown(&first) - 1, minus + 1);
+        return;
+    }
+    if (parser->scanner.text[parser->scanner.at] == '(') {
+        (void)scene_fail(parser->reader, word->at,
+                         "'%.*s(' begins a function, and there are none: numbers are made by + - * "
+                         "/ and parentheses alone",
+                         token_shown(word), word->start);
+        return;
     }
     (void)scene_fail(parser->reader, word->at,
                      "'%.*s' is no value: strings stand in quotes, as in \"%.*s\", and a number "
@@ -237,7 +254,7 @@ static double go_on_with_product(struct parser *parser, double product, bool *is
     return product;
 }
 
-/* Tells whether a sum goes on here. In "2-1" the sign is the number's own; so such a number goes on
+/* Tells whether a sum goes on here. In "2-1" the sign is the number's own. Such a number goes on
  * only without a blank before it: [1 -2] lacks a comma. */
 static bool goes_on(const struct parser *parser) {
     return is_next(parser, '+') || is_next(parser, '-') || is_next(parser, '*') ||
@@ -320,8 +337,8 @@ static void find_way(struct parser *parser, struct scene_value *value) {
     pass_over(parser, value->kind == VALUE_GROUP ? ";" : ";,");
 }
 
-/* Ends the innermost bracket by the next token. Another bracket than the one that is wanted is left
- * to an outer bracket that waits for it, or is taken for the wanted one. Returns false where no
+/* Ends the innermost bracket by the next token. Where that is a wrong bracket, an outer bracket may
+ * wait for it, and takes it. Otherwise it is taken for the right one. Returns false where no
  * bracket is open. */
 static bool close_bracket(struct parser *parser, struct scene_value *value) {
     const struct bracket *bracket = parser->bracket, *waiting = bracket;

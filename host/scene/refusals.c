@@ -27,7 +27,7 @@ static bool is_before(const struct scene_refusal *one, const struct scene_refusa
            (one->at.line == other->at.line && one->at.column < other->at.column);
 }
 
-/* Appends to a text, as far as there is room; control characters of the file become '?', so that a
+/* Appends to a text, as far as there is room. Control characters of the file become '?', so that a
  * line stays one line. */
 static size_t append(char *text, size_t used, size_t size, const char *piece, size_t length) {
     for (size_t i = 0; i < length && used + 1 < size; i++) {

@@ -9,7 +9,8 @@
 
 enum { SHOWN_MOST = 40, NUMBER_LENGTH_MOST = 100, STRING_MOST = 200 };
 
-/* The next tests are our own: the library's depend on the locale. */
+/* Tells whether a letter is a digit. This test and the next ones are our own: the library's depend
+ * on the locale. */
 static bool is_digit(char letter) {
     return letter >= '0' && letter <= '9';
 }
@@ -216,6 +217,15 @@ static bool scan_number(struct scanner *scanner, struct token *token) {
     text[token->length] = '\0';
     const enum number_form form = form_of(text);
     const char *digits = text + (*text == '-' || *text == '+');
+    const size_t whole = count_digits(text, is_digit);
+    if (form == FORM_NONE && whole > 0 && is_letter(text[whole]) &&
+        strchr("eExX", text[whole]) == NULL) {
+        return scene_fail(
+            reader, token->at,
+            "'%.*s' is no number: a product is written with its mark, as in %.*s*%.*s",
+            token_shown(token), token->start, (int)whole, text, token_shown(token) - (int)whole,
+            text + whole);
+    }
     if (form == FORM_NONE) {
         return scene_fail(reader, token->at,
                           token_is_infinite_or_nan(token)

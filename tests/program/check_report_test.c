@@ -84,6 +84,9 @@ static void check_and_render_tell_where_a_floor_ends_too_early(void **state) {
                        i == 2 ? 6 : 2);
         assert_status(command, 0);
         assert_says("err", "superframe: some.scene:4: this endless object is seen to end, ");
+        strcat(command, " --set world=9"); /* who says where the world ends means it */
+        assert_status(command, 0);
+        assert_null(strstr(text_of("err"), "endless"));
     }
     /* Not where the picture ends before it, nor of what has an end. */
     assert_status("superframe check some.scene --set camera.look_at=[3,-6,0]", 0);
