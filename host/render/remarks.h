@@ -8,8 +8,8 @@
 #include "render/arithmetic.h"
 
 /* Says on standard error what may spoil a picture in this arithmetic. That is near faces which the
- * arithmetic does not tell apart, an endless floor that is seen to end, nothing in view, or an eye
- * inside an opaque object. */
+ * arithmetic does not tell apart, or an eye inside an opaque object. It is also an endless floor
+ * that is seen to end, or nothing in view. */
 void remarks_complain(const struct compiled_scene *scene, const struct arithmetic *arithmetic);
 
 /* Prints all remarks for `check`, with the arithmetics in which seams may show. */
