@@ -21,6 +21,9 @@ enum exit_status {
 /* Prints "superframe: ", the message and a line's end to standard error. */
 void complain(const char *format, ...) FORMAT_OF_PRINTF;
 
+/* Complains as complain() does; returns STATUS_FAILED. */
+int failure(const char *format, ...) FORMAT_OF_PRINTF;
+
 /* Complains as complain() does, for messages that are made elsewhere; returns STATUS_BAD_INPUT. */
 int bad_input(const char *format, ...) FORMAT_OF_PRINTF;
 

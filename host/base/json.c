@@ -65,13 +65,27 @@ void json_flag(struct json *json, const char *key, bool flag) {
     (void)fputs(flag ? "true" : "false", json->out);
 }
 
+void json_hexadecimal(struct json *json, const char *key, uint64_t value, int digits) {
+    begin_entry(json, key);
+    (void)fprintf(json->out, "\"%0*" PRIx64 "\"", digits, value);
+}
+
 void json_real(struct json *json, const char *key, double number) {
+    json_rounded(json, key, number, 17);
+}
+
+void json_rounded(struct json *json, const char *key, double number, int digits) {
     begin_entry(json, key);
     if (isfinite(number)) {
-        (void)fprintf(json->out, "%.17g", number);
+        (void)fprintf(json->out, "%.*g", digits, number);
     } else {
         (void)fputs("null", json->out);
     }
+}
+
+void json_decimal(struct json *json, const char *key, double number, int places) {
+    begin_entry(json, key);
+    (void)fprintf(json->out, "%.*f", places, number);
 }
 
 void json_text(struct json *json, const char *key, const char *text) {

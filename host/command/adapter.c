@@ -100,8 +100,7 @@ static int start_listening(struct server *server) {
     error = errno;
     freeaddrinfo(found);
     if (!is_listening) {
-        complain("%s port %s: can't listen: %s", address, port, strerror(error));
-        return STATUS_FAILED;
+        return failure("%s port %s: can't listen: %s", address, port, strerror(error));
     }
     announce(server);
     return STATUS_DONE;
@@ -240,8 +239,7 @@ static void work(struct server *server) {
 static int run_adapter(const struct options *options) {
     struct server *server = calloc(1, sizeof *server);
     if (server == NULL) {
-        complain("out of memory");
-        return STATUS_FAILED;
+        return failure("out of memory");
     }
     server->options = options;
     server->listener = -1;

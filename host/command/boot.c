@@ -31,8 +31,7 @@ static int read_disk(struct boot_run *run) {
     run->disk = malloc(PC98_DISK_BYTES + 1);
     if (run->disk == NULL) {
         (void)fclose(file);
-        complain("out of memory");
-        return STATUS_FAILED;
+        return failure("out of memory");
     }
     errno = 0;
     size_t bytes = fread(run->disk, 1, PC98_DISK_BYTES + 1, file);
@@ -101,8 +100,7 @@ static int boot(struct boot_run *run) {
         return STATUS_DONE;
     case PROCESSOR_UNAVAILABLE:
     case PROCESSOR_BUS_FAILED:
-        complain("%s", run->report.reason);
-        return STATUS_FAILED;
+        return failure("%s", run->report.reason);
     case PROCESSOR_LOST:
     case PROCESSOR_LIMIT:
     case PROCESSOR_ENDS:

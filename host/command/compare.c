@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/json.h"
 #include "base/output.h"
 #include "command/command.h"
 #include "picture/ciede2000.h"
@@ -170,8 +171,7 @@ static int measure(struct compared *all) {
     if (a->rgb != NULL &&
         (!colour_differences(a->rgb, b->rgb, pixels, &all->colours) ||
          !picture_similarity(a->rgb, b->rgb, a->width, a->height, &all->similarity))) {
-        complain("out of memory");
-        return STATUS_FAILED;
+        return failure("out of memory");
     }
     if (all->signature_files[0].path != NULL) {
         status = measure_signatures(all);
@@ -190,10 +190,13 @@ static double flip_share(const struct compared *all) {
     return 100.0 * (double)all->paths.flips / (double)all->paths.pixels;
 }
 
+static uint64_t pixels_far_off(const struct comparison *comparison) {
+    return comparison->pixels - comparison_within(comparison, COMPARE_FAR);
+}
+
 static void print_words(const struct compared *all) {
     const struct comparison *comparison = &all->comparison;
     unsigned within = (unsigned)all->options->within;
-    uint64_t far = comparison->pixels - comparison_within(comparison, COMPARE_FAR);
     if (all->pictures[0].path != NULL) {
         (void)printf("pixels              %" PRIu64 "\n", comparison->pixels);
         (void)printf("largest error       %u LSB\n", comparison_largest(comparison));
@@ -204,7 +207,8 @@ static void print_words(const struct compared *all) {
             (void)printf("within %-3u LSB      %.6f %%\n", within,
                          comparison_share(comparison, within));
         }
-        (void)printf("over %d LSB          %" PRIu64 " pixels\n", COMPARE_FAR, far);
+        (void)printf("over %d LSB          %" PRIu64 " pixels\n", COMPARE_FAR,
+                     pixels_far_off(comparison));
         (void)printf("CIEDE2000           %.6f mean, %.4f at 99.9 %%, %.4f largest\n",
                      all->colours.mean, all->colours.high, all->colours.largest);
         if (!isnan(all->similarity)) {
@@ -222,46 +226,40 @@ static void print_words(const struct compared *all) {
     }
 }
 
-/* Prints a number; null where JSON has no word for it. */
-static void print_number(const char *key, double number) {
-    if (isfinite(number)) {
-        (void)printf("  \"%s\": %.17g,\n", key, number);
-    } else {
-        (void)printf("  \"%s\": null,\n", key);
-    }
-}
-
 static void print_json(const struct compared *all) {
     const struct comparison *comparison = &all->comparison;
     unsigned within = (unsigned)all->options->within;
-    uint64_t far = comparison->pixels - comparison_within(comparison, COMPARE_FAR);
-    (void)printf("{\n");
+    struct json json = {.out = stdout};
+    json_begin_object(&json, NULL);
     if (all->pictures[0].path != NULL) {
-        (void)printf("  \"width\": %u,\n  \"height\": %u,\n  \"pixels\": %" PRIu64 ",\n",
-                     all->image[0].width, all->image[0].height, comparison->pixels);
-        (void)printf("  \"max_error\": %u,\n", comparison_largest(comparison));
-        print_number("rmse", comparison_rmse(comparison));
-        print_number("psnr", comparison_psnr(comparison)); /* null: the pictures are equal */
-        print_number("share_within_1", comparison_share(comparison, 1));
-        (void)printf("  \"pixels_over_8\": %" PRIu64 ",\n  \"within\": %u,\n", far, within);
-        print_number("share_within", comparison_share(comparison, within));
-        print_number("delta_e_mean", all->colours.mean);
-        print_number("delta_e_999", all->colours.high);
-        print_number("delta_e_max", all->colours.largest);
-        print_number("ssim", all->similarity);
+        json_count(&json, "width", all->image[0].width);
+        json_count(&json, "height", all->image[0].height);
+        json_count(&json, "pixels", comparison->pixels);
+        json_count(&json, "max_error", comparison_largest(comparison));
+        json_real(&json, "rmse", comparison_rmse(comparison));
+        json_real(&json, "psnr", comparison_psnr(comparison)); /* null: the pictures are equal */
+        json_real(&json, "share_within_1", comparison_share(comparison, 1));
+        json_count(&json, "pixels_over_8", pixels_far_off(comparison));
+        json_count(&json, "within", within);
+        json_real(&json, "share_within", comparison_share(comparison, within));
+        json_real(&json, "delta_e_mean", all->colours.mean);
+        json_real(&json, "delta_e_999", all->colours.high);
+        json_real(&json, "delta_e_max", all->colours.largest);
+        json_real(&json, "ssim", all->similarity);
     }
     if (all->signature_files[0].path != NULL) {
-        (void)printf("  \"signatures\": %" PRIu64 ",\n  \"flips\": %" PRIu64 ",\n",
-                     all->paths.pixels, all->paths.flips);
-        print_number("flip_share", flip_share(all));
+        json_count(&json, "signatures", all->paths.pixels);
+        json_count(&json, "flips", all->paths.flips);
+        json_real(&json, "flip_share", flip_share(all));
     }
     if (all->signature_files[0].path != NULL && all->pictures[0].path != NULL) {
-        (void)printf("  \"flip_error\": %u,\n  \"drift\": %u,\n  \"drifted_over_1\": %" PRIu64
-                     ",\n",
-                     all->paths.flip_error, all->paths.drift, all->paths.drifted);
+        json_count(&json, "flip_error", all->paths.flip_error);
+        json_count(&json, "drift", all->paths.drift);
+        json_count(&json, "drifted_over_1", all->paths.drifted);
     }
-    print_number("share", all->options->share);
-    (void)printf("  \"holds\": %s\n}\n", all->holds ? "true" : "false");
+    json_real(&json, "share", all->options->share);
+    json_flag(&json, "holds", all->holds);
+    json_end_object(&json);
 }
 
 /* Writes the picture of the differences over the first picture's memory, which nothing reads

@@ -45,12 +45,10 @@ static int take_scenes(struct measure *measure) {
 static int make_folder(struct measure *measure) {
     measure->points_path = path_join(measure->folder, "points.csv");
     if (measure->points_path == NULL) {
-        complain("out of memory");
-        return STATUS_FAILED;
+        return failure("out of memory");
     }
     if (mkdir(measure->folder, FOLDER_MODE) != 0 && errno != EEXIST) {
-        complain("%s: cannot be written: %s", measure->folder, strerror(errno));
-        return STATUS_FAILED;
+        return failure("%s: cannot be written: %s", measure->folder, strerror(errno));
     }
     return STATUS_DONE;
 }
@@ -61,8 +59,7 @@ static int run_measure(const struct options *options) {
                                                      measure_report};
     struct measure *measure = calloc(1, sizeof *measure);
     if (measure == NULL) {
-        complain("out of memory");
-        return STATUS_FAILED;
+        return failure("out of memory");
     }
     measure->options = options;
     measure->folder = options->output;

@@ -88,8 +88,7 @@ static int open_own_ports(struct ports_linux *ports, uint16_t base) {
     case PORTS_LINUX_REFUSED:
         break;
     }
-    complain("--bus ports: %s", message);
-    return STATUS_FAILED;
+    return failure("--bus ports: %s", message);
 }
 
 static int load(struct render_run *run) {

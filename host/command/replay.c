@@ -67,8 +67,7 @@ static int prepare(struct replay_run *run) {
     const struct session_files files = {.picture = options->output, .stats = options->stats};
     run->reader = malloc(sizeof *run->reader);
     if (run->reader == NULL) {
-        complain("out of memory");
-        return STATUS_FAILED;
+        return failure("out of memory");
     }
     int status = session_begin(&run->session, &options->board, NULL);
     return status == STATUS_DONE ? session_open(&run->session, &files) : status;

@@ -179,8 +179,7 @@ static int watch(const struct options *options) {
     const struct trace_options *tracing = &options->tracing;
     struct trace_run *run = calloc(1, sizeof *run);
     if (run == NULL) {
-        complain("out of memory");
-        return STATUS_FAILED;
+        return failure("out of memory");
     }
     run->options = options;
     run->path = options->operands[0];
@@ -229,8 +228,7 @@ static int compare(const struct options *options) {
     FILE *files[2] = {NULL, NULL};
     int status = STATUS_DONE;
     if (readers[0] == NULL || readers[1] == NULL) {
-        complain("out of memory");
-        status = STATUS_FAILED;
+        status = failure("out of memory");
     } else if (strcmp(paths[0], "-") == 0 && strcmp(paths[1], "-") == 0) {
         status = bad_input("only one of the two traces can be standard input");
     }

@@ -115,8 +115,7 @@ int measure_shoot(struct measure *measure, const char *operand, struct measure_p
         *rgb = cut_out(chain->rgb, point->width * *dots, point->height * *dots);
     }
     if (chain == NULL || (status == STATUS_DONE && *rgb == NULL)) {
-        complain("out of memory");
-        status = STATUS_FAILED;
+        status = failure("out of memory");
     }
     port_chain_free(chain);
     free(compiled);

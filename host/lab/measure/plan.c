@@ -24,8 +24,7 @@ static void colour_text(enum scene_colour colour, int bits, char text[16]) {
 static int add(struct measure *measure, const struct measure_point *point) {
     if (measure_list_find(&measure->points, point) == NULL &&
         !measure_list_add(&measure->points, point)) {
-        complain("out of memory");
-        return STATUS_FAILED;
+        return failure("out of memory");
     }
     return STATUS_DONE;
 }

@@ -286,8 +286,7 @@ static int write_script(const struct measure *measure, const struct measure_sett
 int measure_plot(struct measure *measure) {
     struct measure_settings settings;
     if (!measure_settings(measure, &settings)) {
-        complain("out of memory");
-        return STATUS_FAILED;
+        return failure("out of memory");
     }
     int status = write_data(measure, &settings);
     if (status == STATUS_DONE) {

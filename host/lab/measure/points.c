@@ -133,8 +133,7 @@ int measure_resume(struct measure *measure) {
         return STATUS_DONE;
     }
     if (file == NULL) {
-        complain("%s: cannot be read: %s", path, strerror(errno));
-        return STATUS_FAILED;
+        return failure("%s: cannot be read: %s", path, strerror(errno));
     }
     bool is_ours = measure_read_head(file) != MEASURE_FOREIGN;
     const char *changed = NULL;

@@ -421,8 +421,7 @@ static int write_table(const struct measure *measure) {
 int measure_report(struct measure *measure) {
     struct measure_settings settings;
     if (!measure_settings(measure, &settings)) {
-        complain("out of memory");
-        return STATUS_FAILED;
+        return failure("out of memory");
     }
     int status = write_table(measure);
     if (status == STATUS_DONE) {

@@ -122,8 +122,7 @@ static int judge_point(struct measure_point *point, const struct dots_picture *r
     size_t dots = (size_t)picture->width * picture->height;
     compare_pictures(reference->rgb, picture->rgb, dots, &comparison);
     if (!colour_differences(reference->rgb, picture->rgb, dots, &colours)) {
-        complain("out of memory");
-        return STATUS_FAILED;
+        return failure("out of memory");
     }
     point->wrong = percent_off(reference, picture);
     point->largest = comparison_largest(&comparison);
@@ -161,8 +160,7 @@ static int measure_point(struct measure *measure, const struct measure_scene *sc
     measure->progress.units_done++;
     measure_write_point(measure, log, point);
     if (fflush(log) != 0) {
-        complain("%s: cannot be written: %s", measure->points_path, strerror(errno));
-        return STATUS_FAILED;
+        return failure("%s: cannot be written: %s", measure->points_path, strerror(errno));
     }
     return STATUS_DONE;
 }
@@ -180,8 +178,7 @@ static int measure_group(struct measure *measure, const struct measure_scene *sc
     like.error = 0;
     struct twins *twins = calloc(1, sizeof *twins);
     if (twins == NULL) {
-        complain("out of memory");
-        return STATUS_FAILED;
+        return failure("out of memory");
     }
     int status = shoot(measure, scene, &like, &reference);
     for (size_t i = first; i < measure->points.count && status == STATUS_DONE; i++) {
@@ -301,8 +298,7 @@ int measure_run(struct measure *measure) {
     int status = run_all(measure, log);
     progress_end(&measure->progress);
     if (fclose(log) != 0 && status == STATUS_DONE) {
-        complain("%s: cannot be written: %s", measure->points_path, strerror(errno));
-        status = STATUS_FAILED;
+        status = failure("%s: cannot be written: %s", measure->points_path, strerror(errno));
     }
     if (*interrupt_noted() != 0) {
         complain("interrupted; started again with the same -o it goes on where it was");

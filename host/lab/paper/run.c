@@ -82,8 +82,7 @@ static int make_paper(struct paper *paper, const struct options *options) {
 int paper_run(const struct options *options) {
     struct paper *paper = calloc(1, sizeof *paper);
     if (paper == NULL) {
-        complain("out of memory");
-        return STATUS_FAILED;
+        return failure("out of memory");
     }
     paper->arithmetic = arithmetic_find(options->arithmetic);
     paper->jobs = options->jobs;
