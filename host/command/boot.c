@@ -13,9 +13,16 @@
 #include "command/command.h"
 #include "stats/run.h"
 
+/* What only boot is asked for. */
+struct boot_options {
+    struct options common;
+    uint64_t instructions_most; /* that the CPU may run */
+    uint64_t escape_after;      /* Esc when the keyboard has been asked so many times; 0: never */
+};
+
 /* One run of the command. */
 struct boot_run {
-    const struct options *options;
+    const struct boot_options *options;
     const char *path;
     struct session session;
     uint8_t *disk;
@@ -49,7 +56,7 @@ static int read_disk(struct boot_run *run) {
 }
 
 static int prepare(struct boot_run *run) {
-    const struct options *options = run->options;
+    const struct options *options = &run->options->common;
     const struct session_files files = {options->output, options->trace, options->stats};
     int status = read_disk(run);
     if (status == STATUS_DONE) {
@@ -91,7 +98,7 @@ static int boot(struct boot_run *run) {
                                       .stop = interrupt_noted()};
     interrupt_catch();
     processor_run(&job, &run->report);
-    if (!run->options->quiet) {
+    if (!run->options->common.quiet) {
         print_text_screen(&run->report);
     }
     switch (run->report.end) {
@@ -132,7 +139,7 @@ static int judge(const struct boot_run *run) {
 static int run_boot(const struct options *options) {
     struct boot_run run;
     memset(&run, 0, sizeof run);
-    run.options = options;
+    run.options = (const struct boot_options *)options;
     run.path = options->operands[0];
     run.session.began = stopwatch_start();
     int status = prepare(&run);
@@ -156,36 +163,36 @@ static const struct option_entry own_entries[] = {
      .value = "CPU",
      .type = OPTION_WORD,
      .words = cpus,
-     .help = "the CPU that runs the image (386)"},
+     .preset = "386",
+     .help = "the CPU that runs the image"},
     {.name = "instructions",
      .value = "N",
      .type = OPTION_WHOLE,
-     OPTION_MEMBER(instructions_most),
+     OPTION_MEMBER_OF(struct boot_options, instructions_most),
      .least = 1,
      .most = 1e15,
-     .help = "end as failed after so many (200000000000)"},
+     .preset = "200000000000", /* a frame of 640 x 400 takes some 60 thousand million */
+     .help = "end as failed after so many"},
     {.name = "escape",
      .value = "N",
      .type = OPTION_WHOLE,
-     OPTION_MEMBER(escape_after),
+     OPTION_MEMBER_OF(struct boot_options, escape_after),
      .least = 1,
      .most = 1e15,
      .help = "press Esc when the keyboard has been asked N times"},
     {.name = NULL}};
 static const struct option_group group_own = {"CPU", own_entries};
 
-static const struct option_group *const groups[] = {
-    &group_picture, &group_statistics, &group_recording, &group_own, &group_quiet,
-    &group_board,   &group_screen,     &group_faults,    NULL};
-static const char *const examples[] = {
-    "boot fig3.hdm -o screen.png", "boot probe.hdm --escape 100 --instructions 1000000000", NULL};
-
-const struct command command_boot = {.name = "boot",
-                                     .operands = "IMAGE.hdm",
-                                     .summary = "Run a PC-98 floppy image on an emulated CPU.",
-                                     .least = 1,
-                                     .most = 1,
-                                     .kind = OPERANDS_FILES,
-                                     .groups = groups,
-                                     .examples = examples,
-                                     .run = run_boot};
+const struct command command_boot = {
+    .name = "boot",
+    .operands = "IMAGE.hdm",
+    .summary = "Run a PC-98 floppy image on an emulated CPU.",
+    .least = 1,
+    .most = 1,
+    .kind = OPERANDS_FILES,
+    .size = sizeof(struct boot_options),
+    .groups = OPTION_GROUPS(&group_picture, &group_statistics, &group_recording, &group_own,
+                            &group_quiet, &group_board, &group_screen, &group_faults),
+    .examples = COMMAND_EXAMPLES("boot fig3.hdm -o screen.png",
+                                 "boot probe.hdm --escape 100 --instructions 1000000000"),
+    .run = run_boot};

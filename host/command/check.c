@@ -14,6 +14,12 @@
 #include "scene/load.h"
 #include "validate/validate.h"
 
+/* What only check is asked for. */
+struct check_options {
+    struct options common;
+    bool validates; /* holds the tables against the scene after each step of the compiler */
+};
+
 static void print_description(const struct scene_description *scene) {
     size_t opaque = 0;
     for (size_t i = 0; i < scene->material_count; i++) {
@@ -233,11 +239,12 @@ static int run_check(const struct options *options) {
     if (scene == NULL) {
         return bad_input("%s", error.text);
     }
+    const bool validates = ((const struct check_options *)options)->validates;
     struct validations validations = {.description = scene};
     const struct compile_observer observer = {validations_look, &validations};
     struct compiled_scene *compiled =
-        scene_compile_observed(scene, options->validates ? &observer : NULL, &error);
-    const struct validations *found = options->validates ? &validations : NULL;
+        scene_compile_observed(scene, validates ? &observer : NULL, &error);
+    const struct validations *found = validates ? &validations : NULL;
     int status = compiled == NULL ? bad_input("%s", error.text)
                  : options->json  ? write_check(scene, compiled, found)
                                   : print_check(scene, compiled, found);
@@ -249,21 +256,20 @@ static int run_check(const struct options *options) {
 static const struct option_entry own_entries[] = {
     {.name = "validate",
      .type = OPTION_FLAG,
-     OPTION_MEMBER(validates),
+     OPTION_MEMBER_OF(struct check_options, validates),
      .help =
          "hold the tables against the scene after each step of the compiler; exit status 3 if not"},
     {.name = NULL}};
 static const struct option_group group_own = {"Result", own_entries};
 
-static const struct option_group *const groups[] = {&group_own, &group_json, &group_scene, NULL};
-static const char *const examples[] = {"check fig3", "check my.scene --validate", NULL};
-
-const struct command command_check = {.name = "check",
-                                      .operands = "SCENE",
-                                      .summary = "Read and analyse a scene; say what it requires.",
-                                      .least = 1,
-                                      .most = 1,
-                                      .kind = OPERANDS_SCENES,
-                                      .groups = groups,
-                                      .examples = examples,
-                                      .run = run_check};
+const struct command command_check = {
+    .name = "check",
+    .operands = "SCENE",
+    .summary = "Read and analyse a scene; say what it requires.",
+    .least = 1,
+    .most = 1,
+    .kind = OPERANDS_SCENES,
+    .size = sizeof(struct check_options),
+    .groups = OPTION_GROUPS(&group_own, &group_json, &group_scene),
+    .examples = COMMAND_EXAMPLES("check fig3", "check my.scene --validate"),
+    .run = run_check};

@@ -21,6 +21,15 @@
 
 enum { OPERANDS_MOST = 3 };
 
+/* What only compare is asked for. */
+struct compare_options {
+    struct options common;
+    unsigned within;        /* LSB, 0..255 */
+    double share;           /* per cent, 0..100 */
+    const char *difference; /* NULL: no picture of it */
+    const char *signatures; /* the first file; NULL: none */
+};
+
 /* A file that is read; all NULL: no file was given. */
 struct operand {
     const char *path;
@@ -29,7 +38,7 @@ struct operand {
 
 /* Two of everything that is compared; all zero where no such files are given. */
 struct compared {
-    const struct options *options;
+    const struct compare_options *options;
     struct operand pictures[2], signature_files[2];
     struct png_image image[2];
     struct signatures signatures[2];
@@ -77,14 +86,14 @@ static const char lacks_picture[] =
     "compare: B.png is missing; usage: superframe compare A.png B.png";
 
 /* Checks that no operand is missing or too many, as far as the number of operands tells. */
-static int check_count(const struct options *options) {
-    if (options->signatures == NULL && options->operand_count == 1) {
+static int check_count(const struct compare_options *options) {
+    if (options->signatures == NULL && options->common.operand_count == 1) {
         return bad_input("%s", lacks_picture);
     }
-    if (options->signatures == NULL && options->operand_count == OPERANDS_MOST) {
+    if (options->signatures == NULL && options->common.operand_count == OPERANDS_MOST) {
         return bad_input("compare: \"%s\" is one too many; allowed are: A.png B.png, with "
                          "--signatures A.sig B.sig or without",
-                         options->operands[OPERANDS_MOST - 1]);
+                         options->common.operands[OPERANDS_MOST - 1]);
     }
     return STATUS_DONE;
 }
@@ -177,8 +186,7 @@ static int measure(struct compared *all) {
         status = measure_signatures(all);
     }
     if (a->rgb != NULL) {
-        all->holds =
-            comparison_holds(&all->comparison, (unsigned)all->options->within, all->options->share);
+        all->holds = comparison_holds(&all->comparison, all->options->within, all->options->share);
     } else {
         all->holds = (double)all->paths.flips <=
                      (1 - all->options->share / 100) * (double)all->paths.pixels + 1e-3;
@@ -196,7 +204,7 @@ static uint64_t pixels_far_off(const struct comparison *comparison) {
 
 static void print_words(const struct compared *all) {
     const struct comparison *comparison = &all->comparison;
-    unsigned within = (unsigned)all->options->within;
+    unsigned within = all->options->within;
     if (all->pictures[0].path != NULL) {
         (void)printf("pixels              %" PRIu64 "\n", comparison->pixels);
         (void)printf("largest error       %u LSB\n", comparison_largest(comparison));
@@ -228,7 +236,7 @@ static void print_words(const struct compared *all) {
 
 static void print_json(const struct compared *all) {
     const struct comparison *comparison = &all->comparison;
-    unsigned within = (unsigned)all->options->within;
+    unsigned within = all->options->within;
     struct json json = {.out = stdout};
     json_begin_object(&json, NULL);
     if (all->pictures[0].path != NULL) {
@@ -276,9 +284,9 @@ static int judge(const struct compared *all) {
         return STATUS_DONE;
     }
     if (all->pictures[0].path != NULL) {
-        complain("%.6f %% of the pixels are within %d LSB; asked for are %g %%",
-                 comparison_share(&all->comparison, (unsigned)all->options->within),
-                 all->options->within, all->options->share);
+        complain("%.6f %% of the pixels are within %u LSB; asked for are %g %%",
+                 comparison_share(&all->comparison, all->options->within), all->options->within,
+                 all->options->share);
     } else {
         complain("%.6f %% of the signatures are equal; asked for are %g %%", 100 - flip_share(all),
                  all->options->share);
@@ -288,7 +296,7 @@ static int judge(const struct compared *all) {
 
 /* Opens all files, each once, and reads them. */
 static int take_operands(struct compared *all) {
-    const struct options *options = all->options;
+    const struct compare_options *options = all->options;
     struct operand operands[OPERANDS_MOST];
     int count = 0, status = check_count(options);
     memset(operands, 0, sizeof operands);
@@ -296,8 +304,8 @@ static int take_operands(struct compared *all) {
         !open_operand(&all->signature_files[0], options->signatures)) {
         status = STATUS_BAD_INPUT;
     }
-    for (; count < options->operand_count && status == STATUS_DONE; count++) {
-        if (!open_operand(&operands[count], options->operands[count])) {
+    for (; count < options->common.operand_count && status == STATUS_DONE; count++) {
+        if (!open_operand(&operands[count], options->common.operands[count])) {
             status = STATUS_BAD_INPUT;
         }
     }
@@ -317,7 +325,7 @@ static int take_operands(struct compared *all) {
 static int run_compare(const struct options *options) {
     struct compared all;
     memset(&all, 0, sizeof all);
-    all.options = options;
+    all.options = (const struct compare_options *)options;
     all.similarity = NAN;
     int status = take_operands(&all);
     if (status == STATUS_DONE) {
@@ -329,7 +337,7 @@ static int run_compare(const struct options *options) {
         } else {
             print_words(&all);
         }
-        if (options->difference != NULL) {
+        if (all.options->difference != NULL) {
             status = write_difference(&all);
         }
     }
@@ -352,19 +360,21 @@ static const struct option_entry own_entries[] = {
     {.name = "within",
      .value = "LSB",
      .type = OPTION_WHOLE,
-     OPTION_MEMBER(within),
+     OPTION_MEMBER_OF(struct compare_options, within),
      .most = 255,
-     .help = "the difference that a channel may have (1)"},
+     .preset = "1",
+     .help = "the difference that a channel may have"},
     {.name = "share",
      .value = "PERCENT",
      .type = OPTION_REAL,
-     OPTION_MEMBER(share),
+     OPTION_MEMBER_OF(struct compare_options, share),
      .most = 100,
-     .help = "the pixels that must be within it (99.9)"},
+     .preset = "99.9",
+     .help = "the pixels that must be within it"},
     {.name = "difference",
      .value = "FILE.png",
      .type = OPTION_TEXT,
-     OPTION_MEMBER(difference),
+     OPTION_MEMBER_OF(struct compare_options, difference),
      .role = ROLE_PICTURE,
      .allowed = "a file's name or -",
      .help =
@@ -372,15 +382,11 @@ static const struct option_entry own_entries[] = {
     {.name = "signatures",
      .value = "FILE",
      .type = OPTION_TEXT,
-     OPTION_MEMBER(signatures),
+     OPTION_MEMBER_OF(struct compare_options, signatures),
      .role = ROLE_INPUT,
      .help = "the hashes of paths that render wrote; one more file is an operand"},
     {.name = NULL}};
 static const struct option_group group_own = {"Result", own_entries};
-
-static const struct option_group *const groups[] = {&group_own, &group_json, NULL};
-static const char *const examples[] = {"compare a.png b.png --within 2 --share 99",
-                                       "compare a.png b.png --json --difference where.png", NULL};
 
 const struct command command_compare = {
     .name = "compare",
@@ -389,7 +395,9 @@ const struct command command_compare = {
     .least = 1,
     .most = 3,
     .kind = OPERANDS_FILES,
-    .groups = groups,
-    .examples = examples,
+    .size = sizeof(struct compare_options),
+    .groups = OPTION_GROUPS(&group_own, &group_json),
+    .examples = COMMAND_EXAMPLES("compare a.png b.png --within 2 --share 99",
+                                 "compare a.png b.png --json --difference where.png"),
     .printed = printed,
     .run = run_compare};

@@ -12,6 +12,12 @@
 
 enum { NAME_SIZE = 128 };
 
+/* What only compile is asked for. */
+struct compile_options {
+    struct options common;
+    bool minimal; /* a feature_set.h instead of the tables */
+};
+
 static int run_compile(const struct options *options) {
     struct output output;
     struct scene_error error;
@@ -25,8 +31,9 @@ static int run_compile(const struct options *options) {
     if (output_open(&output, options->output)) {
         scene_short_name(options->operands[0], name, sizeof name);
         errno = 0;
-        int emitted = options->minimal ? features_emit(output.file, compiled, name)
-                                       : scene_emit(output.file, compiled, name);
+        const bool is_minimal = ((const struct compile_options *)options)->minimal;
+        int emitted = is_minimal ? features_emit(output.file, compiled, name)
+                                 : scene_emit(output.file, compiled, name);
         if (emitted != 0) {
             output_complain(&output, errno != 0 ? strerror(errno) : "a write failed");
             output_discard(&output);
@@ -46,23 +53,21 @@ static bool check_compile(const struct options *options, struct options_error *e
 static const struct option_entry own_entries[] = {
     {.name = "minimal",
      .type = OPTION_FLAG,
-     OPTION_MEMBER(minimal),
+     OPTION_MEMBER_OF(struct compile_options, minimal),
      .help = "write the feature_set.h of an image for this scene alone"},
     {.name = NULL}};
 static const struct option_group group_own = {"Result", own_entries};
 
-static const struct option_group *const groups[] = {&group_result, &group_own, &group_scene, NULL};
-static const char *const examples[] = {"compile fig3 -o fig3.c",
-                                       "compile my.scene --minimal -o feature_set.h", NULL};
-
-const struct command command_compile = {.name = "compile",
-                                        .operands = "SCENE",
-                                        .summary =
-                                            "Write a scene as const tables for a firmware image.",
-                                        .least = 1,
-                                        .most = 1,
-                                        .kind = OPERANDS_SCENES,
-                                        .groups = groups,
-                                        .examples = examples,
-                                        .check = check_compile,
-                                        .run = run_compile};
+const struct command command_compile = {
+    .name = "compile",
+    .operands = "SCENE",
+    .summary = "Write a scene as const tables for a firmware image.",
+    .least = 1,
+    .most = 1,
+    .kind = OPERANDS_SCENES,
+    .size = sizeof(struct compile_options),
+    .groups = OPTION_GROUPS(&group_result, &group_own, &group_scene),
+    .examples =
+        COMMAND_EXAMPLES("compile fig3 -o fig3.c", "compile my.scene --minimal -o feature_set.h"),
+    .check = check_compile,
+    .run = run_compile};

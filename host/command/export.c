@@ -9,6 +9,12 @@
 #include "export/pov.h"
 #include "scene/load.h"
 
+/* What only export is asked for. */
+struct export_options {
+    struct options common;
+    bool pov; /* source for POV-Ray */
+};
+
 static int write_source(const char *path, const struct scene_description *description,
                         const struct compiled_scene *scene) {
     struct output output;
@@ -45,7 +51,7 @@ static int run_export(const struct options *options) {
 }
 
 static bool check_export(const struct options *options, struct options_error *error) {
-    if (!options->pov) {
+    if (!((const struct export_options *)options)->pov) {
         return options_refuse(error, "export: --pov is missing; it is the only kind of source");
     }
     return options->output != NULL ||
@@ -54,22 +60,21 @@ static bool check_export(const struct options *options, struct options_error *er
 
 static const struct option_entry own_entries[] = {{.name = "pov",
                                                    .type = OPTION_FLAG,
-                                                   OPTION_MEMBER(pov),
+                                                   OPTION_MEMBER_OF(struct export_options, pov),
                                                    .help = "write source for POV-Ray 3.7"},
                                                   {.name = NULL}};
 static const struct option_group group_own = {"Result", own_entries};
 
-static const struct option_group *const groups[] = {&group_result, &group_own, &group_scene, NULL};
-static const char *const examples[] = {"export fig3 --pov -o fig3.pov",
-                                       "export my.scene --pov --depth 20 -o -", NULL};
-
-const struct command command_export = {.name = "export",
-                                       .operands = "SCENE",
-                                       .summary = "Write a scene for POV-Ray.",
-                                       .least = 1,
-                                       .most = 1,
-                                       .kind = OPERANDS_SCENES,
-                                       .groups = groups,
-                                       .examples = examples,
-                                       .check = check_export,
-                                       .run = run_export};
+const struct command command_export = {
+    .name = "export",
+    .operands = "SCENE",
+    .summary = "Write a scene for POV-Ray.",
+    .least = 1,
+    .most = 1,
+    .kind = OPERANDS_SCENES,
+    .size = sizeof(struct export_options),
+    .groups = OPTION_GROUPS(&group_result, &group_own, &group_scene),
+    .examples =
+        COMMAND_EXAMPLES("export fig3 --pov -o fig3.pov", "export my.scene --pov --depth 20 -o -"),
+    .check = check_export,
+    .run = run_export};

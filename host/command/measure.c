@@ -81,18 +81,14 @@ static bool check_measure(const struct options *options, struct options_error *e
     return options->output != NULL || options_refuse(error, "measure: -o FOLDER is missing");
 }
 
-static const struct option_group *const groups[] = {&group_folder, &group_measured, &group_jobs,
-                                                    &group_quiet, NULL};
-static const char *const examples[] = {"measure -o trade --jobs 2",
-                                       "measure my.scene --arith fx --size 160x100 -o trade", NULL};
-
-const struct command command_measure = {.name = "measure",
-                                        .operands = "[SCENE...]",
-                                        .summary = "Measure speed against accuracy.",
-                                        .least = 0,
-                                        .most = 1000,
-                                        .kind = OPERANDS_SCENES,
-                                        .groups = groups,
-                                        .examples = examples,
-                                        .check = check_measure,
-                                        .run = run_measure};
+const struct command command_measure = {
+    .name = "measure",
+    .operands = "[SCENE...]",
+    .summary = "Measure speed against accuracy.",
+    .most = 1000,
+    .kind = OPERANDS_SCENES,
+    .groups = OPTION_GROUPS(&group_folder, &group_measured, &group_jobs, &group_quiet),
+    .examples = COMMAND_EXAMPLES("measure -o trade --jobs 2",
+                                 "measure my.scene --arith fx --size 160x100 -o trade"),
+    .check = check_measure,
+    .run = run_measure};

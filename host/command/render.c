@@ -25,9 +25,19 @@
 
 enum { NAME_SIZE = 256 };
 
+/* What only render is asked for. */
+struct render_options {
+    struct options common;
+    bool has_rows;
+    unsigned first_row, last_row; /* rows first .. last-1 */
+    const char *keep_exposures;   /* a folder; NULL: none */
+    const char *signatures;       /* NULL: none */
+};
+
 /* One run of the command. What it holds is freed whatever happens. */
 struct render_run {
     const struct options *options;
+    const struct render_options *own; /* the same */
     const char *scene_name;
     struct compiled_scene *compiled;
     struct ports_linux ports;   /* of --bus ports */
@@ -41,7 +51,7 @@ struct render_run {
 
 /* Names the picture where -o is not given; NULL: there is no picture. */
 static const char *default_output(const struct options *options, char *buffer, size_t size) {
-    if (options->bus != BUS_CHOICE_EMULATOR) {
+    if (options->bus.choice != BUS_CHOICE_EMULATOR) {
         return NULL;
     }
     scene_picture_name(options->operands[0], buffer, size);
@@ -54,23 +64,23 @@ static int open_results(struct render_run *run) {
     const struct session_files files = {
         .picture = options->output != NULL ? options->output
                                            : default_output(options, run->default_name, NAME_SIZE),
-        .trace = options->bus == BUS_CHOICE_TRACE ? options->bus_file : options->trace,
+        .trace = options->bus.choice == BUS_CHOICE_TRACE ? options->bus.file : options->trace,
         .stats = options->stats};
     int status = session_open(&run->session, &files);
-    if (status == STATUS_DONE && options->signatures != NULL &&
-        !output_open(&run->signatures, options->signatures)) {
+    if (status == STATUS_DONE && run->own->signatures != NULL &&
+        !output_open(&run->signatures, run->own->signatures)) {
         status = STATUS_FAILED;
     }
     return status;
 }
 
 static int open_camera(struct render_run *run) {
-    const char *folder = run->options->keep_exposures;
+    const char *folder = run->own->keep_exposures;
     if (run->compiled->show != SHOW_EXPOSURES) {
         return folder == NULL ? STATUS_DONE
                               : bad_input("--keep-exposures goes with --colour exposures only");
     }
-    if (run->options->bus == BUS_CHOICE_EMULATOR) {
+    if (run->options->bus.choice == BUS_CHOICE_EMULATOR) {
         run->camera = camera_new(folder);
         return run->camera != NULL ? STATUS_DONE : STATUS_FAILED;
     }
@@ -98,9 +108,9 @@ static int load(struct render_run *run) {
     if (run->compiled == NULL) {
         return bad_input("%s", error.text);
     }
-    if (options->has_rows && options->last_row > run->compiled->height) {
+    if (run->own->has_rows && run->own->last_row > run->compiled->height) {
         return bad_input("--rows %u:%u: the picture has %u rows; allowed is: up to 0:%u",
-                         options->first_row, options->last_row, run->compiled->height,
+                         run->own->first_row, run->own->last_row, run->compiled->height,
                          run->compiled->height);
     }
     return STATUS_DONE;
@@ -110,8 +120,8 @@ static int load(struct render_run *run) {
 static void explain_adapter(const void *context) {
     const struct render_run *run = context;
     const struct compiled_scene *compiled = run->compiled;
-    adapter_bus_explain(&run->adapter, run->options->has_rows ? run->options->first_row : 0,
-                        run->options->has_rows ? run->options->last_row : compiled->height,
+    adapter_bus_explain(&run->adapter, run->own->has_rows ? run->own->first_row : 0,
+                        run->own->has_rows ? run->own->last_row : compiled->height,
                         render_dots(compiled->width, compiled->height));
 }
 
@@ -120,7 +130,7 @@ static int begin_session(struct render_run *run) {
     const struct options *options = run->options;
     struct session_device device = {NULL, NULL, NULL};
     int status = STATUS_DONE;
-    switch (options->bus) {
+    switch (options->bus.choice) {
     case BUS_CHOICE_EMULATOR:
         return session_begin(&run->session, &options->board, NULL);
     case BUS_CHOICE_TRACE:
@@ -130,8 +140,9 @@ static int begin_session(struct render_run *run) {
         break;
     case BUS_CHOICE_USB:
     case BUS_CHOICE_HID:
-        status = adapter_bus_open(&run->adapter, options->bus == BUS_CHOICE_HID ? "hid" : "usb",
-                                  options->board.base, &options->adapter);
+        status =
+            adapter_bus_open(&run->adapter, options->bus.choice == BUS_CHOICE_HID ? "hid" : "usb",
+                             options->board.base, &options->bus.adapter);
         if (status != STATUS_DONE) {
             return status;
         }
@@ -146,8 +157,9 @@ static int begin_session(struct render_run *run) {
 /* Opens the machine's own ports first, since rights are given up with them. */
 static int prepare(struct render_run *run) {
     const struct options *options = run->options;
-    int status = options->bus == BUS_CHOICE_PORTS ? open_own_ports(&run->ports, options->board.base)
-                                                  : STATUS_DONE;
+    int status = options->bus.choice == BUS_CHOICE_PORTS
+                     ? open_own_ports(&run->ports, options->board.base)
+                     : STATUS_DONE;
     if (status == STATUS_DONE) {
         status = load(run);
     }
@@ -176,8 +188,8 @@ static int render_rows(struct render_run *run) {
     job.arithmetic = arithmetic_find(options->arithmetic);
     job.scene = run->compiled;
     job.base = options->board.base;
-    job.first_row = options->has_rows ? options->first_row : 0;
-    job.last_row = options->has_rows ? options->last_row : run->compiled->height;
+    job.first_row = run->own->has_rows ? run->own->first_row : 0;
+    job.last_row = run->own->has_rows ? run->own->last_row : run->compiled->height;
     job.jobs = options->jobs;
     job.stop = interrupt_noted();
     job.progress = progress_show;
@@ -195,7 +207,7 @@ static int render_rows(struct render_run *run) {
 
 /* Reads back what an adapter's board holds, where --verify asks for it. */
 static bool verify(struct render_run *run) {
-    const unsigned percent = run->options->adapter.verify_percent;
+    const unsigned percent = run->options->bus.adapter.verify_percent;
     if (percent == 0 ||
         adapter_bus_verify(&run->adapter, percent, run->options->overrides.seed) == STATUS_DONE) {
         return true;
@@ -240,7 +252,7 @@ static int write_results(struct render_run *run) {
 static int write_signatures(struct render_run *run) {
     struct signatures signatures;
     struct scene_error error;
-    const unsigned first = run->options->has_rows ? run->options->first_row : 0;
+    const unsigned first = run->own->has_rows ? run->own->first_row : 0;
     const struct signature_job job = {.arithmetic = arithmetic_find(run->options->arithmetic),
                                       .scene = run->compiled,
                                       .first_row = first,
@@ -286,6 +298,7 @@ static int run_render(const struct options *options) {
     struct render_run run;
     memset(&run, 0, sizeof run);
     run.options = options;
+    run.own = (const struct render_options *)options;
     run.scene_name = options->operands[0];
     run.session.began = stopwatch_start();
     int status = prepare(&run);
@@ -312,14 +325,24 @@ static int run_render(const struct options *options) {
 /* ---- The command ---------------------------------------------------------------------------- */
 
 static enum value_verdict set_rows(struct options *options, const char *value) {
+    struct render_options *own = (struct render_options *)options;
     uint64_t first, last;
     if (!value_pair(value, ':', 0, BOARD_HEIGHT, BOARD_HEIGHT, &first, &last) || first >= last) {
         return VALUE_WRONG;
     }
-    options->has_rows = true;
-    options->first_row = (unsigned)first;
-    options->last_row = (unsigned)last;
+    own->has_rows = true;
+    own->first_row = (unsigned)first;
+    own->last_row = (unsigned)last;
     return VALUE_TAKEN;
+}
+
+static bool check_render(const struct options *options, struct options_error *error) {
+    bool keeps = ((const struct render_options *)options)->keep_exposures != NULL;
+    if (keeps && options->bus.choice == BUS_CHOICE_TRACE) {
+        return options_refuse(error, "--keep-exposures goes with --bus emulator only; a trace has "
+                                     "no board behind it");
+    }
+    return bus_check(options, error);
 }
 
 static const struct option_entry own_entries[] = {
@@ -329,37 +352,21 @@ static const struct option_entry own_entries[] = {
      .set = set_rows,
      .allowed = "A:B with 0 <= A < B <= 400",
      .help = "only rows A..B-1; the others are not touched"},
-    {.name = "keep-exposures",
-     .value = "FOLDER",
-     .type = OPTION_TEXT,
-     OPTION_MEMBER(keep_exposures),
-     .role = ROLE_EXPOSURES,
-     .allowed = "a folder's name",
-     .help = "write the eight 8-colour pictures of --colour exposures too"},
     {.name = "signatures",
      .value = "FILE",
      .type = OPTION_TEXT,
-     OPTION_MEMBER(signatures),
+     OPTION_MEMBER_OF(struct render_options, signatures),
      .role = ROLE_RESULT,
      .help = "write a hash of each pixel's path, for compare"},
+    {.name = "keep-exposures",
+     .value = "FOLDER",
+     .type = OPTION_TEXT,
+     OPTION_MEMBER_OF(struct render_options, keep_exposures),
+     .role = ROLE_EXPOSURES,
+     .allowed = "a folder's name",
+     .help = "write the eight 8-colour pictures of --colour exposures too"},
     {.name = NULL}};
 static const struct option_group group_own = {"Result", own_entries};
-
-static const struct option_group *const groups[] = {&group_picture,
-                                                    &group_statistics,
-                                                    &group_recording,
-                                                    &group_own,
-                                                    &group_scene,
-                                                    &group_arithmetic,
-                                                    &group_jobs,
-                                                    &group_quiet,
-                                                    &group_board,
-                                                    &group_screen,
-                                                    &group_faults,
-                                                    &group_bus,
-                                                    NULL};
-static const char *const examples[] = {"render fig3 --depth 4 -o four.png",
-                                       "render my.scene --error 1 --arith f64 --jobs 4", NULL};
 
 const struct command command_render = {
     .name = "render",
@@ -368,8 +375,12 @@ const struct command command_render = {
     .least = 1,
     .most = 1,
     .kind = OPERANDS_SCENES,
-    .groups = groups,
-    .examples = examples,
+    .size = sizeof(struct render_options),
+    .groups = OPTION_GROUPS(&group_picture, &group_statistics, &group_recording, &group_own,
+                            &group_scene, &group_arithmetic, &group_jobs, &group_quiet,
+                            &group_board, &group_screen, &group_faults, &group_bus),
+    .examples = COMMAND_EXAMPLES("render fig3 --depth 4 -o four.png",
+                                 "render my.scene --error 1 --arith f64 --jobs 4"),
     .default_output = default_output,
-    .check = bus_check,
+    .check = check_render,
     .run = run_render};

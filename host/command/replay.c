@@ -104,23 +104,16 @@ static bool check_replay(const struct options *options, struct options_error *er
            options_refuse(error, "replay: -o FILE.png is missing (or --stats or --strict)");
 }
 
-static const struct option_group *const groups[] = {&group_picture,
-                                                    &group_statistics,
-                                                    &group_board_of_trace,
-                                                    &group_screen,
-                                                    &group_faults,
-                                                    &group_stop,
-                                                    NULL};
-static const char *const examples[] = {"replay my.trace -o screen.png",
-                                       "replay my.trace --strict --stop 10000 --stats -", NULL};
-
-const struct command command_replay = {.name = "replay",
-                                       .operands = "TRACE...",
-                                       .summary = "Play port traces on the emulated board.",
-                                       .least = 1,
-                                       .most = 1000,
-                                       .kind = OPERANDS_FILES,
-                                       .groups = groups,
-                                       .examples = examples,
-                                       .check = check_replay,
-                                       .run = run_replay};
+const struct command command_replay = {
+    .name = "replay",
+    .operands = "TRACE...",
+    .summary = "Play port traces on the emulated board.",
+    .least = 1,
+    .most = 1000,
+    .kind = OPERANDS_FILES,
+    .groups = OPTION_GROUPS(&group_picture, &group_statistics, &group_board, &group_screen,
+                            &group_faults, &group_stop),
+    .examples = COMMAND_EXAMPLES("replay my.trace -o screen.png",
+                                 "replay my.trace --strict --stop 10000 --stats -"),
+    .check = check_replay,
+    .run = run_replay};

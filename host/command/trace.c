@@ -16,10 +16,19 @@
 #include "trace_compare.h"
 #include "trace_statistics.h"
 
+/* What only trace is asked for. */
+struct trace_options {
+    struct options common;
+    bool lists, counts, judges; /* --list, --statistics, --violations */
+    const char *against;        /* --compare; NULL: not given */
+    enum trace_format to;       /* --to */
+};
+
 /* One run of the command: 1.4 MB. */
 struct trace_run {
     const struct options *options;
     const char *path;
+    const struct trace_options *tracing; /* the same */
     bool lists; /* every access is printed: --list is given, or nothing else is asked for */
     FILE *file;
     struct trace_reader reader;
@@ -75,7 +84,7 @@ static void note_answer(struct trace_run *run, const struct trace_access *access
         return;
     }
     run->different_reads++;
-    if (run->lists || run->options->tracing.judges) {
+    if (run->lists || run->tracing->judges) {
         (void)printf("%s%" PRIu64 "%s the board answers %0*X\n",
                      run->lists ? "           ? access " : "access ", run->reader.accesses, ":",
                      access->width == BUS_WORD ? 4 : 2, answer);
@@ -95,7 +104,7 @@ static void tell(struct trace_run *run, const struct trace_access *access) {
     } else {
         bus_write(&run->cost.bus, access->port, access->value, access->width);
     }
-    if (run->lists || run->options->tracing.judges) {
+    if (run->lists || run->tracing->judges) {
         print_behaviours(run, access, before);
     }
 }
@@ -132,12 +141,12 @@ static int conclude(struct trace_run *run) {
         complain("%s: %" PRIu64 " reads were answered otherwise than recorded", run->path,
                  run->different_reads);
     }
-    if (options->tracing.judges) {
+    if (run->tracing->judges) {
         (void)printf("%" PRIu64 " violations in %" PRIu64 " accesses, profile %s\n",
                      board_violations(board), board->accesses,
                      board_profile_text(board->desc.profile));
     }
-    if (options->tracing.counts) {
+    if (run->tracing->counts) {
         void (*const print)(FILE *, const struct trace_statistics *, const struct cost_bus *,
                             const struct board_options *) =
             options->json ? trace_write_statistics : trace_print_statistics;
@@ -176,12 +185,13 @@ static int prepare(struct trace_run *run) {
 }
 
 static int watch(const struct options *options) {
-    const struct trace_options *tracing = &options->tracing;
+    const struct trace_options *tracing = (const struct trace_options *)options;
     struct trace_run *run = calloc(1, sizeof *run);
     if (run == NULL) {
         return failure("out of memory");
     }
     run->options = options;
+    run->tracing = tracing;
     run->path = options->operands[0];
     run->lists = tracing->lists || !(tracing->counts || tracing->judges || options->board.strict ||
                                      options->output != NULL);
@@ -221,8 +231,8 @@ static int compare_opened(const struct options *options, struct trace_reader *co
     return STATUS_NOT_HELD;
 }
 
-static int compare(const struct options *options) {
-    const char *const paths[2] = {options->operands[0], options->tracing.against};
+static int compare(const struct options *options, const char *against) {
+    const char *const paths[2] = {options->operands[0], against};
     struct trace_reader *const readers[2] = {malloc(sizeof *readers[0]),
                                              malloc(sizeof *readers[1])};
     FILE *files[2] = {NULL, NULL};
@@ -246,40 +256,41 @@ static int compare(const struct options *options) {
 }
 
 static int run_trace(const struct options *options) {
-    if (options->tracing.against != NULL) {
-        return compare(options);
+    const struct trace_options *tracing = (const struct trace_options *)options;
+    if (tracing->against != NULL) {
+        return compare(options, tracing->against);
     }
-    if (!options->tracing.converts) {
+    if (!options->converts) {
         return watch(options);
     }
     const struct trace_conversion conversion = {.path = options->operands[0],
                                                 .output =
                                                     options->output != NULL ? options->output : "-",
-                                                .to = options->tracing.to,
+                                                .to = tracing->to,
                                                 .stop = options->board.stop,
                                                 .board = &options->board};
     return trace_convert(&conversion);
 }
 
 static const char *printed(const struct options *options) {
-    const struct trace_options *tracing = &options->tracing;
+    const struct trace_options *tracing = (const struct trace_options *)options;
     return tracing->lists || tracing->counts || tracing->judges ? "what is told" : NULL;
 }
 
 /* Checks that no options of the command exclude each other. */
 static bool check_trace(const struct options *options, struct options_error *error) {
-    const struct trace_options *tracing = &options->tracing;
+    const struct trace_options *tracing = (const struct trace_options *)options;
     bool tells = printed(options) != NULL || options->board.strict;
     if (options->json && (!tracing->counts || tracing->lists || tracing->judges)) {
         return options_refuse(error, "--json goes with --statistics alone");
     }
-    if (tracing->against != NULL && (tracing->converts || tells || options->output != NULL)) {
+    if (tracing->against != NULL && (options->converts || tells || options->output != NULL)) {
         return options_refuse(error, "--compare goes with --profile and --base only");
     }
-    if (tracing->converts && tells) {
+    if (options->converts && tells) {
         return options_refuse(error, "--to goes with --profile, --base, --stop and -o only");
     }
-    if (tracing->converts &&
+    if (options->converts &&
         (options->board.native != NULL || options->board.picture != PICTURE_KIND_SCREEN)) {
         return options_refuse(error,
                               "--to makes a trace, no picture: not with --native or --picture");
@@ -291,46 +302,44 @@ static const char *const forms[] = {[TRACE_BINARY] = "binary", [TRACE_TEXT] = "t
 static const struct option_entry own_entries[] = {
     {.name = "list",
      .type = OPTION_FLAG,
-     OPTION_MEMBER(tracing.lists),
+     OPTION_MEMBER_OF(struct trace_options, lists),
      .help = "print every access in words"},
     {.name = "statistics",
      .type = OPTION_FLAG,
-     OPTION_MEMBER(tracing.counts),
+     OPTION_MEMBER_OF(struct trace_options, counts),
      .help = "print what was written how often, pixels touched, and what it costs"},
     {.name = "violations",
      .type = OPTION_FLAG,
-     OPTION_MEMBER(tracing.judges),
+     OPTION_MEMBER_OF(struct trace_options, judges),
      .help = "print each violation with the number of its access"},
     {.name = "compare",
      .value = "TRACE",
      .type = OPTION_TEXT,
-     OPTION_MEMBER(tracing.against),
+     OPTION_MEMBER_OF(struct trace_options, against),
      .role = ROLE_INPUT,
      .help = "print the first difference from another trace; none: exit status 0, else 3"},
     {.name = "to",
      .value = "FORM",
      .type = OPTION_WORD,
-     OPTION_MEMBER(tracing.to),
-     OPTION_GIVEN(tracing.converts),
+     OPTION_MEMBER_OF(struct trace_options, to),
+     OPTION_GIVEN(converts),
      .words = forms,
      .help = "convert to -o FILE"},
     {.name = NULL}};
 static const struct option_group group_own = {"Trace", own_entries};
 
-static const struct option_group *const groups[] = {
-    &group_picture, &group_own,  &group_json, &group_board_of_trace,
-    &group_screen,  &group_stop, NULL};
-static const char *const examples[] = {"trace my.trace --list | head",
-                                       "trace my.trace --statistics --violations", NULL};
-
-const struct command command_trace = {.name = "trace",
-                                      .operands = "TRACE",
-                                      .summary = "Tell a port trace in words.",
-                                      .least = 1,
-                                      .most = 1,
-                                      .kind = OPERANDS_FILES,
-                                      .groups = groups,
-                                      .examples = examples,
-                                      .printed = printed,
-                                      .check = check_trace,
-                                      .run = run_trace};
+const struct command command_trace = {
+    .name = "trace",
+    .operands = "TRACE",
+    .summary = "Tell a port trace in words.",
+    .least = 1,
+    .most = 1,
+    .kind = OPERANDS_FILES,
+    .size = sizeof(struct trace_options),
+    .groups = OPTION_GROUPS(&group_picture, &group_own, &group_json, &group_board_of_trace,
+                            &group_screen, &group_stop),
+    .examples = COMMAND_EXAMPLES("trace my.trace --list | head",
+                                 "trace my.trace --statistics --violations"),
+    .printed = printed,
+    .check = check_trace,
+    .run = run_trace};

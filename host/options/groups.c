@@ -89,7 +89,7 @@ const struct option_group group_recording = {"Result", recording_entries};
     .set = set_size
 #define MODEL_ENTRY                                                                                \
     .name = "model", .value = "MODEL", .type = OPTION_OWN, OPTION_GIVEN(overrides.has_model),      \
-    .set = set_model, .allowed = "simple, fresnel, wavelength or absorption"
+    .set = set_model, .words = scene_model_words
 #define COLOUR_ENTRY                                                                               \
     .name = "colour", .value = "MODE", .type = OPTION_OWN, OPTION_GIVEN(overrides.has_colour),     \
     .set = set_colour
@@ -102,10 +102,11 @@ const struct option_group group_recording = {"Result", recording_entries};
     .help = "how highlights are computed (the scene's)"
 #define SEED_ENTRY                                                                                 \
     .name = "seed", .value = "S", .type = OPTION_WHOLE, OPTION_MEMBER(overrides.seed),             \
-    OPTION_GIVEN(overrides.has_seed), .most = COUNT_MOST, .help = "of the random dither (1)"
+    OPTION_GIVEN(overrides.has_seed), .most = COUNT_MOST, .preset = "1",                           \
+    .help = "of the random dither"
 #define ARITHMETIC_ENTRY                                                                           \
-    .name = "arith", .value = "NAME", .type = OPTION_OWN, OPTION_GIVEN(has_arithmetic),            \
-    .set = set_arithmetic, .allowed = arithmetics_names
+    .name = "arith", .value = "NAME", .type = OPTION_OWN, .set = set_arithmetic,                   \
+    .words = arithmetics_names
 
 #define SET_ENTRY                                                                                  \
     .name = "set", .value = "PATH=VALUE", .type = OPTION_OWN, .set = set_value,                    \
@@ -144,12 +145,12 @@ static const struct option_entry measured_entries[] = {
 const struct option_group group_measured = {"What is varied otherwise", measured_entries};
 
 static const struct option_entry arithmetic_entries[] = {
-    {ARITHMETIC_ENTRY, .help = "the firmware's arithmetic (fx)"}, {.name = NULL}};
+    {ARITHMETIC_ENTRY, .preset = "fx", .help = "the firmware's arithmetic"}, {.name = NULL}};
 const struct option_group group_arithmetic = {"Work", arithmetic_entries};
 
 static const struct option_entry small_size_entries[] = {
-    {SIZE_ENTRY, .allowed = "1x1..320x200",
-     .help = "of the small pictures; the large ones are twice as wide and high (320x200)"},
+    {SIZE_ENTRY, .allowed = "1x1..320x200", .preset = "320x200",
+     .help = "of the small pictures; the large ones are twice as wide and high"},
     {.name = NULL}};
 const struct option_group group_small_size = {"Work", small_size_entries};
 
@@ -161,7 +162,8 @@ static const struct option_entry jobs_entries[] = {{.name = "jobs",
                                                     OPTION_MEMBER(jobs),
                                                     .least = 1,
                                                     .most = OPTIONS_JOBS_MOST,
-                                                    .help = "worker threads (1)"},
+                                                    .preset = "1",
+                                                    .help = "worker threads"},
                                                    {.name = NULL}};
 const struct option_group group_jobs = {"Work", jobs_entries};
 
@@ -180,14 +182,15 @@ const struct option_group group_quiet = {"Work", quiet_entries};
     .set = set_base, .allowed = "00D0, 02D0, 04D0, 06D0, 08D0, 0AD0 or 0CD0"
 
 static const struct option_entry board_entries[] = {
-    {PROFILE_ENTRY, .help = "which board (1987)"},
-    {BASE_ENTRY, .help = "the jumper's base address (00D0)"},
+    {PROFILE_ENTRY, .preset = "1987", .help = "which board"},
+    {BASE_ENTRY, .preset = "00D0", .help = "the jumper's base address"},
     {.name = NULL}};
 const struct option_group group_board = {"Board", board_entries};
 
 static const struct option_entry board_of_trace_entries[] = {
-    {PROFILE_ENTRY, .help = "which board (that of the trace; of a text trace 1987)"},
-    {BASE_ENTRY, .help = "the jumper's base address (that of the trace; of a text trace 00D0)"},
+    {PROFILE_ENTRY, .preset = "1987", .help = "which board; a binary trace tells its own"},
+    {BASE_ENTRY, .preset = "00D0",
+     .help = "the jumper's base address; a binary trace tells its own"},
     {.name = NULL}};
 const struct option_group group_board_of_trace = {"Board", board_of_trace_entries};
 
@@ -197,7 +200,8 @@ static const struct option_entry screen_entries[] = {
      .type = OPTION_WORD,
      OPTION_MEMBER(board.picture),
      .words = pictures,
-     .help = "what the PNG shows: the CRT's picture, the frame memory, all of it (screen)"},
+     .preset = "screen",
+     .help = "what the PNG shows: the CRT's picture, the frame memory, all of it"},
     {.name = "native",
      .value = "FILE.png",
      .type = OPTION_TEXT,
@@ -216,7 +220,8 @@ static const struct option_entry screen_entries[] = {
      .type = OPTION_REAL,
      OPTION_MEMBER(board.bus_wait),
      .most = 100000,
-     .help = "nanoseconds that the bus adds to each access, for the cost (0)"},
+     .preset = "0",
+     .help = "nanoseconds that the bus adds to each access, for the cost"},
     {.name = "frame-seconds",
      .value = "S",
      .type = OPTION_REAL,

@@ -13,7 +13,6 @@
 #include "board.h"
 #include "board/options.h"
 #include "scene/overrides.h"
-#include "trace.h"
 
 enum bus_choice {
     BUS_CHOICE_EMULATOR,
@@ -23,56 +22,37 @@ enum bus_choice {
     BUS_CHOICE_HID
 };
 
-/* What `superframe trace` is asked for. */
-struct trace_options {
-    bool lists, counts, judges; /* --list, --statistics, --violations */
-    const char *against;        /* --compare; NULL: not given */
-    bool converts;              /* --to */
-    enum trace_format to;
+/* Where the port accesses go. */
+struct bus_options {
+    enum bus_choice choice;
+    const char *file; /* of trace:FILE */
+    bool ports_are_mine;
+    struct adapter_options adapter;
 };
 
-/* The options of a command line. Strings point into argv. */
+/* What the groups fill that several commands take; a member is 0 or NULL where a command takes no
+ * such group. Strings point into argv. A command with options of its own has a struct that begins
+ * with this one. */
 struct options {
     char **operands; /* what is no option */
     int operand_count;
     bool help;
 
-    const char *output;     /* -o; NULL: not given; "-": standard output */
-    const char *arithmetic; /* a name that arithmetic_find() knows */
-    bool has_arithmetic;    /* --arith was given */
-    struct scene_overrides overrides;
-    enum bus_choice bus;
-    const char *bus_file;       /* of --bus trace:FILE */
-    const char *trace;          /* NULL: none */
-    const char *keep_exposures; /* a folder; NULL: none */
-    bool has_rows;
-    unsigned first_row, last_row; /* rows first .. last-1 */
-    bool ports_are_mine;
-    struct board_options board;
-    struct adapter_options adapter;
-    struct trace_options tracing;
-    unsigned jobs;     /* 1..OPTIONS_JOBS_MOST */
-    const char *stats; /* NULL: none; "-": standard output */
-    bool quiet;
-    bool force;                 /* a picture may replace what is no picture */
-    bool pov;                   /* export writes source for POV-Ray */
-    bool dot;                   /* tree writes a graph for Graphviz */
-    bool validates;             /* check holds the compiler's tables against the scene */
-    bool minimal;               /* compile writes a feature_set.h instead of the tables */
-    uint64_t instructions_most; /* that an emulated CPU may run */
-    uint64_t escape_after;      /* Esc when the keyboard has been asked so many times; 0: never */
-    unsigned within;            /* LSB, 0..255 */
-    double share;               /* per cent, 0..100 */
+    const char *output; /* -o; NULL: not given; "-": standard output */
+    bool force;         /* a picture may replace what is no picture */
+    bool converts;      /* what goes to -o is no picture, but another form of what is read */
+    const char *stats;  /* NULL: none; "-": standard output */
+    const char *trace;  /* NULL: none */
     bool json;
-    const char *printed_scene; /* --print of scenes; NULL: none */
-    const char *difference;    /* NULL: no picture of it */
-    const char *signatures;    /* render: where they go; compare: the first file; NULL: none */
+    const char *arithmetic; /* a name that arithmetic_find() knows; NULL: not given to measure */
+    struct scene_overrides overrides;
+    struct board_options board;
+    struct bus_options bus;
+    unsigned jobs; /* 1..OPTIONS_JOBS_MOST */
+    bool quiet;
 };
 
 enum { OPTIONS_JOBS_MOST = 256 };
-
-/* Instructions: a frame of 640 x 400 takes some 60 thousand million. */
-#define OPTIONS_INSTRUCTIONS UINT64_C(200000000000)
 
 /* Why a command line is refused. */
 struct options_error {
@@ -110,8 +90,9 @@ struct option_entry {
     char letter;       /* of the short form */
     const char *value; /* what the help calls the value; "[=X]": may be left out */
     enum option_type type;
-    size_t offset, size; /* of its member in struct options */
+    size_t offset, size; /* of its member in struct options, or in the command's own struct */
     size_t given;        /* offset of the bool that says the option was given */
+    const char *preset;  /* the value where the option is not given */
     double least, most;
     const char *const *words; /* ended by NULL */
     enum value_verdict (*set)(struct options *options, const char *value);
@@ -121,10 +102,12 @@ struct option_entry {
     const char *help;
 };
 
-/* The place of an option's member, for the tables. */
-#define OPTION_MEMBER(member)                                                                      \
-    .offset = offsetof(struct options, member), .size = sizeof((struct options *)0)->member
-#define OPTION_GIVEN(member) .given = offsetof(struct options, member)
+/* The place of an option's member, for the tables: in a command's own struct, or in struct options.
+ */
+#define OPTION_MEMBER_OF(type, member)                                                             \
+    .offset = offsetof(type, member), .size = sizeof((type *)0)->member
+#define OPTION_MEMBER(member) OPTION_MEMBER_OF(struct options, member)
+#define OPTION_GIVEN(member)  .given = offsetof(struct options, member)
 
 /* Options that belong together. */
 struct option_group {
@@ -144,7 +127,7 @@ extern const struct option_group group_small_size; /* --size, for paper */
 extern const struct option_group group_jobs;       /* --jobs */
 extern const struct option_group group_quiet;      /* --quiet */
 extern const struct option_group group_board;      /* --profile, --base of a board that is made */
-extern const struct option_group group_board_of_trace; /* the same where traces say it */
+extern const struct option_group group_board_of_trace; /* the same where traces may say it */
 extern const struct option_group group_screen;         /* --picture, --native, --strict, costs */
 extern const struct option_group group_faults;         /* --faults */
 extern const struct option_group group_statistics;     /* --stats */
@@ -158,12 +141,23 @@ extern const struct option_group group_help;           /* --help, which every co
 /* What the operands of a command are. */
 enum operand_kind { OPERANDS_NONE, OPERANDS_SCENES, OPERANDS_SCENE_FIRST, OPERANDS_FILES };
 
+/* Lists for a command's description. */
+#define OPTION_GROUPS(...)                                                                         \
+    (const struct option_group *const[]) {                                                         \
+        __VA_ARGS__, NULL                                                                          \
+    }
+#define COMMAND_EXAMPLES(...)                                                                      \
+    (const char *const[]) {                                                                        \
+        __VA_ARGS__, NULL                                                                          \
+    }
+
 /* A sub-command. Its file ends in its description. */
 struct command {
     const char *name;
     const char *operands; /* for the usage line; "": there are none */
     const char *summary;  /* one sentence */
     int least, most;      /* how many operands it takes */
+    size_t size; /* of its own struct, which begins with a struct options; 0: it has none */
     enum operand_kind kind;
     const struct option_group *const *groups; /* ended by NULL */
     const char *const *examples; /* command lines without "superframe "; ended by NULL */
@@ -186,9 +180,10 @@ struct command {
 /* ---- Reading a command line ----------------------------------------------------------------- */
 
 /* Reads what stands after the sub-command's name; argv[0] is that name. argv is permuted: options
- * may stand anywhere. False with *error filled where the command line is refused. */
-bool options_parse(const struct command *command, int argc, char **argv, struct options *options,
-                   struct options_error *error);
+ * may stand anywhere. Returns the command's own struct, or a struct options if it has none; the
+ * caller frees it. NULL with *error filled where the command line is refused, or memory is out. */
+struct options *options_parse(const struct command *command, int argc, char **argv,
+                              struct options_error *error);
 
 /* Fills *error, and returns false. */
 bool options_refuse(struct options_error *error, const char *format, ...)
@@ -202,11 +197,18 @@ static inline enum value_verdict option_verdict(bool is_allowed) {
     return is_allowed ? VALUE_TAKEN : VALUE_WRONG;
 }
 
-/* Puts a value into an option's member. */
+/* Puts a value into an option's member, and where there is one into that which says it was given.
+ */
 enum value_verdict option_take(const struct option_entry *entry, const char *value,
                                struct options *options);
 
-enum { OPTION_ALLOWED_SIZE = 160 };
+/* Puts into an option's member the value that holds where the option is not given. */
+void option_preset(const struct option_entry *entry, struct options *options);
+
+enum { OPTION_ALLOWED_SIZE = 160, OPTION_HELP_SIZE = 160 };
+
+/* Writes what an option means, with its preset in brackets. */
+void option_help(const struct option_entry *entry, char text[OPTION_HELP_SIZE]);
 
 /* Writes what an option's value may be; "" for a flag. */
 void option_allowed(const struct option_entry *entry, char text[OPTION_ALLOWED_SIZE]);

@@ -10,6 +10,7 @@
 enum value_verdict set_arithmetic(struct options *options, const char *value);
 enum value_verdict set_size(struct options *options, const char *value);
 enum value_verdict set_model(struct options *options, const char *value);
+extern const char *const scene_model_words[]; /* what set_model() takes; ended by NULL */
 enum value_verdict set_colour(struct options *options, const char *value);
 enum value_verdict set_value(struct options *options, const char *value); /* of --set */
 enum value_verdict set_base(struct options *options, const char *value);

@@ -67,16 +67,6 @@ static bool take(const struct option_entry *entry, const char *value, struct opt
                           entry->name, value, allowed);
 }
 
-static void set_defaults(struct options *options) {
-    memset(options, 0, sizeof *options);
-    options->arithmetic = "fx";
-    options->board.base = BOARD_FACTORY_BASE;
-    options->jobs = 1;
-    options->instructions_most = OPTIONS_INSTRUCTIONS;
-    options->within = 1;
-    options->share = 99.9;
-}
-
 /* Checks what any command's options exclude. */
 static bool check_together(const struct options *options, struct options_error *error) {
     if (options->overrides.has_error && options->overrides.has_threshold) {
@@ -204,12 +194,12 @@ static bool check_dashes(const struct getopt_tables *tables, const struct option
     return true;
 }
 
-bool options_parse(const struct command *command, int argc, char **argv, struct options *options,
-                   struct options_error *error) {
+/* Takes all words of a command line. Returns false with *error filled where one is refused. */
+static bool take_words(const struct command *command, int argc, char **argv,
+                       struct options *options, struct options_error *error) {
     struct getopt_tables tables;
     int found;
     make_tables(command, &tables);
-    set_defaults(options);
     opterr = 0; /* the messages are this program's own */
     optind = 0; /* starts afresh: a test parses many command lines */
     while ((found = getopt_long(argc, argv, tables.letters, tables.longs, NULL)) != -1) {
@@ -235,4 +225,22 @@ bool options_parse(const struct command *command, int argc, char **argv, struct 
     return check_operands(command, options, error) && check_together(options, error) &&
            (command->check == NULL || command->check(options, error)) &&
            places_are_apart(command, options, error);
+}
+
+struct options *options_parse(const struct command *command, int argc, char **argv,
+                              struct options_error *error) {
+    const struct option_entry *entry;
+    struct options *options = calloc(1, command->size > 0 ? command->size : sizeof *options);
+    if (options == NULL) {
+        (void)options_refuse(error, "out of memory");
+        return NULL;
+    }
+    for (size_t i = 0; (entry = command_option(command, i)) != NULL; i++) {
+        option_preset(entry, options);
+    }
+    if (!take_words(command, argc, argv, options, error)) {
+        free(options);
+        return NULL;
+    }
+    return options;
 }

@@ -34,13 +34,14 @@ enum value_verdict set_size(struct options *options, const char *value) {
     return VALUE_TAKEN;
 }
 
+const char *const scene_model_words[] = {"simple", "fresnel", "wavelength", "absorption", NULL};
+
 /* Sets the model. Absorption is a property of materials and goes with every model: the word alone
  * stands for the standard model. */
 enum value_verdict set_model(struct options *options, const char *value) {
-    static const char *const words[] = {"simple", "fresnel", "wavelength", "absorption", NULL};
     static const enum scene_model models[] = {MODEL_SIMPLE, MODEL_FRESNEL, MODEL_WAVELENGTH,
                                               MODEL_FRESNEL};
-    int word = find_word(value, words);
+    int word = find_word(value, scene_model_words);
     options->overrides.model = models[word >= 0 ? word : 1];
     return option_verdict(word >= 0);
 }

@@ -113,6 +113,12 @@ static enum value_verdict take_by_type(const struct option_entry *entry, const c
     return entry->set(options, value);
 }
 
+void option_preset(const struct option_entry *entry, struct options *options) {
+    if (entry->preset != NULL) {
+        (void)take_by_type(entry, entry->preset, options);
+    }
+}
+
 enum value_verdict option_take(const struct option_entry *entry, const char *value,
                                struct options *options) {
     const bool is_given = true;
@@ -120,6 +126,12 @@ enum value_verdict option_take(const struct option_entry *entry, const char *val
         memcpy((unsigned char *)options + entry->given, &is_given, sizeof is_given);
     }
     return take_by_type(entry, value, options);
+}
+
+void option_help(const struct option_entry *entry, char text[OPTION_HELP_SIZE]) {
+    const char *preset = entry->preset;
+    (void)snprintf(text, OPTION_HELP_SIZE, "%s%s%s%s", entry->help, preset != NULL ? " (" : "",
+                   preset != NULL ? preset : "", preset != NULL ? ")" : "");
 }
 
 /* Writes words as a sentence has them: "a, b or c". */
@@ -137,8 +149,13 @@ void option_allowed(const struct option_entry *entry, char text[OPTION_ALLOWED_S
         (void)snprintf(text, OPTION_ALLOWED_SIZE, "%s", entry->allowed);
         return;
     }
+    if (entry->words != NULL) {
+        list_words(entry->words, text);
+        return;
+    }
     switch (entry->type) {
     case OPTION_FLAG:
+    case OPTION_WORD:
     case OPTION_OWN:
         break;
     case OPTION_TEXT:
@@ -154,9 +171,6 @@ void option_allowed(const struct option_entry *entry, char text[OPTION_ALLOWED_S
     case OPTION_REAL:
         (void)snprintf(text, OPTION_ALLOWED_SIZE, "a number %.10g..%.10g", entry->least,
                        entry->most);
-        break;
-    case OPTION_WORD:
-        list_words(entry->words, text);
         break;
     }
 }

@@ -49,12 +49,12 @@ static int plan_grid(struct measure *measure, struct measure_point point) {
                                         1.0 / 4096, 1.0 / 16384, 1.0 / 65536};
     const struct options *options = measure->options;
     const struct scene_overrides *overrides = &options->overrides;
-    unsigned many_a = options->has_arithmetic ? 1 : 5, many_d = overrides->has_depth ? 1 : 8;
+    unsigned many_a = options->arithmetic != NULL ? 1 : 5, many_d = overrides->has_depth ? 1 : 8;
     unsigned many_t = overrides->has_threshold ? 1 : 6;
     for (unsigned i = 0; i < many_a * many_d * many_t; i++) {
         unsigned a = i / (many_d * many_t), d = i / many_t % many_d, t = i % many_t;
         (void)snprintf(point.arithmetic, sizeof point.arithmetic, "%s",
-                       options->has_arithmetic ? options->arithmetic : arithmetics[a]);
+                       options->arithmetic != NULL ? options->arithmetic : arithmetics[a]);
         point.depth = overrides->has_depth ? (unsigned)overrides->depth : depths[d];
         point.threshold = overrides->has_threshold ? overrides->threshold : thresholds[t];
         bool is_endless = point.depth > BASE_DEPTH && !(point.threshold > 0);
@@ -76,12 +76,13 @@ static int plan_tails(struct measure *measure, struct measure_point point) {
                                         1.0 / 4096, 1.0 / 16384, 1.0 / 65536};
     const struct options *options = measure->options;
     const struct scene_overrides *overrides = &options->overrides;
-    unsigned many_a = options->has_arithmetic ? 1 : 3, many_t = overrides->has_threshold ? 1 : 6;
+    unsigned many_a = options->arithmetic != NULL ? 1 : 3,
+             many_t = overrides->has_threshold ? 1 : 6;
     strcpy(point.tail, "estimate");
     point.depth = overrides->has_depth ? (unsigned)overrides->depth : TAIL_DEPTH;
     for (unsigned i = 0; i < many_a * many_t && !overrides->has_estimates; i++) {
         (void)snprintf(point.arithmetic, sizeof point.arithmetic, "%s",
-                       options->has_arithmetic ? options->arithmetic : arithmetics[i / many_t]);
+                       options->arithmetic != NULL ? options->arithmetic : arithmetics[i / many_t]);
         point.threshold = overrides->has_threshold ? overrides->threshold : thresholds[i % many_t];
         if (add(measure, &point) != STATUS_DONE) {
             return STATUS_FAILED;
@@ -96,14 +97,14 @@ static int plan_errors(struct measure *measure, struct measure_point point) {
     static const double errors[] = {4, 2, 1, 0.5};
     const struct options *options = measure->options;
     const struct scene_overrides *overrides = &options->overrides;
-    unsigned many_a = options->has_arithmetic ? 1 : 3, many_e = overrides->has_error ? 1 : 4;
+    unsigned many_a = options->arithmetic != NULL ? 1 : 3, many_e = overrides->has_error ? 1 : 4;
     strcpy(point.tail, "estimate");
     point.threshold = 0;
     point.depth = overrides->has_depth ? (unsigned)overrides->depth : TAIL_DEPTH;
     bool is_fixed = overrides->has_threshold || (overrides->has_estimates && !overrides->estimates);
     for (unsigned i = 0; i < many_a * many_e && !is_fixed; i++) {
         (void)snprintf(point.arithmetic, sizeof point.arithmetic, "%s",
-                       options->has_arithmetic ? options->arithmetic : arithmetics[i / many_e]);
+                       options->arithmetic != NULL ? options->arithmetic : arithmetics[i / many_e]);
         point.error = overrides->has_error ? overrides->error : errors[i % many_e];
         if (add(measure, &point) != STATUS_DONE) {
             return STATUS_FAILED;
@@ -118,7 +119,8 @@ static int plan_star(struct measure *measure, struct measure_point point) {
     static const char *const colours[] = {"bits:6", "bits:4", "bits:2", "bits:1", "dither"};
     const struct options *options = measure->options;
     const struct scene_overrides *overrides = &options->overrides;
-    (void)snprintf(point.arithmetic, sizeof point.arithmetic, "%s", options->arithmetic);
+    (void)snprintf(point.arithmetic, sizeof point.arithmetic, "%s",
+                   options->arithmetic != NULL ? options->arithmetic : "fx");
     point.depth = overrides->has_depth ? (unsigned)overrides->depth : BASE_DEPTH;
     point.threshold = overrides->has_threshold ? overrides->threshold : base_threshold;
     int status = STATUS_DONE;

@@ -86,12 +86,8 @@ int paper_run(const struct options *options) {
     }
     paper->arithmetic = arithmetic_find(options->arithmetic);
     paper->jobs = options->jobs;
-    paper->width = PAPER_SMALL_WIDTH;
-    paper->height = PAPER_SMALL_HEIGHT;
-    if (options->overrides.has_size) {
-        paper->width = (unsigned)options->overrides.width;
-        paper->height = (unsigned)options->overrides.height;
-    }
+    paper->width = (unsigned)options->overrides.width;
+    paper->height = (unsigned)options->overrides.height;
     int status = make_paper(paper, options);
     free_photos(paper);
     free(paper);
