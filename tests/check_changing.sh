@@ -14,7 +14,7 @@ function end() {
 }
 /^### / {
     end()
-    if (match($0, /: [0-9]+ files$/)) {
+    if (match($0, /: [0-9]+ files?$/)) {
         heading = substr($0, 5)
         asked = substr($0, RSTART + 2) + 0
         rows = 0

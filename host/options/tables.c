@@ -10,7 +10,7 @@ static const struct option_entry help_entries[] = {{.name = "help",
                                                     .letter = 'h',
                                                     .type = OPTION_FLAG,
                                                     OPTION_MEMBER(help),
-                                                    .help = "print this text"},
+                                                    .help = "print this help"},
                                                    {.name = NULL}};
 const struct option_group group_help = {"Help", help_entries};
 

