@@ -280,27 +280,26 @@ static enum value_verdict set_serial(struct options *options, const char *value)
     return option_verdict(length >= 1 && length <= USB_SERIAL_MOST && value[length] == '\0');
 }
 
-static const struct option_entry own_entries[] = {{.name = "listen",
-                                                   .value = "ADDRESS[:PORT]",
-                                                   .type = OPTION_TEXT,
-                                                   OPTION_MEMBER_OF(struct server_options, listen),
-                                                   .allowed = "an address in numbers, a port",
-                                                   .preset = "127.0.0.1:3240",
-                                                   .help = "where clients may come from USB/IP"},
-                                                  {.name = "serial",
-                                                   .value = "SERIAL",
-                                                   .type = OPTION_OWN,
-                                                   OPTION_MEMBER_OF(struct server_options, serial),
-                                                   .set = set_serial,
-                                                   .allowed = "1 to 31 letters, digits and dashes",
-                                                   .preset = "VIRTUAL",
-                                                   .help = "the virtual adapter's serial number"},
-                                                  {.name = "once",
-                                                   .type = OPTION_FLAG,
-                                                   OPTION_MEMBER_OF(struct server_options, once),
-                                                   .help = "end when the first client leaves"},
-                                                  {.name = NULL}};
-static const struct option_group group_own = {"Adapter", own_entries};
+static const struct option_group group_own = {
+    "Adapter", OPTION_ENTRIES({.name = "listen",
+                               .value = "ADDRESS[:PORT]",
+                               .type = OPTION_TEXT,
+                               OPTION_MEMBER_OF(struct server_options, listen),
+                               .allowed = "an address in numbers, a port",
+                               .preset = "127.0.0.1:3240",
+                               .help = "where clients may come from USB/IP"},
+                              {.name = "serial",
+                               .value = "SERIAL",
+                               .type = OPTION_OWN,
+                               OPTION_MEMBER_OF(struct server_options, serial),
+                               .set = set_serial,
+                               .allowed = "1 to 31 letters, digits and dashes",
+                               .preset = "VIRTUAL",
+                               .help = "the virtual adapter's serial number"},
+                              {.name = "once",
+                               .type = OPTION_FLAG,
+                               OPTION_MEMBER_OF(struct server_options, once),
+                               .help = "end when the first client leaves"})};
 
 const struct command command_adapter = {
     .name = "adapter",

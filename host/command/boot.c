@@ -128,7 +128,7 @@ static int write_results(struct boot_run *run) {
 
 /* Returns the exit status of a finished run: whether it was interrupted, and whether --strict
  * holds. */
-static int judge(const struct boot_run *run) {
+static int judge(struct boot_run *run) {
     if (run->report.end == PROCESSOR_STOPPED) {
         complain("interrupted after %" PRIu64 " instructions", run->report.instructions);
         return STATUS_SIGNAL + *interrupt_noted();
@@ -137,20 +137,15 @@ static int judge(const struct boot_run *run) {
 }
 
 static int run_boot(const struct options *options) {
+    static int (*const steps[])(struct boot_run *) = {prepare, boot, write_results, judge};
     struct boot_run run;
     memset(&run, 0, sizeof run);
     run.options = (const struct boot_options *)options;
     run.path = options->operands[0];
     run.session.began = stopwatch_start();
-    int status = prepare(&run);
-    if (status == STATUS_DONE) {
-        status = boot(&run);
-    }
-    if (status == STATUS_DONE) {
-        status = write_results(&run);
-    }
-    if (status == STATUS_DONE) {
-        status = judge(&run);
+    int status = STATUS_DONE;
+    for (size_t i = 0; i < sizeof steps / sizeof steps[0] && status == STATUS_DONE; i++) {
+        status = steps[i](&run);
     }
     session_free(&run.session);
     free(run.disk);
@@ -158,30 +153,29 @@ static int run_boot(const struct options *options) {
 }
 
 static const char *const cpus[] = {"386", NULL};
-static const struct option_entry own_entries[] = {
-    {.name = "cpu",
-     .value = "CPU",
-     .type = OPTION_WORD,
-     .words = cpus,
-     .preset = "386",
-     .help = "the CPU that runs the image"},
-    {.name = "instructions",
-     .value = "N",
-     .type = OPTION_WHOLE,
-     OPTION_MEMBER_OF(struct boot_options, instructions_most),
-     .least = 1,
-     .most = 1e15,
-     .preset = "200000000000", /* a frame of 640 x 400 takes some 60 thousand million */
-     .help = "end as failed after so many"},
-    {.name = "escape",
-     .value = "N",
-     .type = OPTION_WHOLE,
-     OPTION_MEMBER_OF(struct boot_options, escape_after),
-     .least = 1,
-     .most = 1e15,
-     .help = "press Esc when the keyboard has been asked N times"},
-    {.name = NULL}};
-static const struct option_group group_own = {"CPU", own_entries};
+static const struct option_group group_own = {
+    "CPU", OPTION_ENTRIES(
+               {.name = "cpu",
+                .value = "CPU",
+                .type = OPTION_WORD,
+                .words = cpus,
+                .preset = "386",
+                .help = "the CPU that runs the image"},
+               {.name = "instructions",
+                .value = "N",
+                .type = OPTION_WHOLE,
+                OPTION_MEMBER_OF(struct boot_options, instructions_most),
+                .least = 1,
+                .most = 1e15,
+                .preset = "200000000000", /* a frame of 640 x 400 takes some 60 thousand million */
+                .help = "end as failed after so many"},
+               {.name = "escape",
+                .value = "N",
+                .type = OPTION_WHOLE,
+                OPTION_MEMBER_OF(struct boot_options, escape_after),
+                .least = 1,
+                .most = 1e15,
+                .help = "press Esc when the keyboard has been asked N times"})};
 
 const struct command command_boot = {
     .name = "boot",

@@ -84,18 +84,23 @@ static void print_optimisations(const struct compiled_scene *compiled) {
                "pairs of primitives cannot be met one from within the other");
 }
 
-/* Prints whether each arithmetic can hold the scene: fx is the one whose ranges are narrow. Returns
- * STATUS_BAD_INPUT where one can't. */
-static int print_arithmetics(const struct compiled_scene *compiled) {
+/* Tells whether each arithmetic can hold the scene: fx is the one whose ranges are narrow. json:
+ * NULL for words. Returns STATUS_BAD_INPUT where one can't. */
+static int tell_arithmetics(struct json *json, const struct compiled_scene *compiled) {
     int status = STATUS_DONE;
     for (size_t i = 0; arithmetics_built[i] != NULL; i++) {
         struct scene_error error;
         const char *name = arithmetics_built[i]->image->name;
         struct scene *scene = arithmetics_built[i]->load(compiled, &error);
         if (scene == NULL) {
-            status = bad_input("%s (--arith %s)", error.text, name);
+            status =
+                json != NULL ? STATUS_BAD_INPUT : bad_input("%s (--arith %s)", error.text, name);
         }
-        (void)printf("%-11s %s\n", name, scene != NULL ? "holds it" : "can't hold it");
+        if (json != NULL) {
+            json_flag(json, name, scene != NULL);
+        } else {
+            (void)printf("%-11s %s\n", name, scene != NULL ? "holds it" : "can't hold it");
+        }
         free(scene);
     }
     return status;
@@ -129,7 +134,7 @@ static int print_check(const struct scene_description *scene, const struct compi
     requirements_print(stdout, compiled);
     remarks_print(stdout, compiled);
     int held = validations != NULL ? print_validations(validations) : STATUS_DONE;
-    int status = print_arithmetics(compiled);
+    int status = tell_arithmetics(NULL, compiled);
     return status != STATUS_DONE ? status : held;
 }
 
@@ -184,21 +189,6 @@ static void write_requirements(struct json *json, const struct compiled_scene *c
     json_end_list(json);
 }
 
-/* Writes which arithmetics hold the scene. Returns STATUS_BAD_INPUT where one can't. */
-static int write_arithmetics(struct json *json, const struct compiled_scene *compiled) {
-    int status = STATUS_DONE;
-    json_begin_object(json, "arithmetics");
-    for (size_t i = 0; arithmetics_built[i] != NULL; i++) {
-        struct scene_error error;
-        struct scene *scene = arithmetics_built[i]->load(compiled, &error);
-        status = scene != NULL ? status : STATUS_BAD_INPUT;
-        json_flag(json, arithmetics_built[i]->image->name, scene != NULL);
-        free(scene);
-    }
-    json_end_object(json);
-    return status;
-}
-
 /* Writes what the tables were held against. Returns STATUS_NOT_HELD where something disagrees. */
 static int write_validations(struct json *json, const struct validations *validations) {
     int status = STATUS_DONE;
@@ -225,7 +215,9 @@ static int write_check(const struct scene_description *scene, const struct compi
     write_tables(&json, compiled);
     write_requirements(&json, compiled);
     int held = validations != NULL ? write_validations(&json, validations) : STATUS_DONE;
-    int status = write_arithmetics(&json, compiled);
+    json_begin_object(&json, "arithmetics");
+    int status = tell_arithmetics(&json, compiled);
+    json_end_object(&json);
     json_end_object(&json);
     return status != STATUS_DONE ? status : held;
 }
@@ -253,14 +245,12 @@ static int run_check(const struct options *options) {
     return status;
 }
 
-static const struct option_entry own_entries[] = {
-    {.name = "validate",
-     .type = OPTION_FLAG,
-     OPTION_MEMBER_OF(struct check_options, validates),
-     .help =
-         "hold the tables against the scene after each step of the compiler; exit status 3 if not"},
-    {.name = NULL}};
-static const struct option_group group_own = {"Result", own_entries};
+static const struct option_group group_own = {
+    "Result", OPTION_ENTRIES({.name = "validate",
+                              .type = OPTION_FLAG,
+                              OPTION_MEMBER_OF(struct check_options, validates),
+                              .help = "hold the tables against the scene after each step of the "
+                                      "compiler; exit status 3 if not"})};
 
 const struct command command_check = {
     .name = "check",

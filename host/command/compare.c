@@ -356,37 +356,36 @@ static const char *printed(const struct options *options) {
     return "the report";
 }
 
-static const struct option_entry own_entries[] = {
-    {.name = "within",
-     .value = "LSB",
-     .type = OPTION_WHOLE,
-     OPTION_MEMBER_OF(struct compare_options, within),
-     .most = 255,
-     .preset = "1",
-     .help = "the difference that a channel may have"},
-    {.name = "share",
-     .value = "PERCENT",
-     .type = OPTION_REAL,
-     OPTION_MEMBER_OF(struct compare_options, share),
-     .most = 100,
-     .preset = "99.9",
-     .help = "the pixels that must be within it"},
-    {.name = "difference",
-     .value = "FILE.png",
-     .type = OPTION_TEXT,
-     OPTION_MEMBER_OF(struct compare_options, difference),
-     .role = ROLE_PICTURE,
-     .allowed = "a file's name or -",
-     .help =
-         "write a picture of where they differ: blue 1 LSB, green 2, yellow 4, red 9, white 33"},
-    {.name = "signatures",
-     .value = "FILE",
-     .type = OPTION_TEXT,
-     OPTION_MEMBER_OF(struct compare_options, signatures),
-     .role = ROLE_INPUT,
-     .help = "the hashes of paths that render wrote; one more file is an operand"},
-    {.name = NULL}};
-static const struct option_group group_own = {"Result", own_entries};
+static const struct option_group group_own = {
+    "Result",
+    OPTION_ENTRIES({.name = "within",
+                    .value = "LSB",
+                    .type = OPTION_WHOLE,
+                    OPTION_MEMBER_OF(struct compare_options, within),
+                    .most = 255,
+                    .preset = "1",
+                    .help = "the difference that a channel may have"},
+                   {.name = "share",
+                    .value = "PERCENT",
+                    .type = OPTION_REAL,
+                    OPTION_MEMBER_OF(struct compare_options, share),
+                    .most = 100,
+                    .preset = "99.9",
+                    .help = "the pixels that must be within it"},
+                   {.name = "difference",
+                    .value = "FILE.png",
+                    .type = OPTION_TEXT,
+                    OPTION_MEMBER_OF(struct compare_options, difference),
+                    .role = ROLE_PICTURE,
+                    .allowed = "a file's name or -",
+                    .help = "write a picture of where they differ: blue 1 LSB, green 2, yellow 4, "
+                            "red 9, white 33"},
+                   {.name = "signatures",
+                    .value = "FILE",
+                    .type = OPTION_TEXT,
+                    OPTION_MEMBER_OF(struct compare_options, signatures),
+                    .role = ROLE_INPUT,
+                    .help = "the hashes of paths that render wrote; one more file is an operand"})};
 
 const struct command command_compare = {
     .name = "compare",

@@ -2,7 +2,6 @@
 /* superframe compile: a scene as const tables in C. */
 #include <errno.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "base/output.h"
 #include "command/command.h"
@@ -29,17 +28,12 @@ static int run_compile(const struct options *options) {
     }
     int status = STATUS_FAILED;
     if (output_open(&output, options->output)) {
+        const bool is_minimal = ((const struct compile_options *)options)->minimal;
         scene_short_name(options->operands[0], name, sizeof name);
         errno = 0;
-        const bool is_minimal = ((const struct compile_options *)options)->minimal;
         int emitted = is_minimal ? features_emit(output.file, compiled, name)
                                  : scene_emit(output.file, compiled, name);
-        if (emitted != 0) {
-            output_complain(&output, errno != 0 ? strerror(errno) : "a write failed");
-            output_discard(&output);
-        } else if (output_commit(&output)) {
-            status = STATUS_DONE;
-        }
+        status = output_finish(&output, emitted == 0);
     }
     free(compiled);
     return status;
@@ -50,13 +44,11 @@ static bool check_compile(const struct options *options, struct options_error *e
            options_refuse(error, "compile: -o FILE.c is missing; -o - is standard output");
 }
 
-static const struct option_entry own_entries[] = {
-    {.name = "minimal",
-     .type = OPTION_FLAG,
-     OPTION_MEMBER_OF(struct compile_options, minimal),
-     .help = "write the feature_set.h of an image for this scene alone"},
-    {.name = NULL}};
-static const struct option_group group_own = {"Result", own_entries};
+static const struct option_group group_own = {
+    "Result", OPTION_ENTRIES({.name = "minimal",
+                              .type = OPTION_FLAG,
+                              OPTION_MEMBER_OF(struct compile_options, minimal),
+                              .help = "write the feature_set.h of an image for this scene alone"})};
 
 const struct command command_compile = {
     .name = "compile",

@@ -30,15 +30,19 @@ static bool takes_scenes(const struct command *command) {
     return command->kind == OPERANDS_SCENES || command->kind == OPERANDS_SCENE_FIRST;
 }
 
-/* Prints text for a shell's single quotes. */
-static void print_quoted(const char *text) {
+/* Prints text for a shell's single quotes, with a backslash before letters that end a part. */
+static void print_escaped(const char *text, const char *ends) {
     for (; *text != '\0'; text++) {
         if (*text == '\'') {
             (void)fputs("'\\''", stdout);
         } else {
-            (void)fputc(*text, stdout);
+            (void)printf("%s%c", strchr(ends, *text) != NULL ? "\\" : "", *text);
         }
     }
+}
+
+static void print_quoted(const char *text) {
+    print_escaped(text, "");
 }
 
 /* ---- bash ----------------------------------------------------------------------------------- */
@@ -103,19 +107,6 @@ static void print_bash(void) {
 
 /* ---- zsh ------------------------------------------------------------------------------------ */
 
-/* Prints help for a specification of _arguments, in which brackets and colons end a part. */
-static void print_zsh_text(const char *text) {
-    for (; *text != '\0'; text++) {
-        if (*text == '\'') {
-            (void)fputs("'\\''", stdout);
-        } else if (*text == '[' || *text == ']' || *text == ':') {
-            (void)printf("\\%c", *text);
-        } else {
-            (void)fputc(*text, stdout);
-        }
-    }
-}
-
 static void print_zsh_option(const struct option_entry *entry) {
     char help[OPTION_HELP_SIZE];
     option_help(entry, help);
@@ -123,7 +114,7 @@ static void print_zsh_option(const struct option_entry *entry) {
                  entry->type == OPTION_FLAG  ? ""
                  : option_is_optional(entry) ? "=-"
                                              : "=");
-    print_zsh_text(help);
+    print_escaped(help, "[]:"); /* what ends a part of _arguments */
     (void)fputs("]", stdout);
     if (entry->words != NULL) {
         (void)printf(":%s:(", entry->name);

@@ -2,7 +2,6 @@
 /* superframe export: a scene as source for another renderer. */
 #include <errno.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "base/output.h"
 #include "command/command.h"
@@ -23,12 +22,7 @@ static int write_source(const char *path, const struct scene_description *descri
     }
     errno = 0;
     export_pov_write(output.file, description, scene);
-    if (ferror(output.file)) {
-        output_complain(&output, errno != 0 ? strerror(errno) : "a write failed");
-        output_discard(&output);
-        return STATUS_FAILED;
-    }
-    return output_commit(&output) ? STATUS_DONE : STATUS_FAILED;
+    return output_finish(&output, !ferror(output.file));
 }
 
 static int run_export(const struct options *options) {
@@ -58,12 +52,11 @@ static bool check_export(const struct options *options, struct options_error *er
            options_refuse(error, "export: -o FILE is missing; -o - is standard output");
 }
 
-static const struct option_entry own_entries[] = {{.name = "pov",
-                                                   .type = OPTION_FLAG,
-                                                   OPTION_MEMBER_OF(struct export_options, pov),
-                                                   .help = "write source for POV-Ray 3.7"},
-                                                  {.name = NULL}};
-static const struct option_group group_own = {"Result", own_entries};
+static const struct option_group group_own = {
+    "Result", OPTION_ENTRIES({.name = "pov",
+                              .type = OPTION_FLAG,
+                              OPTION_MEMBER_OF(struct export_options, pov),
+                              .help = "write source for POV-Ray 3.7"})};
 
 const struct command command_export = {
     .name = "export",

@@ -5,8 +5,6 @@
 
 #include "command/command.h"
 
-enum { SHARED_MOST = 32 };
-
 /* Prints source of the page, and in the place of its % a text, of which troff changes no letter. */
 static void print(const char *source, const char *text) {
     static const char special[] = "-\\'`^~";
@@ -52,40 +50,23 @@ static void print_options(const struct option_group *group) {
     }
 }
 
-/* ---- Groups --------------------------------------------------------------------------------- */
-
-static bool takes(const struct command *command, const struct option_group *group) {
-    size_t i = 0;
-    while (command->groups[i] != NULL && command->groups[i] != group) {
-        i++;
+/* Finds the command that takes a group as number n of all commands that do; NULL: there are fewer.
+ */
+static const struct command *find_user(const struct option_group *group, size_t n) {
+    for (size_t i = 0; commands_built[i] != NULL; i++) {
+        const struct option_group *const *taken = commands_built[i]->groups;
+        while (*taken != NULL && *taken != group) {
+            taken++;
+        }
+        if (*taken != NULL && n-- == 0) {
+            return commands_built[i];
+        }
     }
-    return command->groups[i] != NULL;
+    return NULL;
 }
 
 static bool is_shared(const struct option_group *group) {
-    unsigned count = 0;
-    for (size_t i = 0; commands_built[i] != NULL; i++) {
-        count += takes(commands_built[i], group);
-    }
-    return count > 1;
-}
-
-/* Lists the groups that more than one command takes, and NULL. */
-static void find_shared(const struct option_group *shared[SHARED_MOST + 1]) {
-    size_t count = 0;
-    for (size_t i = 0; commands_built[i] != NULL; i++) {
-        const struct option_group *const *group = commands_built[i]->groups;
-        for (; *group != NULL && count < SHARED_MOST; group++) {
-            size_t at = 0;
-            while (at < count && shared[at] != *group) {
-                at++;
-            }
-            if (at == count && is_shared(*group)) {
-                shared[count++] = *group;
-            }
-        }
-    }
-    shared[count] = NULL;
+    return find_user(group, 1) != NULL;
 }
 
 /* ---- Sections ------------------------------------------------------------------------------- */
@@ -115,28 +96,22 @@ static void print_command(const struct command *command) {
     (void)fputs(".fi\n", stdout);
 }
 
-/* Prints the groups of the first one's subject, each with the commands that take it. */
-static void print_subject(const struct option_group *const *shared) {
-    const char *title = shared[0]->title;
-    print(".SS %\n", title);
-    for (; *shared != NULL; shared++) {
-        const char *between = ".PP\nOf %";
-        if (strcmp((*shared)->title, title) != 0) {
-            continue;
-        }
-        for (size_t i = 0; commands_built[i] != NULL; i++) {
-            if (takes(commands_built[i], *shared)) {
-                print(between, commands_built[i]->name);
-                between = ", %";
-            }
-        }
-        (void)fputs(":\n", stdout);
-        print_options(*shared);
+/* Prints a group, under its title where the group before it had another one, and who takes it. */
+static void print_shared(const struct option_group *group, const char **title) {
+    const struct command *user;
+    if (strcmp(*title, group->title) != 0) {
+        *title = group->title;
+        print(".SS %\n", *title);
     }
+    for (size_t n = 0; (user = find_user(group, n)) != NULL; n++) {
+        print(n == 0 ? ".PP\nOf %" : ", %", user->name);
+    }
+    (void)fputs(":\n", stdout);
+    print_options(group);
 }
 
 static int run_manual(const struct options *options) {
-    const struct option_group *shared[SHARED_MOST + 1];
+    const char *title = "";
     (void)options;
     (void)fputs(".TH SUPERFRAME 1 \"\" \"superframe " SUPERFRAME_VERSION "\" \"User Commands\"\n"
                 ".SH NAME\n"
@@ -152,14 +127,12 @@ static int run_manual(const struct options *options) {
     }
     (void)fputs(".SH OPTIONS\n", stdout);
     print_options(&group_help);
-    find_shared(shared);
-    for (size_t i = 0; shared[i] != NULL; i++) {
-        size_t first = 0;
-        while (strcmp(shared[first]->title, shared[i]->title) != 0) {
-            first++;
-        }
-        if (first == i) {
-            print_subject(&shared[i]);
+    for (size_t i = 0; commands_built[i] != NULL; i++) {
+        const struct option_group *const *group = commands_built[i]->groups;
+        for (; *group != NULL; group++) {
+            if (is_shared(*group) && find_user(*group, 0) == commands_built[i]) {
+                print_shared(*group, &title);
+            }
         }
     }
     return STATUS_DONE;

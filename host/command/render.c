@@ -259,17 +259,18 @@ static int write_signatures(struct render_run *run) {
                                       .last_row = first + run->totals.rows,
                                       .jobs = run->options->jobs,
                                       .stop = interrupt_noted()};
+    if (run->signatures.file == NULL) {
+        return STATUS_DONE;
+    }
     memset(&signatures, 0, sizeof signatures);
     if (!signatures_make(&job, &signatures, &error)) {
         return bad_input("%s", error.text);
     }
     errno = 0;
-    bool is_written = signatures_write(&signatures, run->signatures.file);
-    if (!is_written) {
-        output_complain(&run->signatures, strerror(errno));
-    }
+    int status =
+        output_finish(&run->signatures, signatures_write(&signatures, run->signatures.file));
     signatures_free(&signatures);
-    return is_written && output_commit(&run->signatures) ? STATUS_DONE : STATUS_FAILED;
+    return status;
 }
 
 /* Says on a terminal where the picture is. */
@@ -283,7 +284,7 @@ static void tell_place(const struct render_run *run) {
 
 /* Returns the exit status of a finished run: whether it was interrupted, and whether --strict
  * holds. */
-static int judge(const struct render_run *run) {
+static int judge(struct render_run *run) {
     if (*interrupt_noted() != 0) {
         const char *partial = run->session.partial_name;
         complain("interrupted after %u rows%s%s", run->totals.rows,
@@ -295,24 +296,17 @@ static int judge(const struct render_run *run) {
 }
 
 static int run_render(const struct options *options) {
+    static int (*const steps[])(struct render_run *) = {prepare, render_rows, write_results,
+                                                        write_signatures, judge};
     struct render_run run;
     memset(&run, 0, sizeof run);
     run.options = options;
     run.own = (const struct render_options *)options;
     run.scene_name = options->operands[0];
     run.session.began = stopwatch_start();
-    int status = prepare(&run);
-    if (status == STATUS_DONE) {
-        status = render_rows(&run);
-    }
-    if (status == STATUS_DONE) {
-        status = write_results(&run);
-    }
-    if (status == STATUS_DONE && run.signatures.file != NULL) {
-        status = write_signatures(&run);
-    }
-    if (status == STATUS_DONE) {
-        status = judge(&run);
+    int status = STATUS_DONE;
+    for (size_t i = 0; i < sizeof steps / sizeof steps[0] && status == STATUS_DONE; i++) {
+        status = steps[i](&run);
     }
     output_discard(&run.signatures);
     camera_free(run.camera);
@@ -345,28 +339,27 @@ static bool check_render(const struct options *options, struct options_error *er
     return bus_check(options, error);
 }
 
-static const struct option_entry own_entries[] = {
-    {.name = "rows",
-     .value = "A:B",
-     .type = OPTION_OWN,
-     .set = set_rows,
-     .allowed = "A:B with 0 <= A < B <= 400",
-     .help = "only rows A..B-1; the others are not touched"},
-    {.name = "signatures",
-     .value = "FILE",
-     .type = OPTION_TEXT,
-     OPTION_MEMBER_OF(struct render_options, signatures),
-     .role = ROLE_RESULT,
-     .help = "write a hash of each pixel's path, for compare"},
-    {.name = "keep-exposures",
-     .value = "FOLDER",
-     .type = OPTION_TEXT,
-     OPTION_MEMBER_OF(struct render_options, keep_exposures),
-     .role = ROLE_EXPOSURES,
-     .allowed = "a folder's name",
-     .help = "write the eight 8-colour pictures of --colour exposures too"},
-    {.name = NULL}};
-static const struct option_group group_own = {"Result", own_entries};
+static const struct option_group group_own = {
+    "Result",
+    OPTION_ENTRIES({.name = "rows",
+                    .value = "A:B",
+                    .type = OPTION_OWN,
+                    .set = set_rows,
+                    .allowed = "A:B with 0 <= A < B <= 400",
+                    .help = "only rows A..B-1; the others are not touched"},
+                   {.name = "signatures",
+                    .value = "FILE",
+                    .type = OPTION_TEXT,
+                    OPTION_MEMBER_OF(struct render_options, signatures),
+                    .role = ROLE_RESULT,
+                    .help = "write a hash of each pixel's path, for compare"},
+                   {.name = "keep-exposures",
+                    .value = "FOLDER",
+                    .type = OPTION_TEXT,
+                    OPTION_MEMBER_OF(struct render_options, keep_exposures),
+                    .role = ROLE_EXPOSURES,
+                    .allowed = "a folder's name",
+                    .help = "write the eight 8-colour pictures of --colour exposures too"})};
 
 const struct command command_render = {
     .name = "render",

@@ -66,14 +66,13 @@ static bool check_scenes(const struct options *options, struct options_error *er
            options_refuse(error, "--print and --json exclude each other; give one of them");
 }
 
-static const struct option_entry own_entries[] = {{.name = "print",
-                                                   .value = "NAME",
-                                                   .type = OPTION_TEXT,
-                                                   OPTION_MEMBER_OF(struct scenes_options, printed),
-                                                   .allowed = "a built-in scene's name",
-                                                   .help = "print the text of a built-in scene"},
-                                                  {.name = NULL}};
-static const struct option_group group_own = {"Result", own_entries};
+static const struct option_group group_own = {
+    "Result", OPTION_ENTRIES({.name = "print",
+                              .value = "NAME",
+                              .type = OPTION_TEXT,
+                              OPTION_MEMBER_OF(struct scenes_options, printed),
+                              .allowed = "a built-in scene's name",
+                              .help = "print the text of a built-in scene"})};
 
 const struct command command_scenes = {
     .name = "scenes",

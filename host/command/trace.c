@@ -299,34 +299,34 @@ static bool check_trace(const struct options *options, struct options_error *err
 }
 
 static const char *const forms[] = {[TRACE_BINARY] = "binary", [TRACE_TEXT] = "text", NULL};
-static const struct option_entry own_entries[] = {
-    {.name = "list",
-     .type = OPTION_FLAG,
-     OPTION_MEMBER_OF(struct trace_options, lists),
-     .help = "print every access in words"},
-    {.name = "statistics",
-     .type = OPTION_FLAG,
-     OPTION_MEMBER_OF(struct trace_options, counts),
-     .help = "print what was written how often, pixels touched, and what it costs"},
-    {.name = "violations",
-     .type = OPTION_FLAG,
-     OPTION_MEMBER_OF(struct trace_options, judges),
-     .help = "print each violation with the number of its access"},
-    {.name = "compare",
-     .value = "TRACE",
-     .type = OPTION_TEXT,
-     OPTION_MEMBER_OF(struct trace_options, against),
-     .role = ROLE_INPUT,
-     .help = "print the first difference from another trace; none: exit status 0, else 3"},
-    {.name = "to",
-     .value = "FORM",
-     .type = OPTION_WORD,
-     OPTION_MEMBER_OF(struct trace_options, to),
-     OPTION_GIVEN(converts),
-     .words = forms,
-     .help = "convert to -o FILE"},
-    {.name = NULL}};
-static const struct option_group group_own = {"Trace", own_entries};
+static const struct option_group group_own = {
+    "Trace",
+    OPTION_ENTRIES(
+        {.name = "list",
+         .type = OPTION_FLAG,
+         OPTION_MEMBER_OF(struct trace_options, lists),
+         .help = "print every access in words"},
+        {.name = "statistics",
+         .type = OPTION_FLAG,
+         OPTION_MEMBER_OF(struct trace_options, counts),
+         .help = "print what was written how often, pixels touched, and what it costs"},
+        {.name = "violations",
+         .type = OPTION_FLAG,
+         OPTION_MEMBER_OF(struct trace_options, judges),
+         .help = "print each violation with the number of its access"},
+        {.name = "compare",
+         .value = "TRACE",
+         .type = OPTION_TEXT,
+         OPTION_MEMBER_OF(struct trace_options, against),
+         .role = ROLE_INPUT,
+         .help = "print the first difference from another trace; none: exit status 0, else 3"},
+        {.name = "to",
+         .value = "FORM",
+         .type = OPTION_WORD,
+         OPTION_MEMBER_OF(struct trace_options, to),
+         OPTION_GIVEN(converts),
+         .words = forms,
+         .help = "convert to -o FILE"})};
 
 const struct command command_trace = {
     .name = "trace",

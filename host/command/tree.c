@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* superframe tree: the tree of rays of one pixel, as in the paper's Fig. 2. */
+#include <errno.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "base/numbers.h"
 #include "base/output.h"
@@ -23,15 +23,11 @@ static int print_tree(const struct options *options, const struct compiled_scene
         return STATUS_FAILED;
     }
     const bool is_dot = ((const struct tree_options *)options)->dot;
+    errno = 0;
     int printed = is_dot          ? ray_tree_print_dot(output.file, tree, compiled)
                   : options->json ? ray_tree_print_json(output.file, tree, compiled)
                                   : ray_tree_print(output.file, tree, compiled);
-    if (printed != 0) {
-        output_complain(&output, "a write failed");
-        output_discard(&output);
-        return STATUS_FAILED;
-    }
-    return output_commit(&output) ? STATUS_DONE : STATUS_FAILED;
+    return output_finish(&output, printed == 0);
 }
 
 static int grow_and_print(const struct options *options, const struct compiled_scene *compiled,
@@ -85,12 +81,11 @@ static bool check_tree(const struct options *options, struct options_error *erro
            options_refuse(error, "--dot and --json exclude each other; give one of them");
 }
 
-static const struct option_entry own_entries[] = {{.name = "dot",
-                                                   .type = OPTION_FLAG,
-                                                   OPTION_MEMBER_OF(struct tree_options, dot),
-                                                   .help = "a graph for Graphviz"},
-                                                  {.name = NULL}};
-static const struct option_group group_own = {"Result", own_entries};
+static const struct option_group group_own = {
+    "Result", OPTION_ENTRIES({.name = "dot",
+                              .type = OPTION_FLAG,
+                              OPTION_MEMBER_OF(struct tree_options, dot),
+                              .help = "a graph for Graphviz"})};
 
 const struct command command_tree = {
     .name = "tree",

@@ -41,33 +41,34 @@ static enum value_verdict set_verify(struct options *options, const char *value)
     return VALUE_TAKEN;
 }
 
-static const struct option_entry bus_entries[] = {
-    {.name = "bus",
-     .value = "BUS",
-     .type = OPTION_OWN,
-     .set = set_bus,
-     OPTION_MEMBER(bus.file),
-     .role = ROLE_RESULT,
-     .shown = "--bus trace",
-     .allowed = "emulator, trace:FILE, usb[:SERIAL], hid[:SERIAL] or ports",
-     .preset = "emulator",
-     .help = "where the port accesses go"},
-    {.name = "verify",
-     .value = "[=PERCENT]",
-     .type = OPTION_OWN,
-     .set = set_verify,
-     .allowed = "a whole number 1..100",
-     .help = "read back what was drawn over USB or HID, or so many of its lines, and repair it"},
-    {.name = "wait",
-     .type = OPTION_FLAG,
-     OPTION_MEMBER(bus.adapter.waits),
-     .help = "wait for an adapter, and for a lost one"},
-    {.name = "yes-these-ports-are-mine",
-     .type = OPTION_FLAG,
-     OPTION_MEMBER(bus.ports_are_mine),
-     .help = "let --bus ports open them: on a PC they belong to the DMA controller"},
-    {.name = NULL}};
-const struct option_group group_bus = {"Bus", bus_entries};
+const struct option_group group_bus = {
+    "Bus",
+    OPTION_ENTRIES(
+        {.name = "bus",
+         .value = "BUS",
+         .type = OPTION_OWN,
+         .set = set_bus,
+         OPTION_MEMBER(bus.file),
+         .role = ROLE_RESULT,
+         .shown = "--bus trace",
+         .allowed = "emulator, trace:FILE, usb[:SERIAL], hid[:SERIAL] or ports",
+         .preset = "emulator",
+         .help = "where the port accesses go"},
+        {.name = "verify",
+         .value = "[=PERCENT]",
+         .type = OPTION_OWN,
+         .set = set_verify,
+         .allowed = "a whole number 1..100",
+         .help =
+             "read back what was drawn over USB or HID, or so many of its lines, and repair it"},
+        {.name = "wait",
+         .type = OPTION_FLAG,
+         OPTION_MEMBER(bus.adapter.waits),
+         .help = "wait for an adapter, and for a lost one"},
+        {.name = "yes-these-ports-are-mine",
+         .type = OPTION_FLAG,
+         OPTION_MEMBER(bus.ports_are_mine),
+         .help = "let --bus ports open them: on a PC they belong to the DMA controller"})};
 
 /* Names an option that goes with the emulated board only; NULL: none was given. */
 static const char *board_option(const struct options *options, bool is_far) {

@@ -115,6 +115,13 @@ struct option_group {
     const struct option_entry *entries; /* ended by one without a name */
 };
 
+#define OPTION_ENTRIES(...)                                                                        \
+    (const struct option_entry[]) {                                                                \
+        __VA_ARGS__, {                                                                             \
+            .name = NULL                                                                           \
+        }                                                                                          \
+    }
+
 /* The groups that more than one command takes; groups.c has them. Two are of one subject where the
  * same options say something else to other commands. */
 extern const struct option_group group_result;     /* -o FILE */

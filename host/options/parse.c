@@ -126,47 +126,35 @@ static const char *nearest_option(const struct getopt_tables *tables, const char
     return nearest_word(name, tables->names);
 }
 
-/* Refuses a letter that is no option's. A person who writes "-depth" means "--depth". */
-static bool refuse_letter(const struct command *command, const struct getopt_tables *tables,
-                          const char *culprit, struct options_error *error) {
-    const char *near =
-        strlen(culprit) > 2 && culprit[1] != '-' ? nearest_option(tables, culprit) : NULL;
+/* Refuses an option that getopt_long() does not know. optopt is the letter of a short option, or
+ * the value of a long one that got an argument but takes none. optopt is 0 where no long option has
+ * that name, or several begin so. A person who writes "-depth" means "--depth". */
+static bool refuse_unknown(const struct command *command, const struct getopt_tables *tables,
+                           const char *culprit, struct options_error *error) {
+    char meant[MEANT_SIZE] = "";
+    if (optopt >= LONG_ONLY) {
+        return options_refuse(error, "--%s: takes no value", tables->names[optopt - LONG_ONLY]);
+    }
     if (optopt >= '0' && optopt <= '9') {
         return options_refuse(error, "%s: no option -%c, and no number below 0 is allowed",
                               command->name, optopt);
     }
-    if (near != NULL) {
-        return options_refuse(error, "%s: no option %.100s; did you mean --%s?", command->name,
-                              culprit, near);
+    if (optopt == 0) {
+        list_meant(tables, culprit, meant);
     }
-    return options_refuse(error, "%s: no option -%c; try superframe %s --help", command->name,
-                          optopt, command->name);
-}
-
-/* Refuses an option that getopt_long() does not know. optopt is the letter of a short option, or
- * the value of a long one that got an argument but takes none. optopt is 0 where no long option has
- * that name, or several begin so. */
-static bool refuse_unknown(const struct command *command, const struct getopt_tables *tables,
-                           const char *culprit, struct options_error *error) {
-    char meant[MEANT_SIZE];
-    if (optopt >= LONG_ONLY) {
-        return options_refuse(error, "--%s: takes no value", tables->names[optopt - LONG_ONLY]);
-    }
-    if (optopt != 0) {
-        return refuse_letter(command, tables, culprit, error);
-    }
-    list_meant(tables, culprit, meant);
     if (meant[0] != '\0') {
         return options_refuse(error, "%s: %.100s is ambiguous; allowed are%s", command->name,
                               culprit, meant + 1);
     }
-    const char *near = nearest_option(tables, culprit);
+    bool is_word = optopt == 0 || (strlen(culprit) > 2 && culprit[1] != '-');
+    const char *near = is_word ? nearest_option(tables, culprit) : NULL;
     if (near != NULL) {
         return options_refuse(error, "%s: no option %.100s; did you mean --%s?", command->name,
                               culprit, near);
     }
+    const char letter[] = {'-', (char)optopt, '\0'};
     return options_refuse(error, "%s: no option %.100s; try superframe %s --help", command->name,
-                          culprit, command->name);
+                          optopt == 0 ? culprit : letter, command->name);
 }
 
 /* Returns the word that getopt_long() could not take. Amid a word of letters, optind is still at

@@ -6,13 +6,11 @@
 #include "base/numbers.h"
 #include "options/options.h"
 
-static const struct option_entry help_entries[] = {{.name = "help",
-                                                    .letter = 'h',
-                                                    .type = OPTION_FLAG,
-                                                    OPTION_MEMBER(help),
-                                                    .help = "print this help"},
-                                                   {.name = NULL}};
-const struct option_group group_help = {"Help", help_entries};
+const struct option_group group_help = {"Help", OPTION_ENTRIES({.name = "help",
+                                                                .letter = 'h',
+                                                                .type = OPTION_FLAG,
+                                                                OPTION_MEMBER(help),
+                                                                .help = "print this help"})};
 
 bool options_refuse(struct options_error *error, const char *format, ...) {
     va_list arguments;
@@ -35,7 +33,7 @@ const struct option_entry *command_option(const struct command *command, size_t 
             }
         }
     }
-    return i == 0 ? help_entries : NULL;
+    return i == 0 ? group_help.entries : NULL;
 }
 
 /* ---- Values --------------------------------------------------------------------------------- */

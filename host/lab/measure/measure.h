@@ -99,9 +99,7 @@ struct measure {
     size_t scene_count;
     struct measure_list points;
     size_t kept; /* points that were there already */
-    struct progress progress;
-    struct render_totals before, now;
-    struct timespec began;
+    struct progress_sum work;
     bool has_plots;
 };
 
@@ -116,6 +114,9 @@ int measure_resume(struct measure *measure);
 
 /* Measures the points that are missing; each is written to points.csv as soon as it is done. */
 int measure_run(struct measure *measure);
+
+/* Tells how to go on after a signal. Returns the exit status of it. */
+int measure_interrupted(void);
 
 /* Writes a finished point as one line, with the digest of its scene. */
 void measure_write_point(const struct measure *measure, FILE *file,

@@ -39,6 +39,13 @@ static int vary(struct measure *measure, const struct measure_point *point) {
     return can_be_shown(point) ? add(measure, point) : STATUS_DONE;
 }
 
+/* Gives a point the arithmetic that was asked for, or one of those that are varied. */
+static void take_arithmetic(struct measure_point *point, const struct options *options,
+                            const char *varied) {
+    (void)snprintf(point->arithmetic, sizeof point->arithmetic, "%s",
+                   options->arithmetic != NULL ? options->arithmetic : varied);
+}
+
 /* Adds the grid: arithmetic by depth by threshold. Without a threshold a tree doubles with each
  * level, so that depths end where the paper ends. The finest threshold says nothing new where the
  * depth ends the tree. */
@@ -53,8 +60,7 @@ static int plan_grid(struct measure *measure, struct measure_point point) {
     unsigned many_t = overrides->has_threshold ? 1 : 6;
     for (unsigned i = 0; i < many_a * many_d * many_t; i++) {
         unsigned a = i / (many_d * many_t), d = i / many_t % many_d, t = i % many_t;
-        (void)snprintf(point.arithmetic, sizeof point.arithmetic, "%s",
-                       options->arithmetic != NULL ? options->arithmetic : arithmetics[a]);
+        take_arithmetic(&point, options, arithmetics[a]);
         point.depth = overrides->has_depth ? (unsigned)overrides->depth : depths[d];
         point.threshold = overrides->has_threshold ? overrides->threshold : thresholds[t];
         bool is_endless = point.depth > BASE_DEPTH && !(point.threshold > 0);
@@ -81,8 +87,7 @@ static int plan_tails(struct measure *measure, struct measure_point point) {
     strcpy(point.tail, "estimate");
     point.depth = overrides->has_depth ? (unsigned)overrides->depth : TAIL_DEPTH;
     for (unsigned i = 0; i < many_a * many_t && !overrides->has_estimates; i++) {
-        (void)snprintf(point.arithmetic, sizeof point.arithmetic, "%s",
-                       options->arithmetic != NULL ? options->arithmetic : arithmetics[i / many_t]);
+        take_arithmetic(&point, options, arithmetics[i / many_t]);
         point.threshold = overrides->has_threshold ? overrides->threshold : thresholds[i % many_t];
         if (add(measure, &point) != STATUS_DONE) {
             return STATUS_FAILED;
@@ -103,8 +108,7 @@ static int plan_errors(struct measure *measure, struct measure_point point) {
     point.depth = overrides->has_depth ? (unsigned)overrides->depth : TAIL_DEPTH;
     bool is_fixed = overrides->has_threshold || (overrides->has_estimates && !overrides->estimates);
     for (unsigned i = 0; i < many_a * many_e && !is_fixed; i++) {
-        (void)snprintf(point.arithmetic, sizeof point.arithmetic, "%s",
-                       options->arithmetic != NULL ? options->arithmetic : arithmetics[i / many_e]);
+        take_arithmetic(&point, options, arithmetics[i / many_e]);
         point.error = overrides->has_error ? overrides->error : errors[i % many_e];
         if (add(measure, &point) != STATUS_DONE) {
             return STATUS_FAILED;
@@ -119,8 +123,7 @@ static int plan_star(struct measure *measure, struct measure_point point) {
     static const char *const colours[] = {"bits:6", "bits:4", "bits:2", "bits:1", "dither"};
     const struct options *options = measure->options;
     const struct scene_overrides *overrides = &options->overrides;
-    (void)snprintf(point.arithmetic, sizeof point.arithmetic, "%s",
-                   options->arithmetic != NULL ? options->arithmetic : "fx");
+    take_arithmetic(&point, options, "fx");
     point.depth = overrides->has_depth ? (unsigned)overrides->depth : BASE_DEPTH;
     point.threshold = overrides->has_threshold ? overrides->threshold : base_threshold;
     int status = STATUS_DONE;

@@ -157,11 +157,7 @@ int measure_resume(struct measure *measure) {
 
 double measure_predict(const struct measure *measure, const struct measure_point *point,
                        const struct cost_target *target) {
-    struct cost_work work = {point->events, {1, 0, 0, 0, 0}, point->port_writes};
-    for (size_t i = 0; i < measure->scene_count; i++) {
-        if (strcmp(measure->scenes[i].name, point->scene) == 0) {
-            work.mix = measure->scenes[i].mix;
-        }
-    }
+    const struct measure_scene *scene = measure_scene_of(measure, point->scene);
+    const struct cost_work work = {point->events, scene->mix, point->port_writes};
     return cost_seconds(target, point->arithmetic, &work);
 }

@@ -78,18 +78,16 @@ static size_t count_of_machines(void) {
 }
 
 static void write_words(const struct report *report) {
-    static const struct {
-        const char *row;
-    } words[] = {
-        {"arithmetic|the numbers that the renderer computes with. fx: integers, fixed point with a "
-         "format for each role. f32: float. f64: double. q16, q16_epsilon: plain 16.16 fixed "
-         "point, for comparison only"},
-        {"N, depth level|how many reflections and refractions a path of light may have"},
-        {"threshold|a branch of the path ends where less than this share of the light is left"},
-        {"tail|what a branch that was ended counts as: black, or an estimate of the mean"},
-        {"--error E|an accuracy asked for instead of a threshold, in LSB"},
-        {"LSB|one of the 255 steps of a colour from dark to bright"},
-        {"wrong|a pixel of which a colour is more than 1 LSB off"}};
+    static const char *const words[] = {
+        "arithmetic|the numbers that the renderer computes with. fx: integers, fixed point with a "
+        "format for each role. f32: float. f64: double. q16, q16_epsilon: plain 16.16 fixed "
+        "point, for comparison only",
+        "N, depth level|how many reflections and refractions a path of light may have",
+        "threshold|a branch of the path ends where less than this share of the light is left",
+        "tail|what a branch that was ended counts as: black, or an estimate of the mean",
+        "--error E|an accuracy asked for instead of a threshold, in LSB",
+        "LSB|one of the 255 steps of a colour from dark to bright",
+        "wrong|a pixel of which a colour is more than 1 LSB off"};
     page_paragraph(report,
                    "A ray tracer may be quick or exact. This page says, for each of %zu "
                    "machines, which numbers to compute with, which setting to take, how "
@@ -97,7 +95,7 @@ static void write_words(const struct report *report) {
                    count_of_machines());
     page_row(report, true, "word|meaning");
     for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
-        page_row(report, false, words[i].row);
+        page_row(report, false, words[i]);
     }
     page_end_table(report);
 }

@@ -89,10 +89,7 @@ struct paper {
 
     bool is_planning; /* rows are counted, nothing is rendered */
     unsigned rows;    /* of all renders */
-    struct progress progress;
-    struct timespec began;
-    struct render_totals before; /* of the renders that are done */
-    struct render_totals now;    /* of those and the one at work */
+    struct progress_sum work;
 
     struct paper_photo *figures[PAPER_FIGURES_MOST]; /* by paper_figures; NULL: not made */
     struct paper_photo *scratch[PAPER_SCRATCH];      /* for the work at hand */

@@ -26,10 +26,10 @@ static int plan_and_render(struct paper *paper, bool quiet) {
         return status;
     }
     paper->is_planning = false;
-    paper->began = stopwatch_start();
-    progress_begin(&paper->progress, paper->rows, quiet);
+    paper->work.began = stopwatch_start();
+    progress_begin(&paper->work.progress, paper->rows, quiet);
     status = render_all(paper);
-    progress_end(&paper->progress);
+    progress_end(&paper->work.progress);
     return status;
 }
 
