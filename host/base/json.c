@@ -76,16 +76,12 @@ void json_real(struct json *json, const char *key, double number) {
 
 void json_rounded(struct json *json, const char *key, double number, int digits) {
     begin_entry(json, key);
-    if (isfinite(number)) {
-        (void)fprintf(json->out, "%.*g", digits, number);
-    } else {
-        (void)fputs("null", json->out);
-    }
+    (void)fprintf(json->out, isfinite(number) ? "%.*g" : "null", digits, number);
 }
 
 void json_decimal(struct json *json, const char *key, double number, int places) {
     begin_entry(json, key);
-    (void)fprintf(json->out, "%.*f", places, number);
+    (void)fprintf(json->out, isfinite(number) ? "%.*f" : "null", places, number);
 }
 
 void json_text(struct json *json, const char *key, const char *text) {

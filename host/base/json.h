@@ -41,7 +41,7 @@ void json_real(struct json *json, const char *key, double number);
 /* Writes a number rounded to so many digits; an infinity or a NaN becomes null. */
 void json_rounded(struct json *json, const char *key, double number, int digits);
 
-/* Writes a finite number with so many digits behind the point. */
+/* Writes a number with so many digits behind the point; an infinity or a NaN becomes null. */
 void json_decimal(struct json *json, const char *key, double number, int places);
 
 /* Writes a text in JSON's quotes and escapes, as json_text() does. */

@@ -54,9 +54,9 @@ static int make_folder(struct measure *measure) {
 }
 
 static int run_measure(const struct options *options) {
-    static int (*const steps[])(struct measure *) = {take_scenes,    measure_plan, make_folder,
-                                                     measure_resume, measure_run,  measure_plot,
-                                                     measure_report};
+    static int (*const steps[])(struct measure *) = {take_scenes,    measure_plan,   make_folder,
+                                                     measure_resume, measure_run,    measure_gather,
+                                                     measure_plot,   measure_report, measure_print};
     struct measure *measure = calloc(1, sizeof *measure);
     if (measure == NULL) {
         return failure("out of memory");
@@ -67,10 +67,15 @@ static int run_measure(const struct options *options) {
     for (size_t i = 0; i < sizeof steps / sizeof steps[0] && status == STATUS_DONE; i++) {
         status = steps[i](measure);
     }
+    free(measure->settings.settings);
     free(measure->points.points);
     free(measure->points_path);
     free(measure);
     return status;
+}
+
+static const char *printed(const struct options *options) {
+    return options->json ? "the settings and points" : NULL;
 }
 
 static bool check_measure(const struct options *options, struct options_error *error) {
@@ -87,8 +92,9 @@ const struct command command_measure = {
     .summary = "Measure speed against accuracy.",
     .most = 1000,
     .kind = OPERANDS_SCENES,
-    .groups = OPTION_GROUPS(&group_folder, &group_measured, &group_jobs, &group_quiet),
+    .groups = OPTION_GROUPS(&group_folder, &group_json, &group_measured, &group_jobs, &group_quiet),
     .examples = COMMAND_EXAMPLES("measure -o trade --jobs 2",
                                  "measure my.scene --arith fx --size 160x100 -o trade"),
+    .printed = printed,
     .check = check_measure,
     .run = run_measure};

@@ -99,6 +99,7 @@ struct measure {
     size_t scene_count;
     struct measure_list points;
     size_t kept; /* points that were there already */
+    struct measure_settings settings;
     struct progress_sum work;
     bool has_plots;
 };
@@ -141,8 +142,8 @@ enum measure_beginning measure_read_head(FILE *file);
 /* Writes the line of column names and flushes the file. Returns false where that failed. */
 bool measure_write_head(FILE *file);
 
-/* Gathers the points of the grid by setting; the caller frees settings. False: memory is out. */
-bool measure_settings(const struct measure *measure, struct measure_settings *settings);
+/* Gathers the measured points of the grid by setting; the caller frees settings.settings. */
+int measure_gather(struct measure *measure);
 
 /* Tells whether a point is of the grid: of its scene's first size, colours and model. */
 bool measure_is_of_grid(const struct measure *measure, const struct measure_point *point);
@@ -161,6 +162,9 @@ int measure_plot(struct measure *measure);
 
 /* Writes table.csv, report.md and report.html. */
 int measure_report(struct measure *measure);
+
+/* Prints scenes, settings and points as a JSON object to standard output, if --json asks for it. */
+int measure_print(struct measure *measure);
 
 /* A file of the report's folder while it is written. */
 struct measure_file {

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The plots of `superframe measure`: data and script for gnuplot, and by gnuplot the pictures. */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/complain.h"
@@ -284,17 +283,9 @@ static int write_script(const struct measure *measure, const struct measure_sett
 }
 
 int measure_plot(struct measure *measure) {
-    struct measure_settings settings;
-    if (!measure_settings(measure, &settings)) {
-        return failure("out of memory");
-    }
-    int status = write_data(measure, &settings);
-    if (status == STATUS_DONE) {
-        status = write_script(measure, &settings);
-    }
-    free(settings.settings);
-    if (status != STATUS_DONE) {
-        return status;
+    if (write_data(measure, &measure->settings) != STATUS_DONE ||
+        write_script(measure, &measure->settings) != STATUS_DONE) {
+        return STATUS_FAILED;
     }
     enum gnuplot_status drawn = gnuplot_run(measure->folder, "plots.gp");
     measure->has_plots = drawn == GNUPLOT_DONE;

@@ -2,7 +2,6 @@
 /* The report of `superframe measure`: what to choose on which machine, in words and tables. */
 #include <inttypes.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/complain.h"
@@ -361,14 +360,13 @@ static void write_machines(const struct report *report) {
 
 /* ---- Files ---------------------------------------------------------------------------------- */
 
-static int write_report(const struct measure *measure, const struct measure_settings *settings,
-                        bool is_html) {
+static int write_report(const struct measure *measure, bool is_html) {
     const char *name = is_html ? "report.html" : "report.md";
     struct measure_file file;
     if (!measure_create(&file, measure, name)) {
         return STATUS_FAILED;
     }
-    const struct report report = {measure, settings, file.output.file, is_html};
+    const struct report report = {measure, &measure->settings, file.output.file, is_html};
     page_begin(&report, "Speed against accuracy");
     write_words(&report);
     write_choice_of_arithmetic(&report);
@@ -417,17 +415,9 @@ static int write_table(const struct measure *measure) {
 }
 
 int measure_report(struct measure *measure) {
-    struct measure_settings settings;
-    if (!measure_settings(measure, &settings)) {
-        return failure("out of memory");
-    }
     int status = write_table(measure);
     if (status == STATUS_DONE) {
-        status = write_report(measure, &settings, false);
+        status = write_report(measure, false);
     }
-    if (status == STATUS_DONE) {
-        status = write_report(measure, &settings, true);
-    }
-    free(settings.settings);
-    return status;
+    return status == STATUS_DONE ? write_report(measure, true) : status;
 }

@@ -103,6 +103,7 @@ static void nothing_is_called_fewer_that_is_more(void **state) {
         point->wrong = is_paper ? 1 : 0;
     }
     made.count = settings_of(made.measure, made.settings);
+    assert_int_equal(measure_gather(made.measure), STATUS_DONE);
     assert_int_equal(measure_report(made.measure), STATUS_DONE);
     read_markdown(text_of("m/report.md"), &made.page);
     check_paper(&made);
@@ -203,6 +204,7 @@ static void pictures_are_shown_once_where_they_are_there(void **state) {
                            files[i]);
             assert_status(line, 0);
         }
+        assert_int_equal(measure_gather(measure), STATUS_DONE);
         assert_int_equal(measure_report(measure), STATUS_DONE);
         read_markdown(text_of("m/report.md"), &page);
         for (size_t i = 0; i < count; i++) {
