@@ -283,8 +283,7 @@ static enum value_verdict set_serial(struct options *options, const char *value)
 static const struct option_group group_own = {
     "Adapter", OPTION_ENTRIES({.name = "listen",
                                .value = "ADDRESS[:PORT]",
-                               .type = OPTION_TEXT,
-                               OPTION_MEMBER_OF(struct server_options, listen),
+                               TEXT_IN(struct server_options, listen),
                                .allowed = "an address in numbers, a port",
                                .preset = "127.0.0.1:3240",
                                .help = "where clients may come from USB/IP"},
@@ -297,8 +296,7 @@ static const struct option_group group_own = {
                                .preset = "VIRTUAL",
                                .help = "the virtual adapter's serial number"},
                               {.name = "once",
-                               .type = OPTION_FLAG,
-                               OPTION_MEMBER_OF(struct server_options, once),
+                               FLAG_IN(struct server_options, once),
                                .help = "end when the first client leaves"})};
 
 const struct command command_adapter = {

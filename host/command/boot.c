@@ -163,18 +163,12 @@ static const struct option_group group_own = {
                 .help = "the CPU that runs the image"},
                {.name = "instructions",
                 .value = "N",
-                .type = OPTION_WHOLE,
-                OPTION_MEMBER_OF(struct boot_options, instructions_most),
-                .least = 1,
-                .most = 1e15,
+                WHOLE_IN(struct boot_options, instructions_most, 1, 1e15),
                 .preset = "200000000000", /* a frame of 640 x 400 takes some 60 thousand million */
                 .help = "end as failed after so many"},
                {.name = "escape",
                 .value = "N",
-                .type = OPTION_WHOLE,
-                OPTION_MEMBER_OF(struct boot_options, escape_after),
-                .least = 1,
-                .most = 1e15,
+                WHOLE_IN(struct boot_options, escape_after, 1, 1e15),
                 .help = "press Esc when the keyboard has been asked N times"})};
 
 const struct command command_boot = {

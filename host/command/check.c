@@ -247,8 +247,7 @@ static int run_check(const struct options *options) {
 
 static const struct option_group group_own = {
     "Result", OPTION_ENTRIES({.name = "validate",
-                              .type = OPTION_FLAG,
-                              OPTION_MEMBER_OF(struct check_options, validates),
+                              FLAG_IN(struct check_options, validates),
                               .help = "hold the tables against the scene after each step of the "
                                       "compiler; exit status 3 if not"})};
 

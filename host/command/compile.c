@@ -46,8 +46,7 @@ static bool check_compile(const struct options *options, struct options_error *e
 
 static const struct option_group group_own = {
     "Result", OPTION_ENTRIES({.name = "minimal",
-                              .type = OPTION_FLAG,
-                              OPTION_MEMBER_OF(struct compile_options, minimal),
+                              FLAG_IN(struct compile_options, minimal),
                               .help = "write the feature_set.h of an image for this scene alone"})};
 
 const struct command command_compile = {

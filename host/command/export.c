@@ -54,8 +54,7 @@ static bool check_export(const struct options *options, struct options_error *er
 
 static const struct option_group group_own = {
     "Result", OPTION_ENTRIES({.name = "pov",
-                              .type = OPTION_FLAG,
-                              OPTION_MEMBER_OF(struct export_options, pov),
+                              FLAG_IN(struct export_options, pov),
                               .help = "write source for POV-Ray 3.7"})};
 
 const struct command command_export = {

@@ -69,8 +69,7 @@ static bool check_scenes(const struct options *options, struct options_error *er
 static const struct option_group group_own = {
     "Result", OPTION_ENTRIES({.name = "print",
                               .value = "NAME",
-                              .type = OPTION_TEXT,
-                              OPTION_MEMBER_OF(struct scenes_options, printed),
+                              TEXT_IN(struct scenes_options, printed),
                               .allowed = "a built-in scene's name",
                               .help = "print the text of a built-in scene"})};
 

@@ -82,10 +82,9 @@ static bool check_tree(const struct options *options, struct options_error *erro
 }
 
 static const struct option_group group_own = {
-    "Result", OPTION_ENTRIES({.name = "dot",
-                              .type = OPTION_FLAG,
-                              OPTION_MEMBER_OF(struct tree_options, dot),
-                              .help = "a graph for Graphviz"})};
+    "Result",
+    OPTION_ENTRIES(
+        {.name = "dot", FLAG_IN(struct tree_options, dot), .help = "a graph for Graphviz"})};
 
 const struct command command_tree = {
     .name = "tree",

@@ -48,7 +48,7 @@ const struct option_group group_bus = {
          .value = "BUS",
          .type = OPTION_OWN,
          .set = set_bus,
-         OPTION_MEMBER(bus.file),
+         OPTION_MEMBER_OF(struct options, bus.file),
          .role = ROLE_RESULT,
          .shown = "--bus trace",
          .allowed = "emulator, trace:FILE, usb[:SERIAL], hid[:SERIAL] or ports",
@@ -62,12 +62,10 @@ const struct option_group group_bus = {
          .help =
              "read back what was drawn over USB or HID, or so many of its lines, and repair it"},
         {.name = "wait",
-         .type = OPTION_FLAG,
-         OPTION_MEMBER(bus.adapter.waits),
+         FLAG_IN(struct options, bus.adapter.waits),
          .help = "wait for an adapter, and for a lost one"},
         {.name = "yes-these-ports-are-mine",
-         .type = OPTION_FLAG,
-         OPTION_MEMBER(bus.ports_are_mine),
+         FLAG_IN(struct options, bus.ports_are_mine),
          .help = "let --bus ports open them: on a PC they belong to the DMA controller"})};
 
 /* Names an option that goes with the emulated board only; NULL: none was given. */

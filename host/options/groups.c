@@ -16,8 +16,7 @@ const struct option_group group_result = {
     "Result", OPTION_ENTRIES({.name = "output",
                               .letter = 'o',
                               .value = "FILE",
-                              .type = OPTION_TEXT,
-                              OPTION_MEMBER(output),
+                              TEXT_IN(struct options, output),
                               .role = ROLE_RESULT,
                               .allowed = "a file's name or -",
                               .help = "where the result goes; - is standard output"})};
@@ -26,30 +25,26 @@ const struct option_group group_picture = {
     "Result", OPTION_ENTRIES({.name = "output",
                               .letter = 'o',
                               .value = "FILE.png",
-                              .type = OPTION_TEXT,
-                              OPTION_MEMBER(output),
+                              TEXT_IN(struct options, output),
                               .role = ROLE_PICTURE,
                               .allowed = "a file's name or -",
                               .help = "where the picture goes; - is standard output"},
                              {.name = "force",
-                              .type = OPTION_FLAG,
-                              OPTION_MEMBER(force),
+                              FLAG_IN(struct options, force),
                               .help = "let the picture replace a file that is no PNG"})};
 
 const struct option_group group_folder = {
     "Result", OPTION_ENTRIES({.name = "output",
                               .letter = 'o',
                               .value = "FOLDER",
-                              .type = OPTION_FOLDER,
-                              OPTION_MEMBER(output),
+                              FOLDER_IN(struct options, output),
                               .role = ROLE_RESULT,
                               .help = "where the results go; it is made if it is not there"})};
 
 const struct option_group group_statistics = {
     "Result", OPTION_ENTRIES({.name = "stats",
                               .value = "FILE",
-                              .type = OPTION_TEXT,
-                              OPTION_MEMBER(stats),
+                              TEXT_IN(struct options, stats),
                               .role = ROLE_RESULT,
                               .allowed = "a file's name or -",
                               .help = "write statistics as JSON; - is standard output"})};
@@ -57,8 +52,7 @@ const struct option_group group_statistics = {
 const struct option_group group_recording = {
     "Result", OPTION_ENTRIES({.name = "trace",
                               .value = "FILE",
-                              .type = OPTION_TEXT,
-                              OPTION_MEMBER(trace),
+                              TEXT_IN(struct options, trace),
                               .role = ROLE_RESULT,
                               .help = "record every port access as well"})};
 
@@ -66,14 +60,15 @@ const struct option_group group_recording = {
 
 /* Each row's place, range and words stand once; what measure varies has other words of help. */
 #define DEPTH_ENTRY                                                                                \
-    .name = "depth", .value = "N", .type = OPTION_WHOLE, OPTION_MEMBER(overrides.depth),           \
-    OPTION_GIVEN(overrides.has_depth), .most = SCENE_DEPTH_MOST
+    .name = "depth", .value = "N", WHOLE_IN(struct options, overrides.depth, 0, SCENE_DEPTH_MOST), \
+    OPTION_GIVEN(overrides.has_depth)
 #define THRESHOLD_ENTRY                                                                            \
-    .name = "threshold", .value = "E", .type = OPTION_REAL, OPTION_MEMBER(overrides.threshold),    \
-    OPTION_GIVEN(overrides.has_threshold), .most = 1, .allowed = "a number or a fraction 0..1"
+    .name = "threshold", .value = "E", REAL_IN(struct options, overrides.threshold, 0, 1),         \
+    OPTION_GIVEN(overrides.has_threshold), .allowed = "a number or a fraction 0..1"
 #define ERROR_ENTRY                                                                                \
-    .name = "error", .value = "LSB", .type = OPTION_REAL, OPTION_MEMBER(overrides.error),          \
-    OPTION_GIVEN(overrides.has_error), .least = SCENE_ERROR_LEAST, .most = 255
+    .name = "error", .value = "LSB",                                                               \
+    REAL_IN(struct options, overrides.error, SCENE_ERROR_LEAST, 255),                              \
+    OPTION_GIVEN(overrides.has_error)
 #define SIZE_ENTRY                                                                                 \
     .name = "size", .value = "WxH", .type = OPTION_OWN, OPTION_GIVEN(overrides.has_size),          \
     .set = set_size
@@ -84,16 +79,15 @@ const struct option_group group_recording = {
     .name = "colour", .value = "MODE", .type = OPTION_OWN, OPTION_GIVEN(overrides.has_colour),     \
     .set = set_colour
 #define TAIL_ENTRY                                                                                 \
-    .name = "tail", .value = "KIND", .type = OPTION_WORD, OPTION_MEMBER(overrides.estimates),      \
-    OPTION_GIVEN(overrides.has_estimates), .words = tails
+    .name = "tail", .value = "KIND", WORD_IN(struct options, overrides.estimates, tails),          \
+    OPTION_GIVEN(overrides.has_estimates)
 #define HIGHLIGHT_ENTRY                                                                            \
-    .name = "highlight", .value = "KIND", .type = OPTION_WORD, OPTION_MEMBER(overrides.highlight), \
-    OPTION_GIVEN(overrides.has_highlight), .words = highlights,                                    \
-    .help = "how highlights are computed (the scene's)"
+    .name = "highlight", .value = "KIND",                                                          \
+    WORD_IN(struct options, overrides.highlight, highlights),                                      \
+    OPTION_GIVEN(overrides.has_highlight), .help = "how highlights are computed (the scene's)"
 #define SEED_ENTRY                                                                                 \
-    .name = "seed", .value = "S", .type = OPTION_WHOLE, OPTION_MEMBER(overrides.seed),             \
-    OPTION_GIVEN(overrides.has_seed), .most = COUNT_MOST, .preset = "1",                           \
-    .help = "of the random dither"
+    .name = "seed", .value = "S", WHOLE_IN(struct options, overrides.seed, 0, COUNT_MOST),         \
+    OPTION_GIVEN(overrides.has_seed), .preset = "1", .help = "of the random dither"
 #define ARITHMETIC_ENTRY                                                                           \
     .name = "arith", .value = "NAME", .type = OPTION_OWN, .set = set_arithmetic,                   \
     .words = arithmetics_names
@@ -142,25 +136,22 @@ const struct option_group group_small_size = {
 
 /* ---- Work ----------------------------------------------------------------------------------- */
 
-const struct option_group group_jobs = {"Work", OPTION_ENTRIES({.name = "jobs",
-                                                                .value = "J",
-                                                                .type = OPTION_WHOLE,
-                                                                OPTION_MEMBER(jobs),
-                                                                .least = 1,
-                                                                .most = OPTIONS_JOBS_MOST,
-                                                                .preset = "1",
-                                                                .help = "worker threads"})};
+const struct option_group group_jobs = {
+    "Work", OPTION_ENTRIES({.name = "jobs",
+                            .value = "J",
+                            WHOLE_IN(struct options, jobs, 1, OPTIONS_JOBS_MOST),
+                            .preset = "1",
+                            .help = "worker threads"})};
 
 const struct option_group group_quiet = {
     "Work",
-    OPTION_ENTRIES(
-        {.name = "quiet", .type = OPTION_FLAG, OPTION_MEMBER(quiet), .help = "no progress bar"})};
+    OPTION_ENTRIES({.name = "quiet", FLAG_IN(struct options, quiet), .help = "no progress bar"})};
 
 /* ---- The board ------------------------------------------------------------------------------ */
 
 #define PROFILE_ENTRY                                                                              \
-    .name = "profile", .value = "BOARD", .type = OPTION_WORD, OPTION_MEMBER(board.profile),        \
-    OPTION_GIVEN(board.has_profile), .words = profiles
+    .name = "profile", .value = "BOARD", WORD_IN(struct options, board.profile, profiles),         \
+    OPTION_GIVEN(board.has_profile)
 #define BASE_ENTRY                                                                                 \
     .name = "base", .value = "PORT", .type = OPTION_OWN, OPTION_GIVEN(board.has_base),             \
     .set = set_base, .allowed = "00D0, 02D0, 04D0, 06D0, 08D0, 0AD0 or 0CD0"
@@ -179,15 +170,12 @@ const struct option_group group_screen = {
     "Board", OPTION_ENTRIES(
                  {.name = "picture",
                   .value = "KIND",
-                  .type = OPTION_WORD,
-                  OPTION_MEMBER(board.picture),
-                  .words = pictures,
+                  WORD_IN(struct options, board.picture, pictures),
                   .preset = "screen",
                   .help = "what the PNG shows: the CRT's picture, the frame memory, all of it"},
                  {.name = "native",
                   .value = "FILE.png",
-                  .type = OPTION_TEXT,
-                  OPTION_MEMBER(board.native),
+                  TEXT_IN(struct options, board.native),
                   .role = ROLE_INPUT,
                   .allowed = "a PNG of 640x400, 16 colours of 4096",
                   .help = "the PC-9801's own screen, which the board's picture is laid under"},
@@ -199,17 +187,12 @@ const struct option_group group_screen = {
                   .help = "fail on violations; with a grade, also on whatever is no better known"},
                  {.name = "bus-wait",
                   .value = "NS",
-                  .type = OPTION_REAL,
-                  OPTION_MEMBER(board.bus_wait),
-                  .most = 100000,
+                  REAL_IN(struct options, board.bus_wait, 0, 100000),
                   .preset = "0",
                   .help = "nanoseconds that the bus adds to each access, for the cost"},
                  {.name = "frame-seconds",
                   .value = "S",
-                  .type = OPTION_REAL,
-                  OPTION_MEMBER(board.frame_seconds),
-                  .least = 1e-6,
-                  .most = 1e9,
+                  REAL_IN(struct options, board.frame_seconds, 1e-6, 1e9),
                   .allowed = "a number 0.000001..1000000000",
                   .help = "what the whole frame takes, to tell the accesses' share of it"})};
 
@@ -227,13 +210,9 @@ const struct option_group group_faults = {
 const struct option_group group_stop = {
     "Board", OPTION_ENTRIES({.name = "stop",
                              .value = "K",
-                             .type = OPTION_WHOLE,
-                             OPTION_MEMBER(board.stop),
-                             .least = 1,
-                             .most = COUNT_MOST,
+                             WHOLE_IN(struct options, board.stop, 1, COUNT_MOST),
                              .help = "stop after access K, counted from 1"})};
 
 const struct option_group group_json = {
     "Result",
-    OPTION_ENTRIES(
-        {.name = "json", .type = OPTION_FLAG, OPTION_MEMBER(json), .help = "print JSON"})};
+    OPTION_ENTRIES({.name = "json", FLAG_IN(struct options, json), .help = "print JSON"})};

@@ -103,11 +103,19 @@ struct option_entry {
 };
 
 /* The place of an option's member, for the tables: in a command's own struct, or in struct options.
- */
-#define OPTION_MEMBER_OF(type, member)                                                             \
-    .offset = offsetof(type, member), .size = sizeof((type *)0)->member
-#define OPTION_MEMBER(member) OPTION_MEMBER_OF(struct options, member)
-#define OPTION_GIVEN(member)  .given = offsetof(struct options, member)
+ * The types have their own words. */
+#define OPTION_MEMBER_OF(type_, member)                                                            \
+    .offset = offsetof(type_, member), .size = sizeof((type_ *)0)->member
+#define FLAG_IN(type_, member)   .type = OPTION_FLAG, OPTION_MEMBER_OF(type_, member)
+#define TEXT_IN(type_, member)   .type = OPTION_TEXT, OPTION_MEMBER_OF(type_, member)
+#define FOLDER_IN(type_, member) .type = OPTION_FOLDER, OPTION_MEMBER_OF(type_, member)
+#define WORD_IN(type_, member, list)                                                               \
+    .type = OPTION_WORD, OPTION_MEMBER_OF(type_, member), .words = (list)
+#define WHOLE_IN(type_, member, from, to)                                                          \
+    .type = OPTION_WHOLE, OPTION_MEMBER_OF(type_, member), .least = (from), .most = (to)
+#define REAL_IN(type_, member, from, to)                                                           \
+    .type = OPTION_REAL, OPTION_MEMBER_OF(type_, member), .least = (from), .most = (to)
+#define OPTION_GIVEN(member) .given = offsetof(struct options, member)
 
 /* Options that belong together. */
 struct option_group {
@@ -115,12 +123,12 @@ struct option_group {
     const struct option_entry *entries; /* ended by one without a name */
 };
 
-#define OPTION_ENTRIES(...)                                                                        \
-    (const struct option_entry[]) {                                                                \
-        __VA_ARGS__, {                                                                             \
-            .name = NULL                                                                           \
-        }                                                                                          \
-    }
+/* Lists for the descriptions of groups and commands, with what ends them. */
+/* clang-format off */
+#define OPTION_ENTRIES(...) (const struct option_entry[]){__VA_ARGS__, {0}}
+#define OPTION_GROUPS(...) (const struct option_group *const[]){__VA_ARGS__, NULL}
+#define COMMAND_EXAMPLES(...) (const char *const[]){__VA_ARGS__, NULL}
+/* clang-format on */
 
 /* The groups that more than one command takes; groups.c has them. Two are of one subject where the
  * same options say something else to other commands. */
@@ -147,16 +155,6 @@ extern const struct option_group group_help;           /* --help, which every co
 
 /* What the operands of a command are. */
 enum operand_kind { OPERANDS_NONE, OPERANDS_SCENES, OPERANDS_SCENE_FIRST, OPERANDS_FILES };
-
-/* Lists for a command's description. */
-#define OPTION_GROUPS(...)                                                                         \
-    (const struct option_group *const[]) {                                                         \
-        __VA_ARGS__, NULL                                                                          \
-    }
-#define COMMAND_EXAMPLES(...)                                                                      \
-    (const char *const[]) {                                                                        \
-        __VA_ARGS__, NULL                                                                          \
-    }
 
 /* A sub-command. Its file ends in its description. */
 struct command {

@@ -96,22 +96,18 @@ static enum value_verdict set_lost(struct options *options, const char *value) {
     return VALUE_TAKEN;
 }
 
-#define COUNT_ENTRY(member, first)                                                                 \
-    .value = "N", .type = OPTION_WHOLE, OPTION_MEMBER(board.faults.member), .least = first,        \
-    .most = UINT32_MAX
-#define ONE_IN_ENTRY(member)                                                                       \
-    .value = "N", .type = OPTION_WHOLE, OPTION_MEMBER(board.faults.member), .least = 1,            \
-    .most = ONE_IN_MOST
+#define NUMBER(member, from, to)                                                                   \
+    .value = "N", WHOLE_IN(struct options, board.faults.member, from, to)
 
-/* What the list of --faults is made of, as options are. */
+/* What the list of --faults is made of), as options are. */
 static const struct option_entry fault_entries[] = {
-    {.name = "seed", COUNT_ENTRY(seed, 0)},
-    {.name = "lose", ONE_IN_ENTRY(lose_one_in)},
-    {.name = "flip", ONE_IN_ENTRY(flip_write_one_in)},
-    {.name = "flip-read", ONE_IN_ENTRY(flip_read_one_in)},
-    {.name = "vanish", COUNT_ENTRY(vanish_after, 1)},
+    {.name = "seed", NUMBER(seed, 0, UINT32_MAX)},
+    {.name = "lose", NUMBER(lose_one_in, 1, ONE_IN_MOST)},
+    {.name = "flip", NUMBER(flip_write_one_in, 1, ONE_IN_MOST)},
+    {.name = "flip-read", NUMBER(flip_read_one_in, 1, ONE_IN_MOST)},
+    {.name = "vanish", NUMBER(vanish_after, 1, UINT32_MAX)},
     {.name = "dead", .value = "PORT", .type = OPTION_OWN, .set = set_dead_port},
-    {.name = "absent", .type = OPTION_FLAG, OPTION_MEMBER(board.faults.is_absent)},
+    {.name = "absent", FLAG_IN(struct options, board.faults.is_absent)},
     {.name = "lost", .type = OPTION_OWN, .set = set_lost},
     {.name = NULL}};
 

@@ -6,11 +6,10 @@
 #include "base/numbers.h"
 #include "options/options.h"
 
-const struct option_group group_help = {"Help", OPTION_ENTRIES({.name = "help",
-                                                                .letter = 'h',
-                                                                .type = OPTION_FLAG,
-                                                                OPTION_MEMBER(help),
-                                                                .help = "print this help"})};
+const struct option_group group_help = {
+    "Help",
+    OPTION_ENTRIES(
+        {.name = "help", .letter = 'h', FLAG_IN(struct options, help), .help = "print this help"})};
 
 bool options_refuse(struct options_error *error, const char *format, ...) {
     va_list arguments;
