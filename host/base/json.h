@@ -44,7 +44,4 @@ void json_rounded(struct json *json, const char *key, double number, int digits)
 /* Writes a number with so many digits behind the point; an infinity or a NaN becomes null. */
 void json_decimal(struct json *json, const char *key, double number, int places);
 
-/* Writes a text in JSON's quotes and escapes, as json_text() does. */
-void json_write_string(FILE *out, const char *text);
-
 #endif

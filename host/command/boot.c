@@ -173,11 +173,8 @@ static const struct option_group group_own = {
 
 const struct command command_boot = {
     .name = "boot",
-    .operands = "IMAGE.hdm",
+    COMMAND_OPERANDS("IMAGE.hdm", 1, 1, OPERANDS_FILES),
     .summary = "Run a PC-98 floppy image on an emulated CPU.",
-    .least = 1,
-    .most = 1,
-    .kind = OPERANDS_FILES,
     .size = sizeof(struct boot_options),
     .groups = OPTION_GROUPS(&group_picture, &group_statistics, &group_recording, &group_own,
                             &group_quiet, &group_board, &group_screen, &group_faults),

@@ -106,19 +106,26 @@ static int tell_arithmetics(struct json *json, const struct compiled_scene *comp
     return status;
 }
 
-/* Prints one line for each step of the compiler: what its tables were held against, and what did
- * not agree. Returns STATUS_NOT_HELD where something did not. */
-static int print_validations(const struct validations *validations) {
+/* Tells for each step of the compiler what its tables were held against, and what did not agree.
+ * json: NULL for words. Returns STATUS_NOT_HELD where something did not. */
+static int tell_validations(struct json *json, const struct validations *validations) {
     int status = STATUS_DONE;
     for (int i = 0; i < STEP_COUNT; i++) {
         const struct validation *step = &validations->of[i];
-        (void)printf("validated   %s: %u points", compile_step_name((enum compile_step)i),
-                     step->points);
-        if (step->faults > 0) {
-            status = STATUS_NOT_HELD;
-            (void)printf(", %u disagree: %s\n", step->faults, step->first);
+        const char *name = compile_step_name((enum compile_step)i);
+        status = step->faults > 0 ? STATUS_NOT_HELD : status;
+        if (json != NULL) {
+            json_begin_object(json, NULL);
+            json_text(json, "step", name);
+            json_count(json, "points", step->points);
+            json_count(json, "faults", step->faults);
+            json_text(json, "first", step->faults > 0 ? step->first : NULL);
+            json_end_object(json);
+        } else if (step->faults > 0) {
+            (void)printf("validated   %s: %u points, %u disagree: %s\n", name, step->points,
+                         step->faults, step->first);
         } else {
-            (void)printf(" agree\n");
+            (void)printf("validated   %s: %u points agree\n", name, step->points);
         }
     }
     return status;
@@ -133,7 +140,7 @@ static int print_check(const struct scene_description *scene, const struct compi
     print_optimisations(compiled);
     requirements_print(stdout, compiled);
     remarks_print(stdout, compiled);
-    int held = validations != NULL ? print_validations(validations) : STATUS_DONE;
+    int held = validations != NULL ? tell_validations(NULL, validations) : STATUS_DONE;
     int status = tell_arithmetics(NULL, compiled);
     return status != STATUS_DONE ? status : held;
 }
@@ -189,24 +196,6 @@ static void write_requirements(struct json *json, const struct compiled_scene *c
     json_end_list(json);
 }
 
-/* Writes what the tables were held against. Returns STATUS_NOT_HELD where something disagrees. */
-static int write_validations(struct json *json, const struct validations *validations) {
-    int status = STATUS_DONE;
-    json_begin_list(json, "validated");
-    for (int i = 0; i < STEP_COUNT; i++) {
-        const struct validation *step = &validations->of[i];
-        json_begin_object(json, NULL);
-        json_text(json, "step", compile_step_name((enum compile_step)i));
-        json_count(json, "points", step->points);
-        json_count(json, "faults", step->faults);
-        json_text(json, "first", step->faults > 0 ? step->first : NULL);
-        json_end_object(json);
-        status = step->faults > 0 ? STATUS_NOT_HELD : status;
-    }
-    json_end_list(json);
-    return status;
-}
-
 static int write_check(const struct scene_description *scene, const struct compiled_scene *compiled,
                        const struct validations *validations) {
     struct json json = {.out = stdout};
@@ -214,7 +203,12 @@ static int write_check(const struct scene_description *scene, const struct compi
     write_description(&json, scene);
     write_tables(&json, compiled);
     write_requirements(&json, compiled);
-    int held = validations != NULL ? write_validations(&json, validations) : STATUS_DONE;
+    int held = STATUS_DONE;
+    if (validations != NULL) {
+        json_begin_list(&json, "validated");
+        held = tell_validations(&json, validations);
+        json_end_list(&json);
+    }
     json_begin_object(&json, "arithmetics");
     int status = tell_arithmetics(&json, compiled);
     json_end_object(&json);
@@ -253,11 +247,8 @@ static const struct option_group group_own = {
 
 const struct command command_check = {
     .name = "check",
-    .operands = "SCENE",
+    COMMAND_OPERANDS("SCENE", 1, 1, OPERANDS_SCENES),
     .summary = "Read and analyse a scene; say what it requires.",
-    .least = 1,
-    .most = 1,
-    .kind = OPERANDS_SCENES,
     .size = sizeof(struct check_options),
     .groups = OPTION_GROUPS(&group_own, &group_json, &group_scene),
     .examples = COMMAND_EXAMPLES("check fig3", "check my.scene --validate"),

@@ -270,16 +270,28 @@ static void print_json(const struct compared *all) {
     json_end_object(&json);
 }
 
+static int print(struct compared *all) {
+    if (all->options->common.json) {
+        print_json(all);
+    } else {
+        print_words(all);
+    }
+    return STATUS_DONE;
+}
+
 /* Writes the picture of the differences over the first picture's memory, which nothing reads
  * afterwards. */
 static int write_difference(struct compared *all) {
     const struct png_image *a = &all->image[0];
+    if (all->options->difference == NULL) {
+        return STATUS_DONE;
+    }
     difference_picture(a->rgb, all->image[1].rgb, (size_t)a->width * a->height, a->rgb);
     return write_png_picture(all->options->difference, a->rgb, a->width, a->height) ? STATUS_DONE
                                                                                     : STATUS_FAILED;
 }
 
-static int judge(const struct compared *all) {
+static int judge(struct compared *all) {
     if (all->holds) {
         return STATUS_DONE;
     }
@@ -323,26 +335,15 @@ static int take_operands(struct compared *all) {
 }
 
 static int run_compare(const struct options *options) {
+    static int (*const steps[])(struct compared *) = {take_operands, measure, print,
+                                                      write_difference, judge};
     struct compared all;
     memset(&all, 0, sizeof all);
     all.options = (const struct compare_options *)options;
     all.similarity = NAN;
-    int status = take_operands(&all);
-    if (status == STATUS_DONE) {
-        status = measure(&all);
-    }
-    if (status == STATUS_DONE) {
-        if (options->json) {
-            print_json(&all);
-        } else {
-            print_words(&all);
-        }
-        if (all.options->difference != NULL) {
-            status = write_difference(&all);
-        }
-    }
-    if (status == STATUS_DONE) {
-        status = judge(&all);
+    int status = STATUS_DONE;
+    for (size_t i = 0; i < sizeof steps / sizeof steps[0] && status == STATUS_DONE; i++) {
+        status = steps[i](&all);
     }
     for (int i = 0; i < 2; i++) {
         free_png(&all.image[i]);
@@ -383,11 +384,8 @@ static const struct option_group group_own = {
 
 const struct command command_compare = {
     .name = "compare",
-    .operands = "A.png B.png",
+    COMMAND_OPERANDS("A.png B.png", 1, 3, OPERANDS_FILES),
     .summary = "Measure how far two pictures of the same size are apart.",
-    .least = 1,
-    .most = 3,
-    .kind = OPERANDS_FILES,
     .size = sizeof(struct compare_options),
     .groups = OPTION_GROUPS(&group_own, &group_json),
     .examples = COMMAND_EXAMPLES("compare a.png b.png --within 2 --share 99",

@@ -51,11 +51,8 @@ static const struct option_group group_own = {
 
 const struct command command_compile = {
     .name = "compile",
-    .operands = "SCENE",
+    COMMAND_OPERANDS("SCENE", 1, 1, OPERANDS_SCENES),
     .summary = "Write a scene as const tables for a firmware image.",
-    .least = 1,
-    .most = 1,
-    .kind = OPERANDS_SCENES,
     .size = sizeof(struct compile_options),
     .groups = OPTION_GROUPS(&group_result, &group_own, &group_scene),
     .examples =

@@ -237,10 +237,8 @@ static int run_completion(const struct options *options) {
 
 const struct command command_completion = {
     .name = "completion",
-    .operands = "SHELL",
+    COMMAND_OPERANDS("SHELL", 1, 1, OPERANDS_NONE),
     .summary = "Print what bash, zsh or fish needs to complete command lines.",
-    .least = 1,
-    .most = 1,
     .groups = OPTION_GROUPS(NULL),
     .examples = COMMAND_EXAMPLES("completion bash > ~/.bash_completion",
                                  "completion fish > ~/.config/fish/completions/superframe.fish"),

@@ -59,11 +59,8 @@ static const struct option_group group_own = {
 
 const struct command command_export = {
     .name = "export",
-    .operands = "SCENE",
+    COMMAND_OPERANDS("SCENE", 1, 1, OPERANDS_SCENES),
     .summary = "Write a scene for POV-Ray.",
-    .least = 1,
-    .most = 1,
-    .kind = OPERANDS_SCENES,
     .size = sizeof(struct export_options),
     .groups = OPTION_GROUPS(&group_result, &group_own, &group_scene),
     .examples =

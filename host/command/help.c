@@ -16,9 +16,8 @@ static int run_help(const struct options *options) {
 }
 
 const struct command command_help = {.name = "help",
-                                     .operands = "[COMMAND]",
+                                     COMMAND_OPERANDS("[COMMAND]", 0, 1, OPERANDS_NONE),
                                      .summary = "Print this text, or what a command does.",
-                                     .most = 1,
                                      .groups = OPTION_GROUPS(NULL),
                                      .examples = COMMAND_EXAMPLES("help", "help render"),
                                      .run = run_help};

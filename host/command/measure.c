@@ -88,10 +88,8 @@ static bool check_measure(const struct options *options, struct options_error *e
 
 const struct command command_measure = {
     .name = "measure",
-    .operands = "[SCENE...]",
+    COMMAND_OPERANDS("[SCENE...]", 0, 1000, OPERANDS_SCENES),
     .summary = "Measure speed against accuracy.",
-    .most = 1000,
-    .kind = OPERANDS_SCENES,
     .groups = OPTION_GROUPS(&group_folder, &group_json, &group_measured, &group_jobs, &group_quiet),
     .examples = COMMAND_EXAMPLES("measure -o trade --jobs 2",
                                  "measure my.scene --arith fx --size 160x100 -o trade"),

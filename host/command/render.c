@@ -361,11 +361,8 @@ static const struct option_group group_own = {
 
 const struct command command_render = {
     .name = "render",
-    .operands = "SCENE",
+    COMMAND_OPERANDS("SCENE", 1, 1, OPERANDS_SCENES),
     .summary = "Render a scene through firmware, ports and board to a picture.",
-    .least = 1,
-    .most = 1,
-    .kind = OPERANDS_SCENES,
     .size = sizeof(struct render_options),
     .groups = OPTION_GROUPS(&group_picture, &group_statistics, &group_recording, &group_own,
                             &group_scene, &group_arithmetic, &group_jobs, &group_quiet,

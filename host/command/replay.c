@@ -106,11 +106,8 @@ static bool check_replay(const struct options *options, struct options_error *er
 
 const struct command command_replay = {
     .name = "replay",
-    .operands = "TRACE...",
+    COMMAND_OPERANDS("TRACE...", 1, 1000, OPERANDS_FILES),
     .summary = "Play port traces on the emulated board.",
-    .least = 1,
-    .most = 1000,
-    .kind = OPERANDS_FILES,
     .groups = OPTION_GROUPS(&group_picture, &group_statistics, &group_board, &group_screen,
                             &group_faults, &group_stop),
     .examples = COMMAND_EXAMPLES("replay my.trace -o screen.png",

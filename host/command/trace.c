@@ -185,6 +185,7 @@ static int prepare(struct trace_run *run) {
 }
 
 static int watch(const struct options *options) {
+    static int (*const steps[])(struct trace_run *) = {prepare, follow, conclude};
     const struct trace_options *tracing = (const struct trace_options *)options;
     struct trace_run *run = calloc(1, sizeof *run);
     if (run == NULL) {
@@ -195,12 +196,9 @@ static int watch(const struct options *options) {
     run->path = options->operands[0];
     run->lists = tracing->lists || !(tracing->counts || tracing->judges || options->board.strict ||
                                      options->output != NULL);
-    int status = prepare(run);
-    if (status == STATUS_DONE) {
-        status = follow(run);
-    }
-    if (status == STATUS_DONE) {
-        status = conclude(run);
+    int status = STATUS_DONE;
+    for (size_t i = 0; i < sizeof steps / sizeof steps[0] && status == STATUS_DONE; i++) {
+        status = steps[i](run);
     }
     picture_sink_close(run->picture);
     trace_file_close(run->file);
@@ -210,48 +208,52 @@ static int watch(const struct options *options) {
 
 /* ---- Two traces ----------------------------------------------------------------------------- */
 
-static int compare_opened(const struct options *options, struct trace_reader *const readers[2],
-                          const char *const paths[2]) {
+/* Two traces: 132 KB. */
+struct trace_pair {
+    struct trace_reader readers[2];
+    FILE *files[2];
     struct trace_difference difference;
-    struct board_desc desc[2];
-    for (int i = 0; i < 2; i++) {
-        int status = trace_file_fit(paths[i], readers[i], &options->board, &desc[i]);
-        if (status != STATUS_DONE) {
-            return status;
-        }
+};
+
+static int compare_pair(struct trace_pair *pair, const char *const paths[2],
+                        const struct board_options *board) {
+    struct trace_reader *const readers[2] = {&pair->readers[0], &pair->readers[1]};
+    struct trace_difference *difference = &pair->difference;
+    struct board_desc desc;
+    int status = STATUS_DONE;
+    for (int i = 0; i < 2 && status == STATUS_DONE; i++) {
+        status = trace_file_open(paths[i], &pair->files[i], readers[i]);
     }
-    if (trace_compare(readers, &difference) != TRACE_OK) {
-        return trace_file_complain(paths[difference.failed], &readers[difference.failed]->error);
+    for (int i = 0; i < 2 && status == STATUS_DONE; i++) {
+        status = trace_file_fit(paths[i], readers[i], board, &desc);
     }
-    if (!difference.is_found) {
-        (void)printf("the traces are equal: %" PRIu64 " accesses\n", difference.access);
+    if (status != STATUS_DONE) {
+        return status;
+    }
+    if (trace_compare(readers, difference) != TRACE_OK) {
+        return trace_file_complain(paths[difference->failed], &readers[difference->failed]->error);
+    }
+    if (!difference->is_found) {
+        (void)printf("the traces are equal: %" PRIu64 " accesses\n", difference->access);
         return STATUS_DONE;
     }
-    trace_print_difference(stdout, &difference, paths);
+    trace_print_difference(stdout, difference, paths);
     return STATUS_NOT_HELD;
 }
 
 static int compare(const struct options *options, const char *against) {
     const char *const paths[2] = {options->operands[0], against};
-    struct trace_reader *const readers[2] = {malloc(sizeof *readers[0]),
-                                             malloc(sizeof *readers[1])};
-    FILE *files[2] = {NULL, NULL};
-    int status = STATUS_DONE;
-    if (readers[0] == NULL || readers[1] == NULL) {
-        status = failure("out of memory");
-    } else if (strcmp(paths[0], "-") == 0 && strcmp(paths[1], "-") == 0) {
-        status = bad_input("only one of the two traces can be standard input");
+    if (strcmp(paths[0], "-") == 0 && strcmp(paths[1], "-") == 0) {
+        return bad_input("only one of the two traces can be standard input");
     }
-    for (int i = 0; i < 2 && status == STATUS_DONE; i++) {
-        status = trace_file_open(paths[i], &files[i], readers[i]);
+    struct trace_pair *pair = calloc(1, sizeof *pair);
+    if (pair == NULL) {
+        return failure("out of memory");
     }
-    if (status == STATUS_DONE) {
-        status = compare_opened(options, readers, paths);
-    }
-    for (int i = 0; i < 2; i++) {
-        trace_file_close(files[i]);
-        free(readers[i]);
-    }
+    int status = compare_pair(pair, paths, &options->board);
+    trace_file_close(pair->files[0]);
+    trace_file_close(pair->files[1]);
+    free(pair);
     return status;
 }
 
@@ -324,11 +326,8 @@ static const struct option_group group_own = {
 
 const struct command command_trace = {
     .name = "trace",
-    .operands = "TRACE",
+    COMMAND_OPERANDS("TRACE", 1, 1, OPERANDS_FILES),
     .summary = "Tell a port trace in words.",
-    .least = 1,
-    .most = 1,
-    .kind = OPERANDS_FILES,
     .size = sizeof(struct trace_options),
     .groups = OPTION_GROUPS(&group_picture, &group_own, &group_json, &group_board_of_trace,
                             &group_screen, &group_stop),

@@ -88,11 +88,8 @@ static const struct option_group group_own = {
 
 const struct command command_tree = {
     .name = "tree",
-    .operands = "SCENE X Y",
+    COMMAND_OPERANDS("SCENE X Y", 3, 3, OPERANDS_SCENE_FIRST),
     .summary = "Print the tree of rays of one pixel.",
-    .least = 3,
-    .most = 3,
-    .kind = OPERANDS_SCENE_FIRST,
     .size = sizeof(struct tree_options),
     .groups =
         OPTION_GROUPS(&group_result, &group_own, &group_json, &group_scene, &group_arithmetic),

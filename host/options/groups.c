@@ -70,8 +70,7 @@ const struct option_group group_recording = {
     REAL_IN(struct options, overrides.error, SCENE_ERROR_LEAST, 255),                              \
     OPTION_GIVEN(overrides.has_error)
 #define SIZE_ENTRY                                                                                 \
-    .name = "size", .value = "WxH", .type = OPTION_OWN, OPTION_GIVEN(overrides.has_size),          \
-    .set = set_size
+    .name = "size", .value = "WxH", .type = OPTION_OWN, OPTION_GIVEN(overrides.has_size)
 #define MODEL_ENTRY                                                                                \
     .name = "model", .value = "MODEL", .type = OPTION_OWN, OPTION_GIVEN(overrides.has_model),      \
     .set = set_model, .words = scene_model_words
@@ -103,7 +102,8 @@ const struct option_group group_scene = {
         {DEPTH_ENTRY, .help = "the paper's depth level (the scene's)"},
         {THRESHOLD_ENTRY, .help = "the weight under which a branch ends (the scene's)"},
         {ERROR_ENTRY, .help = "the accuracy asked for, in levels, instead of a threshold (off)"},
-        {SIZE_ENTRY, .allowed = "1x1..640x400", .help = "the pixels rendered (the scene's)"},
+        {SIZE_ENTRY, .set = set_size, .allowed = "1x1..640x400",
+         .help = "the pixels rendered (the scene's)"},
         {MODEL_ENTRY, .help = "how light is reflected and refracted (the scene's)"},
         {COLOUR_ENTRY, .allowed = "full, bits:1..bits:8, dither or exposures",
          .help = "how colours are shown (the scene's)"},
@@ -117,7 +117,7 @@ const struct option_group group_measured = {
         {DEPTH_ENTRY, .help = "this depth level alone (eight, 1 to 64)"},
         {THRESHOLD_ENTRY, .help = "this threshold alone (none, and five from 1/256 to 1/65536)"},
         {ERROR_ENTRY, .help = "this accuracy asked for alone (4, 2, 1 and 0.5)"},
-        {SIZE_ENTRY, .allowed = "1x1..640x400",
+        {SIZE_ENTRY, .set = set_size, .allowed = "1x1..640x400",
          .help = "this size alone (160x100, and three others)"},
         {MODEL_ENTRY, .help = "this model alone (the scene's, and the two others)"},
         {COLOUR_ENTRY, .allowed = "full, bits:1..bits:8 or dither",
@@ -130,9 +130,9 @@ const struct option_group group_arithmetic = {
     OPTION_ENTRIES({ARITHMETIC_ENTRY, .preset = "fx", .help = "the firmware's arithmetic"})};
 
 const struct option_group group_small_size = {
-    "Work",
-    OPTION_ENTRIES({SIZE_ENTRY, .allowed = "1x1..320x200", .preset = "320x200",
-                    .help = "of the small pictures; the large ones are twice as wide and high"})};
+    "Work", OPTION_ENTRIES(
+                {SIZE_ENTRY, .set = set_small_size, .allowed = "1x1..320x200", .preset = "320x200",
+                 .help = "of the small pictures; the large ones are twice as wide and high"})};
 
 /* ---- Work ----------------------------------------------------------------------------------- */
 

@@ -129,6 +129,8 @@ struct option_group {
 #define OPTION_GROUPS(...) (const struct option_group *const[]){__VA_ARGS__, NULL}
 #define COMMAND_EXAMPLES(...) (const char *const[]){__VA_ARGS__, NULL}
 /* clang-format on */
+#define COMMAND_OPERANDS(words, at_least, at_most, of)                                             \
+    .operands = (words), .least = (at_least), .most = (at_most), .kind = (of)
 
 /* The groups that more than one command takes; groups.c has them. Two are of one subject where the
  * same options say something else to other commands. */

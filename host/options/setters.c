@@ -8,30 +8,28 @@
 
 enum { ONE_IN_MOST = 1000000000, PART_SIZE = 32 };
 
-/* Finds the place of a value among words; -1: it is none of them. */
-static int find_word(const char *value, const char *const *words) {
-    for (int i = 0; words[i] != NULL; i++) {
-        if (strcmp(value, words[i]) == 0) {
-            return i;
-        }
-    }
-    return -1;
-}
-
 enum value_verdict set_arithmetic(struct options *options, const char *value) {
     options->arithmetic = value;
     return arithmetic_is_missing(value) ? VALUE_NOT_BUILT
                                         : option_verdict(arithmetic_find(value) != NULL);
 }
 
-enum value_verdict set_size(struct options *options, const char *value) {
+static enum value_verdict take_size(struct options *options, const char *value, uint64_t dots) {
     uint64_t width, height;
-    if (!value_pair(value, 'x', 1, BOARD_WIDTH, BOARD_HEIGHT, &width, &height)) {
+    if (!value_pair(value, 'x', 1, BOARD_WIDTH / dots, BOARD_HEIGHT / dots, &width, &height)) {
         return VALUE_WRONG;
     }
     options->overrides.width = (int)width;
     options->overrides.height = (int)height;
     return VALUE_TAKEN;
+}
+
+enum value_verdict set_size(struct options *options, const char *value) {
+    return take_size(options, value, 1);
+}
+
+enum value_verdict set_small_size(struct options *options, const char *value) {
+    return take_size(options, value, 2);
 }
 
 const char *const scene_model_words[] = {"simple", "fresnel", "wavelength", "absorption", NULL};
@@ -41,7 +39,7 @@ const char *const scene_model_words[] = {"simple", "fresnel", "wavelength", "abs
 enum value_verdict set_model(struct options *options, const char *value) {
     static const enum scene_model models[] = {MODEL_SIMPLE, MODEL_FRESNEL, MODEL_WAVELENGTH,
                                               MODEL_FRESNEL};
-    int word = find_word(value, scene_model_words);
+    int word = option_word(value, scene_model_words);
     options->overrides.model = models[word >= 0 ? word : 1];
     return option_verdict(word >= 0);
 }
@@ -51,7 +49,7 @@ enum value_verdict set_colour(struct options *options, const char *value) {
     static const enum scene_colour colours[] = {COLOUR_FULL, COLOUR_DITHER, COLOUR_EXPOSURES};
     static const char bits[] = "bits:";
     uint64_t kept;
-    int word = find_word(value, words);
+    int word = option_word(value, words);
     if (strncmp(value, bits, sizeof bits - 1) == 0) {
         options->overrides.colour = COLOUR_BITS;
         if (!value_whole(value + sizeof bits - 1, 1, 8, &kept)) {

@@ -75,46 +75,49 @@ static int plan_grid(struct measure *measure, struct measure_point point) {
     return STATUS_DONE;
 }
 
-/* Adds points that show what an estimated tail gains, at a depth with room for a tail. */
-static int plan_tails(struct measure *measure, struct measure_point point) {
+/* Adds points with an estimated tail, at a depth with room for one: arithmetic by the values of a
+ * member of the point. */
+static int plan_estimates(struct measure *measure, struct measure_point *point, double *member,
+                          const double *values, unsigned count) {
     static const char *const arithmetics[] = {"fx", "f32", "f64"};
-    static const double thresholds[] = {1.0 / 256,  1.0 / 1024,  1.0 / 2048,
-                                        1.0 / 4096, 1.0 / 16384, 1.0 / 65536};
     const struct options *options = measure->options;
     const struct scene_overrides *overrides = &options->overrides;
-    unsigned many_a = options->arithmetic != NULL ? 1 : 3,
-             many_t = overrides->has_threshold ? 1 : 6;
-    strcpy(point.tail, "estimate");
-    point.depth = overrides->has_depth ? (unsigned)overrides->depth : TAIL_DEPTH;
-    for (unsigned i = 0; i < many_a * many_t && !overrides->has_estimates; i++) {
-        take_arithmetic(&point, options, arithmetics[i / many_t]);
-        point.threshold = overrides->has_threshold ? overrides->threshold : thresholds[i % many_t];
-        if (add(measure, &point) != STATUS_DONE) {
+    strcpy(point->tail, "estimate");
+    point->depth = overrides->has_depth ? (unsigned)overrides->depth : TAIL_DEPTH;
+    for (unsigned i = 0; i < (options->arithmetic != NULL ? 1 : 3) * count; i++) {
+        take_arithmetic(point, options, arithmetics[i / count]);
+        *member = values[i % count];
+        if (add(measure, point) != STATUS_DONE) {
             return STATUS_FAILED;
         }
     }
     return STATUS_DONE;
 }
 
-/* Adds points with an accuracy asked for instead of a threshold; their tail is estimated. */
-static int plan_errors(struct measure *measure, struct measure_point point) {
-    static const char *const arithmetics[] = {"fx", "f32", "f64"};
-    static const double errors[] = {4, 2, 1, 0.5};
-    const struct options *options = measure->options;
-    const struct scene_overrides *overrides = &options->overrides;
-    unsigned many_a = options->arithmetic != NULL ? 1 : 3, many_e = overrides->has_error ? 1 : 4;
-    strcpy(point.tail, "estimate");
-    point.threshold = 0;
-    point.depth = overrides->has_depth ? (unsigned)overrides->depth : TAIL_DEPTH;
-    bool is_fixed = overrides->has_threshold || (overrides->has_estimates && !overrides->estimates);
-    for (unsigned i = 0; i < many_a * many_e && !is_fixed; i++) {
-        take_arithmetic(&point, options, arithmetics[i / many_e]);
-        point.error = overrides->has_error ? overrides->error : errors[i % many_e];
-        if (add(measure, &point) != STATUS_DONE) {
-            return STATUS_FAILED;
-        }
+/* Adds points that show what an estimated tail gains. */
+static int plan_tails(struct measure *measure, struct measure_point point) {
+    static const double thresholds[] = {1.0 / 256,  1.0 / 1024,  1.0 / 2048,
+                                        1.0 / 4096, 1.0 / 16384, 1.0 / 65536};
+    const struct scene_overrides *overrides = &measure->options->overrides;
+    if (overrides->has_estimates) {
+        return STATUS_DONE;
     }
-    return STATUS_DONE;
+    return overrides->has_threshold
+               ? plan_estimates(measure, &point, &point.threshold, &overrides->threshold, 1)
+               : plan_estimates(measure, &point, &point.threshold, thresholds, 6);
+}
+
+/* Adds points with an accuracy asked for instead of a threshold. */
+static int plan_errors(struct measure *measure, struct measure_point point) {
+    static const double errors[] = {4, 2, 1, 0.5};
+    const struct scene_overrides *overrides = &measure->options->overrides;
+    if (overrides->has_threshold || (overrides->has_estimates && !overrides->estimates)) {
+        return STATUS_DONE;
+    }
+    point.threshold = 0;
+    return overrides->has_error
+               ? plan_estimates(measure, &point, &point.error, &overrides->error, 1)
+               : plan_estimates(measure, &point, &point.error, errors, 4);
 }
 
 /* Adds points with one setting varied, the others as in the middle of the grid. */

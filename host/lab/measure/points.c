@@ -52,8 +52,7 @@ struct measure_point *measure_list_find(const struct measure_list *list,
 static const char head[] =
     "scene,arithmetic,depth,threshold,width,height,colour,model,tail,error,rays,shadow_rays,nodes,"
     "solid_tests,leaked_rays,port_writes,seconds,percent_wrong,percent_apart,largest_error,rmse,"
-    "psnr,"
-    "delta_e_mean,delta_e_999,scene_digest\n";
+    "psnr,delta_e_mean,delta_e_999,scene_digest\n";
 
 bool measure_write_head(FILE *file) {
     return fputs(head, file) >= 0 && fflush(file) == 0;

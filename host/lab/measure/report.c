@@ -212,6 +212,16 @@ static void write_paper(const struct report *report) {
                  "and f64 lie on each other.");
 }
 
+/* Writes the heading and the head of a table whose first row comes next; nothing before others. */
+static void begin_table(const struct report *report, bool *has_begun, const char *heading,
+                        const char *head) {
+    if (!*has_begun) {
+        page_heading(report, 2, heading);
+        page_row(report, true, head);
+    }
+    *has_begun = true;
+}
+
 /* Writes side by side the two ways to count the light of a branch that is cut. */
 static void write_tails(const struct report *report) {
     bool has_any = false;
@@ -223,13 +233,9 @@ static void write_tails(const struct report *report) {
         if (strcmp(one->tail, "estimate") != 0 || one->error > 0) {
             continue;
         }
-        if (!has_any) {
-            page_heading(report, 2, "What a cut branch counts as");
-            page_row(report, true,
-                     "arithmetic|N|threshold|black: per cent wrong|rays a pixel|estimate: per cent "
-                     "wrong|rays a pixel");
-        }
-        has_any = true;
+        begin_table(report, &has_any, "What a cut branch counts as",
+                    "arithmetic|N|threshold|black: per cent wrong|rays a pixel|estimate: per cent "
+                    "wrong|rays a pixel");
         size_t used = (size_t)snprintf(cells, sizeof cells, "%s|%u|%s|", one->arithmetic,
                                        one->depth, page_threshold(one->threshold, threshold));
         if (black != NULL) {
@@ -255,11 +261,8 @@ static void write_errors(const struct report *report) {
         if (!(one->error > 0)) {
             continue;
         }
-        if (!has_any) {
-            page_heading(report, 2, "An accuracy asked for");
-            page_row(report, true, "arithmetic|--error|per cent wrong|worst scene|rays a pixel");
-        }
-        has_any = true;
+        begin_table(report, &has_any, "An accuracy asked for",
+                    "arithmetic|--error|per cent wrong|worst scene|rays a pixel");
         (void)snprintf(cells, sizeof cells, "%s|%g|%.3f|%.3f|%.1f", one->arithmetic, one->error,
                        one->wrong, one->worst, one->rays);
         page_row(report, false, cells);
@@ -316,13 +319,9 @@ static void write_others(const struct report *report) {
         if (measure_is_of_grid(measure, point)) {
             continue;
         }
-        if (!has_any) {
-            page_heading(report, 2, "Size, colours and model");
-            page_row(report, true,
-                     "scene|setting|size|colours|model|per cent wrong|largest error|CIEDE2000, "
-                     "mean|rays|port writes");
-            has_any = true;
-        }
+        begin_table(report, &has_any, "Size, colours and model",
+                    "scene|setting|size|colours|model|per cent wrong|largest error|CIEDE2000, "
+                    "mean|rays|port writes");
         (void)snprintf(cells, sizeof cells,
                        "%s|%s, N = %u, %s|%ux%u|%s|%s|%.3f|%u|%.3f|%" PRIu64 "|%" PRIu64,
                        point->scene, point->arithmetic, point->depth,

@@ -19,8 +19,6 @@
 
 /* ---- Renders -------------------------------------------------------------------------------- */
 
-enum { PAPER_SMALL_WIDTH = 320, PAPER_SMALL_HEIGHT = 200 };
-
 /* A picture and what it took. */
 struct paper_photo {
     struct render_totals totals; /* seconds: of processor time */
