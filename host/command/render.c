@@ -38,7 +38,6 @@ struct render_options {
 struct render_run {
     const struct options *options;
     const struct render_options *own; /* the same */
-    const char *scene_name;
     struct compiled_scene *compiled;
     struct ports_linux ports;   /* of --bus ports */
     struct adapter_bus adapter; /* of --bus usb and hid */
@@ -104,7 +103,7 @@ static int open_own_ports(struct ports_linux *ports, uint16_t base) {
 static int load(struct render_run *run) {
     const struct options *options = run->options;
     struct scene_error error;
-    run->compiled = load_compiled_scene(run->scene_name, &options->overrides, &error);
+    run->compiled = load_compiled_scene(options->operands[0], &options->overrides, &error);
     if (run->compiled == NULL) {
         return bad_input("%s", error.text);
     }
@@ -231,7 +230,7 @@ static bool write_picture(struct render_run *run) {
 
 static int write_results(struct render_run *run) {
     const struct run_stats stats = {.session = &run->session,
-                                    .scene = run->scene_name,
+                                    .scene = run->options->operands[0],
                                     .arithmetic = run->options->arithmetic,
                                     .compiled = run->compiled,
                                     .totals = &run->totals,
@@ -302,7 +301,6 @@ static int run_render(const struct options *options) {
     memset(&run, 0, sizeof run);
     run.options = options;
     run.own = (const struct render_options *)options;
-    run.scene_name = options->operands[0];
     run.session.began = stopwatch_start();
     int status = STATUS_DONE;
     for (size_t i = 0; i < sizeof steps / sizeof steps[0] && status == STATUS_DONE; i++) {

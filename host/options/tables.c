@@ -64,6 +64,7 @@ static enum value_verdict take_by_type(const struct option_entry *entry, const c
     unsigned char *member = (unsigned char *)options + entry->offset;
     uint64_t whole = 1;
     double real;
+    int word;
     bool is_right = true;
     switch (entry->type) {
     case OPTION_FLAG:
@@ -83,8 +84,9 @@ static enum value_verdict take_by_type(const struct option_entry *entry, const c
         }
         return option_verdict(is_right);
     case OPTION_WORD:
-        is_right = option_word(value, entry->words) >= 0;
-        whole = is_right ? (uint64_t)option_word(value, entry->words) : 0;
+        word = option_word(value, entry->words);
+        is_right = word >= 0;
+        whole = (uint64_t)word;
         break;
     case OPTION_OWN:
         return entry->set(options, value);

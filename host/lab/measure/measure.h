@@ -101,7 +101,6 @@ struct measure {
     size_t kept; /* points that were there already */
     struct measure_settings settings;
     struct progress_sum work;
-    bool has_plots;
 };
 
 /* Functions below that return an int return an exit status. Where that is not STATUS_DONE, the
@@ -190,8 +189,5 @@ double measure_predict(const struct measure *measure, const struct measure_point
  * the caller frees it. Stands in picture.c. */
 int measure_shoot(struct measure *measure, const char *operand, struct measure_point *point,
                   uint8_t **rgb, unsigned *dots);
-
-/* Returns the number of dots along each side of a pixel of a picture. */
-unsigned measure_dots(const struct measure_point *point);
 
 #endif

@@ -9,10 +9,6 @@
 #include "lab/measure/measure.h"
 #include "scene/load.h"
 
-unsigned measure_dots(const struct measure_point *point) {
-    return render_dots(point->width, point->height);
-}
-
 static struct scene_overrides overrides_of(const struct measure *measure,
                                            const struct measure_point *point) {
     struct scene_overrides overrides = measure->options->overrides;
@@ -84,7 +80,7 @@ int measure_shoot(struct measure *measure, const char *operand, struct measure_p
     const struct scene_overrides overrides = overrides_of(measure, point);
     struct compiled_scene *compiled = load_compiled_scene(operand, &overrides, &error);
     *rgb = NULL;
-    *dots = measure_dots(point);
+    *dots = render_dots(point->width, point->height);
     if (compiled == NULL) {
         return bad_input("%s", error.text);
     }

@@ -31,7 +31,7 @@ static int add(struct measure *measure, const struct measure_point *point) {
 
 /* Tells whether the board shows a point: a dithered pixel has 2 x 2 dots. */
 static bool can_be_shown(const struct measure_point *point) {
-    return strcmp(point->colour, "dither") != 0 || measure_dots(point) == 2;
+    return strcmp(point->colour, "dither") != 0 || render_dots(point->width, point->height) == 2;
 }
 
 /* Adds a point beside the grid, where the board shows it. */
@@ -75,8 +75,8 @@ static int plan_grid(struct measure *measure, struct measure_point point) {
     return STATUS_DONE;
 }
 
-/* Adds points with an estimated tail, at a depth with room for one: arithmetic by the values of a
- * member of the point. */
+/* Adds points with an estimated tail, at a depth with room for one. Arithmetics and the values of a
+ * member are varied. */
 static int plan_estimates(struct measure *measure, struct measure_point *point, double *member,
                           const double *values, unsigned count) {
     static const char *const arithmetics[] = {"fx", "f32", "f64"};

@@ -288,7 +288,6 @@ int measure_plot(struct measure *measure) {
         return STATUS_FAILED;
     }
     enum gnuplot_status drawn = gnuplot_run(measure->folder, "plots.gp");
-    measure->has_plots = drawn == GNUPLOT_DONE;
     gnuplot_complain(drawn, "plots.gp", "the plots");
     return *interrupt_noted() != 0 ? measure_interrupted() : STATUS_DONE;
 }

@@ -18,8 +18,8 @@ static void write_choice(struct json *json, const char *arithmetic, const char *
     json_real(json, "error", error);
 }
 
-/* Writes a setting: its means over the scenes, and by machine the seconds of one picture, and if no
- * other setting is at least as good there. */
+/* Writes a setting: its means over the scenes, and by machine the seconds of one picture. A setting
+ * is on a machine's front where no other one is at least as good. */
 static void write_setting(struct json *json, const struct measure_settings *settings, size_t i) {
     const struct measure_setting *setting = &settings->settings[i];
     json_begin_object(json, NULL);
