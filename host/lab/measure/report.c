@@ -78,9 +78,9 @@ static size_t count_of_machines(void) {
 
 static void write_words(const struct report *report) {
     static const char *const words[] = {
-        "arithmetic|the numbers that the renderer computes with. fx: integers, fixed point with a "
-        "format for each role. f32: float. f64: double. q16, q16_epsilon: plain 16.16 fixed "
-        "point, for comparison only",
+        ("arithmetic|the numbers that the renderer computes with. fx: integers, fixed point with a "
+         "format for each role. f32: float. f64: double. q16, q16_epsilon: plain 16.16 fixed "
+         "point, for comparison only"),
         "N, depth level|how many reflections and refractions a path of light may have",
         "threshold|a branch of the path ends where less than this share of the light is left",
         "tail|what a branch that was ended counts as: black, or an estimate of the mean",
