@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The command line as data: options in groups, and commands that take groups. The parser, the help
- * and the completion of shells come from these tables. */
+/* The command line as data: options in groups, and commands that take groups. The parser, the help,
+ * the manual page and the completion of shells come from these tables. */
 #ifndef SUPERFRAME_OPTIONS_H
 #define SUPERFRAME_OPTIONS_H
 

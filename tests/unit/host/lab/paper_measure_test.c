@@ -10,6 +10,7 @@
 
 #include <cmocka.h>
 
+#include "base/complain.h"
 #include "lab/paper/measure.h"
 
 enum { WIDTH = 40, HEIGHT = 10 };

@@ -274,8 +274,11 @@ static void every_row_says_all_that_its_type_takes(void **state) {
     for (size_t i = 0; commands_built[i] != NULL; i++) {
         const struct option_entry *entry;
         for (size_t j = 0; (entry = command_option(commands_built[i], j)) != NULL; j++) {
-            if (fault_of(entry) != NULL) {
-                fail_msg("%s --%s: %s", commands_built[i]->name, entry->name, fault_of(entry));
+            size_t own = commands_built[i]->size, size = own > 0 ? own : sizeof(struct options);
+            const char *fault =
+                entry->offset + entry->size > size ? "a member beyond the struct" : fault_of(entry);
+            if (fault != NULL) {
+                fail_msg("%s --%s: %s", commands_built[i]->name, entry->name, fault);
             }
         }
     }
