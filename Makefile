@@ -278,7 +278,7 @@ INSTALLED := $(BUILD)/superframe:$(BIN):755 \
     $(PUBLIC_HEADERS:%=%:$(PREFIX)/include/superframe:644) \
     $(patsubst %,$(BUILD)/%.pc:$(LIBDIR)/pkgconfig:644,superframe superframe-testing) \
     host/adapter/70-superframe.rules:$(PREFIX)/lib/udev/rules.d:644 \
-    $(BUILD)/superframe.1:$(PREFIX)/share/man/man1:644 docs/superframe-trace.1:$(PREFIX)/share/man/man1:644 \
+    $(patsubst %,%:$(PREFIX)/share/man/man1:644,$(BUILD)/superframe.1 $(wildcard docs/*.1)) \
     $(patsubst %,%:$(PREFIX)/share/man/man3:644,$(wildcard docs/*.3)) \
     $(BUILD)/completion/superframe:$(PREFIX)/share/bash-completion/completions:644 \
     $(BUILD)/completion/_superframe:$(PREFIX)/share/zsh/site-functions:644 \
