@@ -23,7 +23,6 @@ struct boot_options {
 /* One run of the command. */
 struct boot_run {
     const struct boot_options *options;
-    const char *path;
     struct session session;
     uint8_t *disk;
     struct processor_report report;
@@ -31,9 +30,10 @@ struct boot_run {
 
 /* Reads the whole image, which must have the size of a 2HD disk. */
 static int read_disk(struct boot_run *run) {
-    FILE *file = fopen(run->path, "rb");
+    const char *path = run->options->common.operands[0];
+    FILE *file = fopen(path, "rb");
     if (file == NULL) {
-        return bad_input("%s: cannot be read: %s", run->path, strerror(errno));
+        return bad_input("%s: cannot be read: %s", path, strerror(errno));
     }
     run->disk = malloc(PC98_DISK_BYTES + 1);
     if (run->disk == NULL) {
@@ -45,11 +45,11 @@ static int read_disk(struct boot_run *run) {
     int reason = ferror(file) ? errno : 0;
     (void)fclose(file);
     if (reason != 0) {
-        return bad_input("%s: cannot be read: %s", run->path, strerror(reason));
+        return bad_input("%s: cannot be read: %s", path, strerror(reason));
     }
     if (bytes != PC98_DISK_BYTES) {
         return bad_input(
-            "%s: no 2HD image: %s than %d bytes; allowed is a raw image of just so many", run->path,
+            "%s: no 2HD image: %s than %d bytes; allowed is a raw image of just so many", path,
             bytes < PC98_DISK_BYTES ? "less" : "more", PC98_DISK_BYTES);
     }
     return STATUS_DONE;
@@ -73,9 +73,9 @@ static const char *const register_names[PROCESSOR_REGISTERS] = {
 /* Tells where a run went wrong: the reason, the address, all registers. */
 static void dump_registers(const struct boot_run *run) {
     const struct processor_report *report = &run->report;
-    complain("%s: %s; at %08" PRIX32 "h in %s mode, after %" PRIu64 " instructions", run->path,
-             report->reason, report->address, report->is_protected ? "protected" : "real",
-             report->instructions);
+    complain("%s: %s; at %08" PRIX32 "h in %s mode, after %" PRIu64 " instructions",
+             run->options->common.operands[0], report->reason, report->address,
+             report->is_protected ? "protected" : "real", report->instructions);
     for (int i = 0; i < PROCESSOR_REGISTERS; i++) {
         (void)fprintf(stderr, "  %-6s %08" PRIX32 "%s", register_names[i], report->registers[i],
                       i % 4 == 3 ? "\n" : "");
@@ -141,7 +141,6 @@ static int run_boot(const struct options *options) {
     struct boot_run run;
     memset(&run, 0, sizeof run);
     run.options = (const struct boot_options *)options;
-    run.path = options->operands[0];
     run.session.began = stopwatch_start();
     int status = STATUS_DONE;
     for (size_t i = 0; i < sizeof steps / sizeof steps[0] && status == STATUS_DONE; i++) {

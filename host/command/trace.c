@@ -27,7 +27,6 @@ struct trace_options {
 /* One run of the command: 1.4 MB. */
 struct trace_run {
     const struct options *options;
-    const char *path;
     const struct trace_options *tracing; /* the same */
     bool lists; /* every access is printed: --list is given, or nothing else is asked for */
     FILE *file;
@@ -120,7 +119,7 @@ static int follow(struct trace_run *run) {
             break;
         }
         if (status != TRACE_OK) {
-            return trace_file_complain(run->path, &run->reader.error);
+            return trace_file_complain(run->options->operands[0], &run->reader.error);
         }
         tell(run, &access);
         if (ferror(stdout)) {
@@ -128,8 +127,8 @@ static int follow(struct trace_run *run) {
         }
     }
     if (run->reader.accesses < stop) {
-        complain("%s: the trace ends after access %" PRIu64 ", before --stop %" PRIu64, run->path,
-                 run->reader.accesses, stop);
+        complain("%s: the trace ends after access %" PRIu64 ", before --stop %" PRIu64,
+                 run->options->operands[0], run->reader.accesses, stop);
     }
     return STATUS_DONE;
 }
@@ -138,8 +137,8 @@ static int conclude(struct trace_run *run) {
     const struct options *options = run->options;
     const struct board *board = &run->statistics.board;
     if (run->different_reads > 0) {
-        complain("%s: %" PRIu64 " reads were answered otherwise than recorded", run->path,
-                 run->different_reads);
+        complain("%s: %" PRIu64 " reads were answered otherwise than recorded",
+                 run->options->operands[0], run->different_reads);
     }
     if (run->tracing->judges) {
         (void)printf("%" PRIu64 " violations in %" PRIu64 " accesses, profile %s\n",
@@ -168,9 +167,9 @@ static int conclude(struct trace_run *run) {
 static int prepare(struct trace_run *run) {
     const struct options *options = run->options;
     struct board_desc desc;
-    int status = trace_file_open(run->path, &run->file, &run->reader);
+    int status = trace_file_open(run->options->operands[0], &run->file, &run->reader);
     if (status == STATUS_DONE) {
-        status = trace_file_fit(run->path, &run->reader, &options->board, &desc);
+        status = trace_file_fit(run->options->operands[0], &run->reader, &options->board, &desc);
     }
     if (status != STATUS_DONE) {
         return status;
@@ -193,7 +192,6 @@ static int watch(const struct options *options) {
     }
     run->options = options;
     run->tracing = tracing;
-    run->path = options->operands[0];
     run->lists = tracing->lists || !(tracing->counts || tracing->judges || options->board.strict ||
                                      options->output != NULL);
     int status = STATUS_DONE;

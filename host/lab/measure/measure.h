@@ -141,7 +141,8 @@ enum measure_beginning measure_read_head(FILE *file);
 /* Writes the line of column names and flushes the file. Returns false where that failed. */
 bool measure_write_head(FILE *file);
 
-/* Gathers the measured points of the grid by setting; the caller frees settings.settings. */
+/* Gathers the measured points of the grid by setting, anew each time; the caller frees
+ * settings.settings. */
 int measure_gather(struct measure *measure);
 
 /* Tells whether a point is of the grid: of its scene's first size, colours and model. */

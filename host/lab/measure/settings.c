@@ -67,6 +67,8 @@ static void gather(const struct measure *measure, struct measure_setting *settin
 
 int measure_gather(struct measure *measure) {
     struct measure_settings *settings = &measure->settings;
+    free(settings->settings);
+    settings->count = 0;
     settings->settings = calloc(measure->points.count + 1, sizeof *settings->settings);
     if (settings->settings == NULL) {
         return failure("out of memory");
