@@ -79,7 +79,7 @@ SCENE_FILES  := $(wildcard firmware/scenes/*.scene)
 # What this build has of several kinds: header, type, names. host/base/list.sh makes C of a list.
 LISTS := commands arithmetics stream_engines instruction_sets usb_backends processors
 LIST_commands         := command/command.h command render scenes check compile export tree replay \
-                         compare measure paper devices adapter trace boot completion help
+                         compare measure paper devices adapter trace boot completion manual help
 LIST_arithmetics      := render/arithmetic.h arithmetic $(ARITHMETICS)
 LIST_stream_engines   := render/engine.h stream_engine $(foreach real,$(STREAM_REALS),$(STREAM_SETS:%=$(real)_%))
 LIST_instruction_sets := render/engine.h instruction_set $(filter-out plain,$(STREAM_SETS))
@@ -278,7 +278,7 @@ INSTALLED := $(BUILD)/superframe:$(BIN):755 \
     $(PUBLIC_HEADERS:%=%:$(PREFIX)/include/superframe:644) \
     $(patsubst %,$(BUILD)/%.pc:$(LIBDIR)/pkgconfig:644,superframe superframe-testing) \
     host/adapter/70-superframe.rules:$(PREFIX)/lib/udev/rules.d:644 \
-    $(patsubst %,%:$(PREFIX)/share/man/man1:644,$(wildcard docs/*.1)) \
+    $(patsubst %,%:$(PREFIX)/share/man/man1:644,$(BUILD)/superframe.1 $(wildcard docs/*.1)) \
     $(patsubst %,%:$(PREFIX)/share/man/man3:644,$(wildcard docs/*.3)) \
     $(BUILD)/completion/superframe:$(PREFIX)/share/bash-completion/completions:644 \
     $(BUILD)/completion/_superframe:$(PREFIX)/share/zsh/site-functions:644 \
@@ -296,7 +296,10 @@ $(BUILD)/%.pc: emulator/testing/%.pc.in FORCE
 	@mkdir -p $(@D)
 	@sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@LIBDIR@|$(LIBDIR)|' -e 's|@VERSION@|$(VERSION)|' $< > $@
 
-install: $(BUILD)/superframe $(COMPLETIONS) $(LIBRARIES) $(BUILD)/superframe.pc $(BUILD)/superframe-testing.pc ## Install command, library, test kit and man pages (PREFIX=/usr/local LIBDIR= DESTDIR=)
+$(BUILD)/superframe.1: docs/superframe.roff $(BUILD)/superframe
+	@{ $(BUILD)/superframe manual && cat $<; } > $@
+
+install: $(BUILD)/superframe $(BUILD)/superframe.1 $(COMPLETIONS) $(LIBRARIES) $(BUILD)/superframe.pc $(BUILD)/superframe-testing.pc ## Install command, library, test kit and man pages (PREFIX=/usr/local LIBDIR= DESTDIR=)
 	@set -e; for entry in $(INSTALLED); do \
 	    file=$${entry%%:*}; mode=$${entry##*:}; folder='$(DESTDIR)'$${entry#*:}; folder=$${folder%:*}; \
 	    $(INSTALL) -d "$$folder"; $(INSTALL) -m $$mode $$file "$$folder"; done

@@ -54,8 +54,7 @@ static int open_backend(struct adapter_bus *adapter, const struct adapter_option
         status = backend->open(options->serial, &adapter->link, reason);
     }
     if (status != USB_OPEN_OK) {
-        complain("--bus %s: %s; nothing was drawn", adapter->name, reason);
-        return STATUS_FAILED;
+        return failure("--bus %s: %s; nothing was drawn", adapter->name, reason);
     }
     return STATUS_DONE;
 }
@@ -77,12 +76,10 @@ int adapter_bus_open(struct adapter_bus *adapter, const char *name, uint16_t bas
     }
     adapter->usb = usb_bus_new(adapter->link, base, &limits);
     if (adapter->usb == NULL) {
-        complain("out of memory");
-        return STATUS_FAILED;
+        return failure("out of memory");
     }
     if (adapter->usb->bus.status != BUS_OK) {
-        complain("--bus %s: %s; nothing was drawn", adapter->name, adapter->usb->reason);
-        return STATUS_FAILED;
+        return failure("--bus %s: %s; nothing was drawn", adapter->name, adapter->usb->reason);
     }
     return STATUS_DONE;
 }
@@ -90,47 +87,41 @@ int adapter_bus_open(struct adapter_bus *adapter, const char *name, uint16_t bas
 int adapter_bus_verify(struct adapter_bus *adapter, unsigned percent, uint64_t seed) {
     struct usb_verification *found = &adapter->verification;
     if (!usb_bus_verify(adapter->usb, percent, seed, found)) {
-        complain("--verify: given up after %" PRIu64 " pixels", found->pixels);
-        return STATUS_FAILED;
+        return failure("--verify: given up after %" PRIu64 " pixels", found->pixels);
     }
     adapter->is_verified = true;
     if (found->wrong_lines > 0) {
-        complain("--verify: %u lines of the board still differ after %u repairs, the first is %u; "
-                 "%" PRIu64 " pixels were repaired",
-                 found->wrong_lines, (unsigned)USB_REPAIRS_MOST, found->first_wrong,
-                 found->repaired);
-        return STATUS_FAILED;
+        return failure(
+            "--verify: %u lines of the board still differ after %u repairs, the first is %u; "
+            "%" PRIu64 " pixels were repaired",
+            found->wrong_lines, (unsigned)USB_REPAIRS_MOST, found->first_wrong, found->repaired);
     }
     complain("--verify: %" PRIu64 " pixels read back, %" PRIu64 " differed and were repaired",
              found->pixels, found->repaired);
     return STATUS_DONE;
 }
 
-void adapter_bus_write_stats(const struct adapter_bus *adapter, FILE *out) {
+void adapter_bus_write_stats(const struct adapter_bus *adapter, struct json *json) {
     const struct usb_counts *counts = &adapter->usb->counts;
-    const struct {
-        const char *key;
-        uint64_t count;
-    } entries[] = {{"bytes_out", counts->sent_bytes},
-                   {"bytes_in", counts->received_bytes},
-                   {"transfers", adapter->link->transfers},
-                   {"frames", counts->frames},
-                   {"resent", counts->resent},
-                   {"timeouts", counts->timeouts},
-                   {"stalls", counts->stalls},
-                   {"reconnects", counts->reconnects},
-                   {"restarts", counts->restarts}};
-    (void)fprintf(out, "  \"adapter\": {\"bus\": \"%s\"", adapter->name);
-    for (size_t i = 0; i < sizeof entries / sizeof entries[0]; i++) {
-        (void)fprintf(out, ", \"%s\": %" PRIu64, entries[i].key, entries[i].count);
-    }
+    json_begin_object(json, "adapter");
+    json_text(json, "bus", adapter->name);
+    json_count(json, "bytes_out", counts->sent_bytes);
+    json_count(json, "bytes_in", counts->received_bytes);
+    json_count(json, "transfers", adapter->link->transfers);
+    json_count(json, "frames", counts->frames);
+    json_count(json, "resent", counts->resent);
+    json_count(json, "timeouts", counts->timeouts);
+    json_count(json, "stalls", counts->stalls);
+    json_count(json, "reconnects", counts->reconnects);
+    json_count(json, "restarts", counts->restarts);
     if (adapter->is_verified) {
-        (void)fprintf(out,
-                      ", \"verified_pixels\": %" PRIu64 ", \"repaired_pixels\": %" PRIu64 "},\n",
-                      adapter->verification.pixels, adapter->verification.repaired);
+        json_count(json, "verified_pixels", adapter->verification.pixels);
+        json_count(json, "repaired_pixels", adapter->verification.repaired);
     } else {
-        (void)fputs(", \"verified_pixels\": null, \"repaired_pixels\": null},\n", out);
+        json_text(json, "verified_pixels", NULL);
+        json_text(json, "repaired_pixels", NULL);
     }
+    json_end_object(json);
 }
 
 static bool is_row_there(const struct usb_bus *usb, unsigned row, unsigned lines) {

@@ -3,10 +3,9 @@
 #ifndef SUPERFRAME_ADAPTER_BUS_H
 #define SUPERFRAME_ADAPTER_BUS_H
 
-#include <stdio.h>
-
 #include "adapter/bus.h"
 #include "adapter/options.h"
+#include "base/json.h"
 
 /* All zero: not open. */
 struct adapter_bus {
@@ -28,9 +27,9 @@ int adapter_bus_open(struct adapter_bus *adapter, const char *name, uint16_t bas
  * something can't be repaired. */
 int adapter_bus_verify(struct adapter_bus *adapter, unsigned percent, uint64_t seed);
 
-/* Writes what the cable carried as the key adapter of the statistics, a line ended by a comma. The
- * counts of what was verified are null where nothing was. */
-void adapter_bus_write_stats(const struct adapter_bus *adapter, FILE *out);
+/* Writes what the cable carried as the key adapter of the statistics. The counts of what was
+ * verified are null where nothing was. */
+void adapter_bus_write_stats(const struct adapter_bus *adapter, struct json *json);
 
 /* Prints why the bus failed and which of the picture's rows first..last-1 are known to be on the
  * board. lines: how many of the board's lines make a row, 1 or 2. */

@@ -34,6 +34,14 @@ void complain(const char *format, ...) {
     va_end(arguments);
 }
 
+int failure(const char *format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    print_message(format, arguments);
+    va_end(arguments);
+    return STATUS_FAILED;
+}
+
 int bad_input(const char *format, ...) {
     va_list arguments;
     va_start(arguments, format);

@@ -23,6 +23,9 @@ enum exit_status {
  * printed as it is, and on a terminal only. */
 void complain(const char *format, ...) FORMAT_OF_PRINTF;
 
+/* Complains as complain() does; returns STATUS_FAILED. */
+int failure(const char *format, ...) FORMAT_OF_PRINTF;
+
 /* Complains as complain() does, for messages that are made elsewhere; returns STATUS_BAD_INPUT. */
 int bad_input(const char *format, ...) FORMAT_OF_PRINTF;
 

@@ -7,6 +7,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "base/complain.h"
+
 enum { STATUS_NOT_FOUND = 127, STATUS_NOT_RUN = 126 };
 
 enum gnuplot_status gnuplot_run(const char *folder, const char *script) {
@@ -30,4 +32,14 @@ enum gnuplot_status gnuplot_run(const char *folder, const char *script) {
         return GNUPLOT_NOT_FOUND;
     }
     return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? GNUPLOT_DONE : GNUPLOT_FAILED;
+}
+
+void gnuplot_complain(enum gnuplot_status status, const char *script, const char *plots) {
+    if (status == GNUPLOT_NOT_FOUND) {
+        complain("gnuplot is not there: %s are left out; install it (Debian: apt-get install "
+                 "gnuplot-nox, or sh setup.sh paper), or draw %s later",
+                 plots, script);
+    } else if (status == GNUPLOT_FAILED) {
+        complain("gnuplot could not draw %s: %s are left out", script, plots);
+    }
 }

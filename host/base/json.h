@@ -32,10 +32,16 @@ void json_text(struct json *json, const char *key, const char *text);
 void json_count(struct json *json, const char *key, uint64_t count);
 void json_flag(struct json *json, const char *key, bool flag);
 
+/* Writes a value in base 16 as a text, with zeros before it up to so many digits. */
+void json_hexadecimal(struct json *json, const char *key, uint64_t value, int digits);
+
 /* Writes a number that reads back as it is; an infinity or a NaN becomes null. */
 void json_real(struct json *json, const char *key, double number);
 
-/* Writes a text in JSON's quotes and escapes, as json_text() does. */
-void json_write_string(FILE *out, const char *text);
+/* Writes a number rounded to so many digits; an infinity or a NaN becomes null. */
+void json_rounded(struct json *json, const char *key, double number, int digits);
+
+/* Writes a number with so many digits behind the point; an infinity or a NaN becomes null. */
+void json_decimal(struct json *json, const char *key, double number, int places);
 
 #endif

@@ -4,8 +4,8 @@
 #
 # usage: list.sh LIST HEADER PREFIX [NAME...]
 #
-# LIST_built has pointers to them, and NULL at the end. LIST_names has the names as messages put them:
-# "a, b or c".
+# LIST_built has pointers to them, and NULL at the end. LIST_names, for a header that declares that list,
+# has the names.
 set -eu
 
 [ $# -ge 3 ] || {
@@ -17,13 +17,13 @@ shift 3
 echo '/* Made by host/base/list.sh. */'
 echo "#include \"$header\""
 echo
-pointers= names= last=
+pointers= names=
 for name in "$@"; do
     echo "extern const struct $prefix ${prefix}_$name;"
     pointers="$pointers&${prefix}_$name, "
-    [ -z "$last" ] || names="$names${names:+, }$last"
-    last=$name
+    names="$names\"$name\", "
 done
 printf '\nconst struct %s *const %s_built[] = {%sNULL};\n' "$prefix" "$list" "$pointers"
-echo "extern const char ${list}_names[];"
-echo "const char ${list}_names[] = \"$names${names:+ or }$last\";"
+if grep -q "${list}_names" "host/$header"; then
+    echo "const char *const ${list}_names[] = {${names}NULL};"
+fi

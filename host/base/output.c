@@ -129,6 +129,11 @@ bool output_commit(struct output *output) {
     return true;
 }
 
+int output_finish(struct output *output, bool is_written) {
+    bool is_done = is_written ? output_commit(output) : fail(output, errno);
+    return is_done ? STATUS_DONE : STATUS_FAILED;
+}
+
 void output_discard(struct output *output) {
     if (output->file != NULL && output->file != stdout) {
         (void)fclose(output->file);

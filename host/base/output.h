@@ -24,6 +24,10 @@ bool output_open(struct output *output, const char *path);
  * what stands under the asked name is what was there before. The output is closed either way. */
 bool output_commit(struct output *output);
 
+/* Commits the output where all was written. Otherwise gives the output up and prints errno's
+ * reason, which the caller has set to 0 before writing. Returns an exit status. */
+int output_finish(struct output *output, bool is_written);
+
 /* Gives the output up: what was there before stays. Harmless if the output is not open. */
 void output_discard(struct output *output);
 

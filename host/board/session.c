@@ -19,8 +19,7 @@ int session_begin(struct session *session, const struct board_options *options,
     session->options = options;
     session->chain = port_chain_new(&desc, device == NULL);
     if (session->chain == NULL) {
-        complain("out of memory");
-        return STATUS_FAILED;
+        return failure("out of memory");
     }
     if (device != NULL) {
         session->device = *device;

@@ -20,6 +20,14 @@
 
 enum { CLIENTS_MOST = 4, SEND_SECONDS = 10, NAME_SIZE = 256, POLL_MS = 200, PORT_MOST = 65535 };
 
+/* What only adapter is asked for. */
+struct server_options {
+    struct options common;
+    const char *listen; /* ADDRESS or ADDRESS:PORT */
+    const char *serial;
+    bool once; /* ends when its first client leaves */
+};
+
 /* A connection. */
 struct client {
     int socket; /* -1: none */
@@ -28,7 +36,7 @@ struct client {
 
 /* One run of the command. */
 struct server {
-    const struct options *options;
+    const struct server_options *options;
     int listener;
     struct session session;
     struct usb_device device;
@@ -72,12 +80,11 @@ static void announce(const struct server *server) {
 }
 
 static int start_listening(struct server *server) {
-    const char *listen_at = server->options->adapter.listen;
+    const char *listen_at = server->options->listen;
     char address[NAME_SIZE], port[NAME_SIZE];
     uint64_t number;
     struct addrinfo wanted, *found = NULL;
-    if (!split(listen_at != NULL ? listen_at : "127.0.0.1", address, port) ||
-        !value_whole(port, 0, PORT_MOST, &number)) {
+    if (!split(listen_at, address, port) || !value_whole(port, 0, PORT_MOST, &number)) {
         return bad_input("--listen %.100s: allowed is ADDRESS, ADDRESS:PORT or [ADDRESS]:PORT, "
                          "with a port 0..65535",
                          listen_at);
@@ -100,8 +107,7 @@ static int start_listening(struct server *server) {
     error = errno;
     freeaddrinfo(found);
     if (!is_listening) {
-        complain("%s port %s: can't listen: %s", address, port, strerror(error));
-        return STATUS_FAILED;
+        return failure("%s port %s: can't listen: %s", address, port, strerror(error));
     }
     announce(server);
     return STATUS_DONE;
@@ -126,7 +132,7 @@ static void send_to_client(void *context, const uint8_t *bytes, size_t count) {
 /* Writes the picture, if one is asked for, before any client can come, so that a bad name is known
  * at once. The picture is written again whenever a client has left the device, and at the end. */
 static void write_screen(struct server *server) {
-    const char *path = server->options->output;
+    const char *path = server->options->common.output;
     if (path == NULL) {
         return;
     }
@@ -146,7 +152,7 @@ static void part(struct server *server, struct client *client) {
     client->socket = -1;
     if (had_device) {
         write_screen(server);
-        server->is_over = server->options->adapter.once;
+        server->is_over = server->options->once;
     }
 }
 
@@ -240,10 +246,9 @@ static void work(struct server *server) {
 static int run_adapter(const struct options *options) {
     struct server *server = calloc(1, sizeof *server);
     if (server == NULL) {
-        complain("out of memory");
-        return STATUS_FAILED;
+        return failure("out of memory");
     }
-    server->options = options;
+    server->options = (const struct server_options *)options;
     server->listener = -1;
     for (unsigned i = 0; i < CLIENTS_MOST; i++) {
         server->clients[i].socket = -1;
@@ -251,8 +256,7 @@ static int run_adapter(const struct options *options) {
     server->status = session_begin(&server->session, &options->board, NULL);
     if (server->status == STATUS_DONE) {
         usb_device_init(&server->device, session_bus(&server->session), options->board.base,
-                        options->adapter.serial != NULL ? options->adapter.serial : "VIRTUAL",
-                        true);
+                        server->options->serial, true);
         work(server);
     }
     if (server->listener >= 0) {
@@ -272,42 +276,35 @@ static const char *printed(const struct options *options) {
 static enum value_verdict set_serial(struct options *options, const char *value) {
     size_t length =
         strspn(value, "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-");
-    options->adapter.serial = value;
+    ((struct server_options *)options)->serial = value;
     return option_verdict(length >= 1 && length <= USB_SERIAL_MOST && value[length] == '\0');
 }
 
-static const struct option_entry own_entries[] = {
-    {.name = "listen",
-     .value = "ADDRESS[:PORT]",
-     .type = OPTION_TEXT,
-     OPTION_MEMBER(adapter.listen),
-     .allowed = "an address in numbers, a port",
-     .help = "where clients may come from USB/IP (127.0.0.1:3240)"},
-    {.name = "serial",
-     .value = "SERIAL",
-     .type = OPTION_OWN,
-     .set = set_serial,
-     .allowed = "1 to 31 letters, digits and dashes",
-     .help = "the virtual adapter's serial number (VIRTUAL)"},
-    {.name = "once",
-     .type = OPTION_FLAG,
-     OPTION_MEMBER(adapter.once),
-     .help = "end when the first client leaves"},
-    {.name = NULL}};
-static const struct option_group group_own = {"Adapter", own_entries};
-
-static const struct option_group *const groups[] = {&group_picture, &group_own, &group_board, NULL};
-static const char *const examples[] = {"adapter -o screen.png",
-                                       "adapter --listen 127.0.0.1:0 --once", NULL};
+static const struct option_group group_own = {
+    "Adapter", OPTION_ENTRIES({.name = "listen",
+                               .value = "ADDRESS[:PORT]",
+                               TEXT_IN(struct server_options, listen),
+                               .allowed = "an address in numbers, a port",
+                               .preset = "127.0.0.1:3240",
+                               .help = "where clients may come from USB/IP"},
+                              {.name = "serial",
+                               .value = "SERIAL",
+                               .type = OPTION_OWN,
+                               OPTION_MEMBER_OF(struct server_options, serial),
+                               .set = set_serial,
+                               .allowed = "1 to 31 letters, digits and dashes",
+                               .preset = "VIRTUAL",
+                               .help = "the virtual adapter's serial number"},
+                              {.name = "once",
+                               FLAG_IN(struct server_options, once),
+                               .help = "end when the first client leaves"})};
 
 const struct command command_adapter = {
     .name = "adapter",
     .operands = "",
     .summary = "Be a virtual USB adapter with the emulated board behind it.",
-    .least = 0,
-    .most = 0,
-    .kind = OPERANDS_NONE,
-    .groups = groups,
-    .examples = examples,
+    .size = sizeof(struct server_options),
+    .groups = OPTION_GROUPS(&group_picture, &group_own, &group_board),
+    .examples = COMMAND_EXAMPLES("adapter -o screen.png", "adapter --listen 127.0.0.1:0 --once"),
     .printed = printed,
     .run = run_adapter};

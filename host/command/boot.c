@@ -13,10 +13,16 @@
 #include "command/command.h"
 #include "stats/run.h"
 
+/* What only boot is asked for. */
+struct boot_options {
+    struct options common;
+    uint64_t instructions_most; /* that the CPU may run */
+    uint64_t escape_after;      /* Esc when the keyboard has been asked so many times; 0: never */
+};
+
 /* One run of the command. */
 struct boot_run {
-    const struct options *options;
-    const char *path;
+    const struct boot_options *options;
     struct session session;
     uint8_t *disk;
     struct processor_report report;
@@ -24,33 +30,33 @@ struct boot_run {
 
 /* Reads the whole image, which must have the size of a 2HD disk. */
 static int read_disk(struct boot_run *run) {
-    FILE *file = fopen(run->path, "rb");
+    const char *path = run->options->common.operands[0];
+    FILE *file = fopen(path, "rb");
     if (file == NULL) {
-        return bad_input("%s: cannot be read: %s", run->path, strerror(errno));
+        return bad_input("%s: cannot be read: %s", path, strerror(errno));
     }
     run->disk = malloc(PC98_DISK_BYTES + 1);
     if (run->disk == NULL) {
         (void)fclose(file);
-        complain("out of memory");
-        return STATUS_FAILED;
+        return failure("out of memory");
     }
     errno = 0;
     size_t bytes = fread(run->disk, 1, PC98_DISK_BYTES + 1, file);
     int reason = ferror(file) ? errno : 0;
     (void)fclose(file);
     if (reason != 0) {
-        return bad_input("%s: cannot be read: %s", run->path, strerror(reason));
+        return bad_input("%s: cannot be read: %s", path, strerror(reason));
     }
     if (bytes != PC98_DISK_BYTES) {
         return bad_input(
-            "%s: no 2HD image: %s than %d bytes; allowed is a raw image of just so many", run->path,
+            "%s: no 2HD image: %s than %d bytes; allowed is a raw image of just so many", path,
             bytes < PC98_DISK_BYTES ? "less" : "more", PC98_DISK_BYTES);
     }
     return STATUS_DONE;
 }
 
 static int prepare(struct boot_run *run) {
-    const struct options *options = run->options;
+    const struct options *options = &run->options->common;
     const struct session_files files = {options->output, options->trace, options->stats};
     int status = read_disk(run);
     if (status == STATUS_DONE) {
@@ -67,9 +73,9 @@ static const char *const register_names[PROCESSOR_REGISTERS] = {
 /* Tells where a run went wrong: the reason, the address, all registers. */
 static void dump_registers(const struct boot_run *run) {
     const struct processor_report *report = &run->report;
-    complain("%s: %s; at %08" PRIX32 "h in %s mode, after %" PRIu64 " instructions", run->path,
-             report->reason, report->address, report->is_protected ? "protected" : "real",
-             report->instructions);
+    complain("%s: %s; at %08" PRIX32 "h in %s mode, after %" PRIu64 " instructions",
+             run->options->common.operands[0], report->reason, report->address,
+             report->is_protected ? "protected" : "real", report->instructions);
     for (int i = 0; i < PROCESSOR_REGISTERS; i++) {
         (void)fprintf(stderr, "  %-6s %08" PRIX32 "%s", register_names[i], report->registers[i],
                       i % 4 == 3 ? "\n" : "");
@@ -92,7 +98,7 @@ static int boot(struct boot_run *run) {
                                       .stop = interrupt_noted()};
     interrupt_catch();
     processor_run(&job, &run->report);
-    if (!run->options->quiet) {
+    if (!run->options->common.quiet) {
         print_text_screen(&run->report);
     }
     switch (run->report.end) {
@@ -101,8 +107,7 @@ static int boot(struct boot_run *run) {
         return STATUS_DONE;
     case PROCESSOR_UNAVAILABLE:
     case PROCESSOR_BUS_FAILED:
-        complain("%s", run->report.reason);
-        return STATUS_FAILED;
+        return failure("%s", run->report.reason);
     case PROCESSOR_LOST:
     case PROCESSOR_LIMIT:
     case PROCESSOR_ENDS:
@@ -123,7 +128,7 @@ static int write_results(struct boot_run *run) {
 
 /* Returns the exit status of a finished run: whether it was interrupted, and whether --strict
  * holds. */
-static int judge(const struct boot_run *run) {
+static int judge(struct boot_run *run) {
     if (run->report.end == PROCESSOR_STOPPED) {
         complain("interrupted after %" PRIu64 " instructions", run->report.instructions);
         return STATUS_SIGNAL + *interrupt_noted();
@@ -132,20 +137,14 @@ static int judge(const struct boot_run *run) {
 }
 
 static int run_boot(const struct options *options) {
+    static int (*const steps[])(struct boot_run *) = {prepare, boot, write_results, judge};
     struct boot_run run;
     memset(&run, 0, sizeof run);
-    run.options = options;
-    run.path = options->operands[0];
+    run.options = (const struct boot_options *)options;
     run.session.began = stopwatch_start();
-    int status = prepare(&run);
-    if (status == STATUS_DONE) {
-        status = boot(&run);
-    }
-    if (status == STATUS_DONE) {
-        status = write_results(&run);
-    }
-    if (status == STATUS_DONE) {
-        status = judge(&run);
+    int status = STATUS_DONE;
+    for (size_t i = 0; i < sizeof steps / sizeof steps[0] && status == STATUS_DONE; i++) {
+        status = steps[i](&run);
     }
     session_free(&run.session);
     free(run.disk);
@@ -153,41 +152,31 @@ static int run_boot(const struct options *options) {
 }
 
 static const char *const cpus[] = {"386", NULL};
-static const struct option_entry own_entries[] = {
-    {.name = "cpu",
-     .value = "CPU",
-     .type = OPTION_WORD,
-     .words = cpus,
-     .help = "the CPU that runs the image (386)"},
-    {.name = "instructions",
-     .value = "N",
-     .type = OPTION_WHOLE,
-     OPTION_MEMBER(instructions_most),
-     .least = 1,
-     .most = 1e15,
-     .help = "end as failed after so many (200000000000)"},
-    {.name = "escape",
-     .value = "N",
-     .type = OPTION_WHOLE,
-     OPTION_MEMBER(escape_after),
-     .least = 1,
-     .most = 1e15,
-     .help = "press Esc when the keyboard has been asked N times"},
-    {.name = NULL}};
-static const struct option_group group_own = {"CPU", own_entries};
+static const struct option_group group_own = {
+    "CPU", OPTION_ENTRIES(
+               {.name = "cpu",
+                .value = "CPU",
+                .type = OPTION_WORD,
+                .words = cpus,
+                .preset = "386",
+                .help = "the CPU that runs the image"},
+               {.name = "instructions",
+                .value = "N",
+                WHOLE_IN(struct boot_options, instructions_most, 1, 1e15),
+                .preset = "200000000000", /* a frame of 640 x 400 takes some 60 thousand million */
+                .help = "end as failed after so many"},
+               {.name = "escape",
+                .value = "N",
+                WHOLE_IN(struct boot_options, escape_after, 1, 1e15),
+                .help = "press Esc when the keyboard has been asked N times"})};
 
-static const struct option_group *const groups[] = {
-    &group_picture, &group_statistics, &group_recording, &group_own, &group_quiet,
-    &group_board,   &group_screen,     &group_faults,    NULL};
-static const char *const examples[] = {
-    "boot fig3.hdm -o screen.png", "boot probe.hdm --escape 100 --instructions 1000000000", NULL};
-
-const struct command command_boot = {.name = "boot",
-                                     .operands = "IMAGE.hdm",
-                                     .summary = "Run a PC-98 floppy image on an emulated CPU.",
-                                     .least = 1,
-                                     .most = 1,
-                                     .kind = OPERANDS_FILES,
-                                     .groups = groups,
-                                     .examples = examples,
-                                     .run = run_boot};
+const struct command command_boot = {
+    .name = "boot",
+    COMMAND_OPERANDS("IMAGE.hdm", 1, 1, OPERANDS_FILES),
+    .summary = "Run a PC-98 floppy image on an emulated CPU.",
+    .size = sizeof(struct boot_options),
+    .groups = OPTION_GROUPS(&group_picture, &group_statistics, &group_recording, &group_own,
+                            &group_quiet, &group_board, &group_screen, &group_faults),
+    .examples = COMMAND_EXAMPLES("boot fig3.hdm -o screen.png",
+                                 "boot probe.hdm --escape 100 --instructions 1000000000"),
+    .run = run_boot};

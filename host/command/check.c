@@ -14,6 +14,12 @@
 #include "scene/load.h"
 #include "validate/validate.h"
 
+/* What only check is asked for. */
+struct check_options {
+    struct options common;
+    bool validates; /* holds the tables against the scene after each step of the compiler */
+};
+
 static void print_description(const struct scene_description *scene) {
     size_t opaque = 0;
     for (size_t i = 0; i < scene->material_count; i++) {
@@ -78,36 +84,48 @@ static void print_optimisations(const struct compiled_scene *compiled) {
                "pairs of primitives cannot be met one from within the other");
 }
 
-/* Prints whether each arithmetic can hold the scene: fx is the one whose ranges are narrow. Returns
- * STATUS_BAD_INPUT where one can't. */
-static int print_arithmetics(const struct compiled_scene *compiled) {
+/* Tells whether each arithmetic can hold the scene: fx is the one whose ranges are narrow. json:
+ * NULL for words. Returns STATUS_BAD_INPUT where one can't. */
+static int tell_arithmetics(struct json *json, const struct compiled_scene *compiled) {
     int status = STATUS_DONE;
     for (size_t i = 0; arithmetics_built[i] != NULL; i++) {
         struct scene_error error;
         const char *name = arithmetics_built[i]->image->name;
         struct scene *scene = arithmetics_built[i]->load(compiled, &error);
         if (scene == NULL) {
-            status = bad_input("%s (--arith %s)", error.text, name);
+            status =
+                json != NULL ? STATUS_BAD_INPUT : bad_input("%s (--arith %s)", error.text, name);
         }
-        (void)printf("%-11s %s\n", name, scene != NULL ? "holds it" : "can't hold it");
+        if (json != NULL) {
+            json_flag(json, name, scene != NULL);
+        } else {
+            (void)printf("%-11s %s\n", name, scene != NULL ? "holds it" : "can't hold it");
+        }
         free(scene);
     }
     return status;
 }
 
-/* Prints one line for each step of the compiler: what its tables were held against, and what did
- * not agree. Returns STATUS_NOT_HELD where something did not. */
-static int print_validations(const struct validations *validations) {
+/* Tells for each step of the compiler what its tables were held against, and what did not agree.
+ * json: NULL for words. Returns STATUS_NOT_HELD where something did not. */
+static int tell_validations(struct json *json, const struct validations *validations) {
     int status = STATUS_DONE;
     for (int i = 0; i < STEP_COUNT; i++) {
         const struct validation *step = &validations->of[i];
-        (void)printf("validated   %s: %u points", compile_step_name((enum compile_step)i),
-                     step->points);
-        if (step->faults > 0) {
-            status = STATUS_NOT_HELD;
-            (void)printf(", %u disagree: %s\n", step->faults, step->first);
+        const char *name = compile_step_name((enum compile_step)i);
+        status = step->faults > 0 ? STATUS_NOT_HELD : status;
+        if (json != NULL) {
+            json_begin_object(json, NULL);
+            json_text(json, "step", name);
+            json_count(json, "points", step->points);
+            json_count(json, "faults", step->faults);
+            json_text(json, "first", step->faults > 0 ? step->first : NULL);
+            json_end_object(json);
+        } else if (step->faults > 0) {
+            (void)printf("validated   %s: %u points, %u disagree: %s\n", name, step->points,
+                         step->faults, step->first);
         } else {
-            (void)printf(" agree\n");
+            (void)printf("validated   %s: %u points agree\n", name, step->points);
         }
     }
     return status;
@@ -122,8 +140,8 @@ static int print_check(const struct scene_description *scene, const struct compi
     print_optimisations(compiled);
     requirements_print(stdout, compiled);
     remarks_print(stdout, compiled);
-    int held = validations != NULL ? print_validations(validations) : STATUS_DONE;
-    int status = print_arithmetics(compiled);
+    int held = validations != NULL ? tell_validations(NULL, validations) : STATUS_DONE;
+    int status = tell_arithmetics(NULL, compiled);
     return status != STATUS_DONE ? status : held;
 }
 
@@ -178,39 +196,6 @@ static void write_requirements(struct json *json, const struct compiled_scene *c
     json_end_list(json);
 }
 
-/* Writes which arithmetics hold the scene. Returns STATUS_BAD_INPUT where one can't. */
-static int write_arithmetics(struct json *json, const struct compiled_scene *compiled) {
-    int status = STATUS_DONE;
-    json_begin_object(json, "arithmetics");
-    for (size_t i = 0; arithmetics_built[i] != NULL; i++) {
-        struct scene_error error;
-        struct scene *scene = arithmetics_built[i]->load(compiled, &error);
-        status = scene != NULL ? status : STATUS_BAD_INPUT;
-        json_flag(json, arithmetics_built[i]->image->name, scene != NULL);
-        free(scene);
-    }
-    json_end_object(json);
-    return status;
-}
-
-/* Writes what the tables were held against. Returns STATUS_NOT_HELD where something disagrees. */
-static int write_validations(struct json *json, const struct validations *validations) {
-    int status = STATUS_DONE;
-    json_begin_list(json, "validated");
-    for (int i = 0; i < STEP_COUNT; i++) {
-        const struct validation *step = &validations->of[i];
-        json_begin_object(json, NULL);
-        json_text(json, "step", compile_step_name((enum compile_step)i));
-        json_count(json, "points", step->points);
-        json_count(json, "faults", step->faults);
-        json_text(json, "first", step->faults > 0 ? step->first : NULL);
-        json_end_object(json);
-        status = step->faults > 0 ? STATUS_NOT_HELD : status;
-    }
-    json_end_list(json);
-    return status;
-}
-
 static int write_check(const struct scene_description *scene, const struct compiled_scene *compiled,
                        const struct validations *validations) {
     struct json json = {.out = stdout};
@@ -218,8 +203,15 @@ static int write_check(const struct scene_description *scene, const struct compi
     write_description(&json, scene);
     write_tables(&json, compiled);
     write_requirements(&json, compiled);
-    int held = validations != NULL ? write_validations(&json, validations) : STATUS_DONE;
-    int status = write_arithmetics(&json, compiled);
+    int held = STATUS_DONE;
+    if (validations != NULL) {
+        json_begin_list(&json, "validated");
+        held = tell_validations(&json, validations);
+        json_end_list(&json);
+    }
+    json_begin_object(&json, "arithmetics");
+    int status = tell_arithmetics(&json, compiled);
+    json_end_object(&json);
     json_end_object(&json);
     return status != STATUS_DONE ? status : held;
 }
@@ -233,11 +225,12 @@ static int run_check(const struct options *options) {
     if (scene == NULL) {
         return bad_input("%s", error.text);
     }
+    const bool validates = ((const struct check_options *)options)->validates;
     struct validations validations = {.description = scene};
     const struct compile_observer observer = {validations_look, &validations};
     struct compiled_scene *compiled =
-        scene_compile_observed(scene, options->validates ? &observer : NULL, &error);
-    const struct validations *found = options->validates ? &validations : NULL;
+        scene_compile_observed(scene, validates ? &observer : NULL, &error);
+    const struct validations *found = validates ? &validations : NULL;
     int status = compiled == NULL ? bad_input("%s", error.text)
                  : options->json  ? write_check(scene, compiled, found)
                                   : print_check(scene, compiled, found);
@@ -246,24 +239,17 @@ static int run_check(const struct options *options) {
     return status;
 }
 
-static const struct option_entry own_entries[] = {
-    {.name = "validate",
-     .type = OPTION_FLAG,
-     OPTION_MEMBER(validates),
-     .help =
-         "hold the tables against the scene after each step of the compiler; exit status 3 if not"},
-    {.name = NULL}};
-static const struct option_group group_own = {"Result", own_entries};
+static const struct option_group group_own = {
+    "Result", OPTION_ENTRIES({.name = "validate",
+                              FLAG_IN(struct check_options, validates),
+                              .help = "hold the tables against the scene after each step of the "
+                                      "compiler; exit status 3 if not"})};
 
-static const struct option_group *const groups[] = {&group_own, &group_json, &group_scene, NULL};
-static const char *const examples[] = {"check fig3", "check my.scene --validate", NULL};
-
-const struct command command_check = {.name = "check",
-                                      .operands = "SCENE",
-                                      .summary = "Read and analyse a scene; say what it requires.",
-                                      .least = 1,
-                                      .most = 1,
-                                      .kind = OPERANDS_SCENES,
-                                      .groups = groups,
-                                      .examples = examples,
-                                      .run = run_check};
+const struct command command_check = {
+    .name = "check",
+    COMMAND_OPERANDS("SCENE", 1, 1, OPERANDS_SCENES),
+    .summary = "Read and analyse a scene; say what it requires.",
+    .size = sizeof(struct check_options),
+    .groups = OPTION_GROUPS(&group_own, &group_json, &group_scene),
+    .examples = COMMAND_EXAMPLES("check fig3", "check my.scene --validate"),
+    .run = run_check};

@@ -8,8 +8,9 @@
 
 #define SUPERFRAME_VERSION "0.1.0"
 
-/* The commands in the order of the help, in a list that make writes; NULL ends the list. */
+/* The commands in the order of the help, in lists that make writes; NULL ends each. */
 extern const struct command *const commands_built[];
+extern const char *const commands_names[];
 
 /* Finds a command; NULL if there is none of that name. */
 const struct command *command_find(const char *name);

@@ -5,7 +5,7 @@
 #include "base/nearest.h"
 #include "command/command.h"
 
-enum { COMMANDS_MOST = 32, SUMMARY_COLUMN = 27 };
+enum { SUMMARY_COLUMN = 27 };
 
 const struct command *command_find(const char *name) {
     for (size_t i = 0; commands_built[i] != NULL; i++) {
@@ -17,11 +17,7 @@ const struct command *command_find(const char *name) {
 }
 
 int command_unknown(const char *name) {
-    const char *names[COMMANDS_MOST + 1] = {NULL};
-    for (size_t i = 0; i < COMMANDS_MOST && commands_built[i] != NULL; i++) {
-        names[i] = commands_built[i]->name;
-    }
-    const char *near = nearest_word(name, names);
+    const char *near = nearest_word(name, commands_names);
     return near != NULL ? bad_input("no command \"%.100s\"; did you mean %s?", name, near)
                         : bad_input("no command \"%.100s\"; superframe --help lists them", name);
 }

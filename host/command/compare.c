@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/json.h"
 #include "base/output.h"
 #include "command/command.h"
 #include "picture/ciede2000.h"
@@ -20,6 +21,15 @@
 
 enum { OPERANDS_MOST = 3 };
 
+/* What only compare is asked for. */
+struct compare_options {
+    struct options common;
+    unsigned within;        /* LSB, 0..255 */
+    double share;           /* per cent, 0..100 */
+    const char *difference; /* NULL: no picture of it */
+    const char *signatures; /* the first file; NULL: none */
+};
+
 /* A file that is read; all NULL: no file was given. */
 struct operand {
     const char *path;
@@ -28,7 +38,7 @@ struct operand {
 
 /* Two of everything that is compared; all zero where no such files are given. */
 struct compared {
-    const struct options *options;
+    const struct compare_options *options;
     struct operand pictures[2], signature_files[2];
     struct png_image image[2];
     struct signatures signatures[2];
@@ -76,14 +86,14 @@ static const char lacks_picture[] =
     "compare: B.png is missing; usage: superframe compare A.png B.png";
 
 /* Checks that no operand is missing or too many, as far as the number of operands tells. */
-static int check_count(const struct options *options) {
-    if (options->signatures == NULL && options->operand_count == 1) {
+static int check_count(const struct compare_options *options) {
+    if (options->signatures == NULL && options->common.operand_count == 1) {
         return bad_input("%s", lacks_picture);
     }
-    if (options->signatures == NULL && options->operand_count == OPERANDS_MOST) {
+    if (options->signatures == NULL && options->common.operand_count == OPERANDS_MOST) {
         return bad_input("compare: \"%s\" is one too many; allowed are: A.png B.png, with "
                          "--signatures A.sig B.sig or without",
-                         options->operands[OPERANDS_MOST - 1]);
+                         options->common.operands[OPERANDS_MOST - 1]);
     }
     return STATUS_DONE;
 }
@@ -170,15 +180,13 @@ static int measure(struct compared *all) {
     if (a->rgb != NULL &&
         (!colour_differences(a->rgb, b->rgb, pixels, &all->colours) ||
          !picture_similarity(a->rgb, b->rgb, a->width, a->height, &all->similarity))) {
-        complain("out of memory");
-        return STATUS_FAILED;
+        return failure("out of memory");
     }
     if (all->signature_files[0].path != NULL) {
         status = measure_signatures(all);
     }
     if (a->rgb != NULL) {
-        all->holds =
-            comparison_holds(&all->comparison, (unsigned)all->options->within, all->options->share);
+        all->holds = comparison_holds(&all->comparison, all->options->within, all->options->share);
     } else {
         all->holds = (double)all->paths.flips <=
                      (1 - all->options->share / 100) * (double)all->paths.pixels + 1e-3;
@@ -190,10 +198,13 @@ static double flip_share(const struct compared *all) {
     return 100.0 * (double)all->paths.flips / (double)all->paths.pixels;
 }
 
+static uint64_t pixels_far_off(const struct comparison *comparison) {
+    return comparison->pixels - comparison_within(comparison, COMPARE_FAR);
+}
+
 static void print_words(const struct compared *all) {
     const struct comparison *comparison = &all->comparison;
-    unsigned within = (unsigned)all->options->within;
-    uint64_t far = comparison->pixels - comparison_within(comparison, COMPARE_FAR);
+    unsigned within = all->options->within;
     if (all->pictures[0].path != NULL) {
         (void)printf("pixels              %" PRIu64 "\n", comparison->pixels);
         (void)printf("largest error       %u LSB\n", comparison_largest(comparison));
@@ -204,7 +215,8 @@ static void print_words(const struct compared *all) {
             (void)printf("within %-3u LSB      %.6f %%\n", within,
                          comparison_share(comparison, within));
         }
-        (void)printf("over %d LSB          %" PRIu64 " pixels\n", COMPARE_FAR, far);
+        (void)printf("over %d LSB          %" PRIu64 " pixels\n", COMPARE_FAR,
+                     pixels_far_off(comparison));
         (void)printf("CIEDE2000           %.6f mean, %.4f at 99.9 %%, %.4f largest\n",
                      all->colours.mean, all->colours.high, all->colours.largest);
         if (!isnan(all->similarity)) {
@@ -222,65 +234,71 @@ static void print_words(const struct compared *all) {
     }
 }
 
-/* Prints a number; null where JSON has no word for it. */
-static void print_number(const char *key, double number) {
-    if (isfinite(number)) {
-        (void)printf("  \"%s\": %.17g,\n", key, number);
-    } else {
-        (void)printf("  \"%s\": null,\n", key);
-    }
-}
-
 static void print_json(const struct compared *all) {
     const struct comparison *comparison = &all->comparison;
-    unsigned within = (unsigned)all->options->within;
-    uint64_t far = comparison->pixels - comparison_within(comparison, COMPARE_FAR);
-    (void)printf("{\n");
+    unsigned within = all->options->within;
+    struct json json = {.out = stdout};
+    json_begin_object(&json, NULL);
     if (all->pictures[0].path != NULL) {
-        (void)printf("  \"width\": %u,\n  \"height\": %u,\n  \"pixels\": %" PRIu64 ",\n",
-                     all->image[0].width, all->image[0].height, comparison->pixels);
-        (void)printf("  \"max_error\": %u,\n", comparison_largest(comparison));
-        print_number("rmse", comparison_rmse(comparison));
-        print_number("psnr", comparison_psnr(comparison)); /* null: the pictures are equal */
-        print_number("share_within_1", comparison_share(comparison, 1));
-        (void)printf("  \"pixels_over_8\": %" PRIu64 ",\n  \"within\": %u,\n", far, within);
-        print_number("share_within", comparison_share(comparison, within));
-        print_number("delta_e_mean", all->colours.mean);
-        print_number("delta_e_999", all->colours.high);
-        print_number("delta_e_max", all->colours.largest);
-        print_number("ssim", all->similarity);
+        json_count(&json, "width", all->image[0].width);
+        json_count(&json, "height", all->image[0].height);
+        json_count(&json, "pixels", comparison->pixels);
+        json_count(&json, "max_error", comparison_largest(comparison));
+        json_real(&json, "rmse", comparison_rmse(comparison));
+        json_real(&json, "psnr", comparison_psnr(comparison)); /* null: the pictures are equal */
+        json_real(&json, "share_within_1", comparison_share(comparison, 1));
+        json_count(&json, "pixels_over_8", pixels_far_off(comparison));
+        json_count(&json, "within", within);
+        json_real(&json, "share_within", comparison_share(comparison, within));
+        json_real(&json, "delta_e_mean", all->colours.mean);
+        json_real(&json, "delta_e_999", all->colours.high);
+        json_real(&json, "delta_e_max", all->colours.largest);
+        json_real(&json, "ssim", all->similarity);
     }
     if (all->signature_files[0].path != NULL) {
-        (void)printf("  \"signatures\": %" PRIu64 ",\n  \"flips\": %" PRIu64 ",\n",
-                     all->paths.pixels, all->paths.flips);
-        print_number("flip_share", flip_share(all));
+        json_count(&json, "signatures", all->paths.pixels);
+        json_count(&json, "flips", all->paths.flips);
+        json_real(&json, "flip_share", flip_share(all));
     }
     if (all->signature_files[0].path != NULL && all->pictures[0].path != NULL) {
-        (void)printf("  \"flip_error\": %u,\n  \"drift\": %u,\n  \"drifted_over_1\": %" PRIu64
-                     ",\n",
-                     all->paths.flip_error, all->paths.drift, all->paths.drifted);
+        json_count(&json, "flip_error", all->paths.flip_error);
+        json_count(&json, "drift", all->paths.drift);
+        json_count(&json, "drifted_over_1", all->paths.drifted);
     }
-    print_number("share", all->options->share);
-    (void)printf("  \"holds\": %s\n}\n", all->holds ? "true" : "false");
+    json_real(&json, "share", all->options->share);
+    json_flag(&json, "holds", all->holds);
+    json_end_object(&json);
+}
+
+static int print(struct compared *all) {
+    if (all->options->common.json) {
+        print_json(all);
+    } else {
+        print_words(all);
+    }
+    return STATUS_DONE;
 }
 
 /* Writes the picture of the differences over the first picture's memory, which nothing reads
  * afterwards. */
 static int write_difference(struct compared *all) {
     const struct png_image *a = &all->image[0];
+    if (all->options->difference == NULL) {
+        return STATUS_DONE;
+    }
     difference_picture(a->rgb, all->image[1].rgb, (size_t)a->width * a->height, a->rgb);
     return write_png_picture(all->options->difference, a->rgb, a->width, a->height) ? STATUS_DONE
                                                                                     : STATUS_FAILED;
 }
 
-static int judge(const struct compared *all) {
+static int judge(struct compared *all) {
     if (all->holds) {
         return STATUS_DONE;
     }
     if (all->pictures[0].path != NULL) {
-        complain("%.6f %% of the pixels are within %d LSB; asked for are %g %%",
-                 comparison_share(&all->comparison, (unsigned)all->options->within),
-                 all->options->within, all->options->share);
+        complain("%.6f %% of the pixels are within %u LSB; asked for are %g %%",
+                 comparison_share(&all->comparison, all->options->within), all->options->within,
+                 all->options->share);
     } else {
         complain("%.6f %% of the signatures are equal; asked for are %g %%", 100 - flip_share(all),
                  all->options->share);
@@ -290,7 +308,7 @@ static int judge(const struct compared *all) {
 
 /* Opens all files, each once, and reads them. */
 static int take_operands(struct compared *all) {
-    const struct options *options = all->options;
+    const struct compare_options *options = all->options;
     struct operand operands[OPERANDS_MOST];
     int count = 0, status = check_count(options);
     memset(operands, 0, sizeof operands);
@@ -298,8 +316,8 @@ static int take_operands(struct compared *all) {
         !open_operand(&all->signature_files[0], options->signatures)) {
         status = STATUS_BAD_INPUT;
     }
-    for (; count < options->operand_count && status == STATUS_DONE; count++) {
-        if (!open_operand(&operands[count], options->operands[count])) {
+    for (; count < options->common.operand_count && status == STATUS_DONE; count++) {
+        if (!open_operand(&operands[count], options->common.operands[count])) {
             status = STATUS_BAD_INPUT;
         }
     }
@@ -317,26 +335,15 @@ static int take_operands(struct compared *all) {
 }
 
 static int run_compare(const struct options *options) {
+    static int (*const steps[])(struct compared *) = {take_operands, measure, print,
+                                                      write_difference, judge};
     struct compared all;
     memset(&all, 0, sizeof all);
-    all.options = options;
+    all.options = (const struct compare_options *)options;
     all.similarity = NAN;
-    int status = take_operands(&all);
-    if (status == STATUS_DONE) {
-        status = measure(&all);
-    }
-    if (status == STATUS_DONE) {
-        if (options->json) {
-            print_json(&all);
-        } else {
-            print_words(&all);
-        }
-        if (options->difference != NULL) {
-            status = write_difference(&all);
-        }
-    }
-    if (status == STATUS_DONE) {
-        status = judge(&all);
+    int status = STATUS_DONE;
+    for (size_t i = 0; i < sizeof steps / sizeof steps[0] && status == STATUS_DONE; i++) {
+        status = steps[i](&all);
     }
     for (int i = 0; i < 2; i++) {
         free_png(&all.image[i]);
@@ -350,48 +357,38 @@ static const char *printed(const struct options *options) {
     return "the report";
 }
 
-static const struct option_entry own_entries[] = {
-    {.name = "within",
-     .value = "LSB",
-     .type = OPTION_WHOLE,
-     OPTION_MEMBER(within),
-     .most = 255,
-     .help = "the difference that a channel may have (1)"},
-    {.name = "share",
-     .value = "PERCENT",
-     .type = OPTION_REAL,
-     OPTION_MEMBER(share),
-     .most = 100,
-     .help = "the pixels that must be within it (99.9)"},
-    {.name = "difference",
-     .value = "FILE.png",
-     .type = OPTION_TEXT,
-     OPTION_MEMBER(difference),
-     .role = ROLE_PICTURE,
-     .allowed = "a file's name or -",
-     .help =
-         "write a picture of where they differ: blue 1 LSB, green 2, yellow 4, red 9, white 33"},
-    {.name = "signatures",
-     .value = "FILE",
-     .type = OPTION_TEXT,
-     OPTION_MEMBER(signatures),
-     .role = ROLE_INPUT,
-     .help = "the hashes of paths that render wrote; one more file is an operand"},
-    {.name = NULL}};
-static const struct option_group group_own = {"Result", own_entries};
-
-static const struct option_group *const groups[] = {&group_own, &group_json, NULL};
-static const char *const examples[] = {"compare a.png b.png --within 2 --share 99",
-                                       "compare a.png b.png --json --difference where.png", NULL};
+static const struct option_group group_own = {
+    "Result",
+    OPTION_ENTRIES({.name = "within",
+                    .value = "LSB",
+                    WHOLE_IN(struct compare_options, within, 0, 255),
+                    .preset = "1",
+                    .help = "the difference that a channel may have"},
+                   {.name = "share",
+                    .value = "PERCENT",
+                    REAL_IN(struct compare_options, share, 0, 100),
+                    .preset = "99.9",
+                    .help = "the pixels that must be within it"},
+                   {.name = "difference",
+                    .value = "FILE.png",
+                    TEXT_IN(struct compare_options, difference),
+                    .role = ROLE_PICTURE,
+                    .allowed = "a file's name or -",
+                    .help = "write a picture of where they differ: blue 1 LSB, green 2, yellow 4, "
+                            "red 9, white 33"},
+                   {.name = "signatures",
+                    .value = "FILE",
+                    TEXT_IN(struct compare_options, signatures),
+                    .role = ROLE_INPUT,
+                    .help = "the hashes of paths that render wrote; one more file is an operand"})};
 
 const struct command command_compare = {
     .name = "compare",
-    .operands = "A.png B.png",
+    COMMAND_OPERANDS("A.png B.png", 1, 3, OPERANDS_FILES),
     .summary = "Measure how far two pictures of the same size are apart.",
-    .least = 1,
-    .most = 3,
-    .kind = OPERANDS_FILES,
-    .groups = groups,
-    .examples = examples,
+    .size = sizeof(struct compare_options),
+    .groups = OPTION_GROUPS(&group_own, &group_json),
+    .examples = COMMAND_EXAMPLES("compare a.png b.png --within 2 --share 99",
+                                 "compare a.png b.png --json --difference where.png"),
     .printed = printed,
     .run = run_compare};

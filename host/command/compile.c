@@ -2,7 +2,6 @@
 /* superframe compile: a scene as const tables in C. */
 #include <errno.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "base/output.h"
 #include "command/command.h"
@@ -11,6 +10,12 @@
 #include "scene/load.h"
 
 enum { NAME_SIZE = 128 };
+
+/* What only compile is asked for. */
+struct compile_options {
+    struct options common;
+    bool minimal; /* a feature_set.h instead of the tables */
+};
 
 static int run_compile(const struct options *options) {
     struct output output;
@@ -23,16 +28,12 @@ static int run_compile(const struct options *options) {
     }
     int status = STATUS_FAILED;
     if (output_open(&output, options->output)) {
+        const bool is_minimal = ((const struct compile_options *)options)->minimal;
         scene_short_name(options->operands[0], name, sizeof name);
         errno = 0;
-        int emitted = options->minimal ? features_emit(output.file, compiled, name)
-                                       : scene_emit(output.file, compiled, name);
-        if (emitted != 0) {
-            output_complain(&output, errno != 0 ? strerror(errno) : "a write failed");
-            output_discard(&output);
-        } else if (output_commit(&output)) {
-            status = STATUS_DONE;
-        }
+        int emitted = is_minimal ? features_emit(output.file, compiled, name)
+                                 : scene_emit(output.file, compiled, name);
+        status = output_finish(&output, emitted == 0);
     }
     free(compiled);
     return status;
@@ -43,26 +44,18 @@ static bool check_compile(const struct options *options, struct options_error *e
            options_refuse(error, "compile: -o FILE.c is missing; -o - is standard output");
 }
 
-static const struct option_entry own_entries[] = {
-    {.name = "minimal",
-     .type = OPTION_FLAG,
-     OPTION_MEMBER(minimal),
-     .help = "write the feature_set.h of an image for this scene alone"},
-    {.name = NULL}};
-static const struct option_group group_own = {"Result", own_entries};
+static const struct option_group group_own = {
+    "Result", OPTION_ENTRIES({.name = "minimal",
+                              FLAG_IN(struct compile_options, minimal),
+                              .help = "write the feature_set.h of an image for this scene alone"})};
 
-static const struct option_group *const groups[] = {&group_result, &group_own, &group_scene, NULL};
-static const char *const examples[] = {"compile fig3 -o fig3.c",
-                                       "compile my.scene --minimal -o feature_set.h", NULL};
-
-const struct command command_compile = {.name = "compile",
-                                        .operands = "SCENE",
-                                        .summary =
-                                            "Write a scene as const tables for a firmware image.",
-                                        .least = 1,
-                                        .most = 1,
-                                        .kind = OPERANDS_SCENES,
-                                        .groups = groups,
-                                        .examples = examples,
-                                        .check = check_compile,
-                                        .run = run_compile};
+const struct command command_compile = {
+    .name = "compile",
+    COMMAND_OPERANDS("SCENE", 1, 1, OPERANDS_SCENES),
+    .summary = "Write a scene as const tables for a firmware image.",
+    .size = sizeof(struct compile_options),
+    .groups = OPTION_GROUPS(&group_result, &group_own, &group_scene),
+    .examples =
+        COMMAND_EXAMPLES("compile fig3 -o fig3.c", "compile my.scene --minimal -o feature_set.h"),
+    .check = check_compile,
+    .run = run_compile};

@@ -7,12 +7,6 @@
 
 /* ---- What is completed ---------------------------------------------------------------------- */
 
-static void print_commands(const char *between) {
-    for (size_t i = 0; commands_built[i] != NULL; i++) {
-        (void)printf("%s%s", i > 0 ? between : "", commands_built[i]->name);
-    }
-}
-
 static void print_scenes(void) {
     for (size_t i = 0; i < builtin_scene_count; i++) {
         (void)printf("%s%s", i > 0 ? " " : "", builtin_scenes[i].name);
@@ -26,9 +20,9 @@ static void print_options(const struct command *command) {
     }
 }
 
-static void print_words(const struct option_entry *entry) {
-    for (size_t i = 0; entry->words[i] != NULL; i++) {
-        (void)printf("%s%s", i > 0 ? " " : "", entry->words[i]);
+static void print_words(const char *const *words) {
+    for (size_t i = 0; words[i] != NULL; i++) {
+        (void)printf("%s%s", i > 0 ? " " : "", words[i]);
     }
 }
 
@@ -36,15 +30,19 @@ static bool takes_scenes(const struct command *command) {
     return command->kind == OPERANDS_SCENES || command->kind == OPERANDS_SCENE_FIRST;
 }
 
-/* Prints text for a shell's single quotes. */
-static void print_quoted(const char *text) {
+/* Prints text for a shell's single quotes, with a backslash before letters that end a part. */
+static void print_escaped(const char *text, const char *ends) {
     for (; *text != '\0'; text++) {
         if (*text == '\'') {
             (void)fputs("'\\''", stdout);
         } else {
-            (void)fputc(*text, stdout);
+            (void)printf("%s%c", strchr(ends, *text) != NULL ? "\\" : "", *text);
         }
     }
+}
+
+static void print_quoted(const char *text) {
+    print_escaped(text, "");
 }
 
 /* ---- bash ----------------------------------------------------------------------------------- */
@@ -56,7 +54,7 @@ static void print_bash_values(void) {
         for (size_t j = 0; (entry = command_option(commands_built[i], j)) != NULL; j++) {
             if (entry->words != NULL) {
                 (void)printf("    \"%s --%s\") words='", commands_built[i]->name, entry->name);
-                print_words(entry);
+                print_words(entry->words);
                 (void)fputs("' ;;\n", stdout);
             }
         }
@@ -71,7 +69,7 @@ static void print_bash(void) {
                 "    if [ \"$COMP_CWORD\" -eq 1 ]; then\n"
                 "        COMPREPLY=($(compgen -W '",
                 stdout);
-    print_commands(" ");
+    print_words(commands_names);
     (void)fputs(" --help --version' -- \"$word\"))\n"
                 "        return\n"
                 "    fi\n"
@@ -109,29 +107,18 @@ static void print_bash(void) {
 
 /* ---- zsh ------------------------------------------------------------------------------------ */
 
-/* Prints help for a specification of _arguments, in which brackets and colons end a part. */
-static void print_zsh_text(const char *text) {
-    for (; *text != '\0'; text++) {
-        if (*text == '\'') {
-            (void)fputs("'\\''", stdout);
-        } else if (*text == '[' || *text == ']' || *text == ':') {
-            (void)printf("\\%c", *text);
-        } else {
-            (void)fputc(*text, stdout);
-        }
-    }
-}
-
 static void print_zsh_option(const struct option_entry *entry) {
+    char help[OPTION_HELP_SIZE];
+    option_help(entry, help);
     (void)printf(" \\\n            '--%s%s[", entry->name,
                  entry->type == OPTION_FLAG  ? ""
                  : option_is_optional(entry) ? "=-"
                                              : "=");
-    print_zsh_text(entry->help);
+    print_escaped(help, "[]:"); /* what ends a part of _arguments */
     (void)fputs("]", stdout);
     if (entry->words != NULL) {
         (void)printf(":%s:(", entry->name);
-        print_words(entry);
+        print_words(entry->words);
         (void)fputs(")", stdout);
     } else if (entry->type != OPTION_FLAG) {
         (void)printf("%s:%s:%s", option_is_optional(entry) ? ":" : "", entry->name,
@@ -191,6 +178,7 @@ static void print_zsh(void) {
 /* ---- fish ----------------------------------------------------------------------------------- */
 
 static void print_fish_option(const struct command *command, const struct option_entry *entry) {
+    char help[OPTION_HELP_SIZE];
     (void)printf("complete -c superframe -n '__fish_seen_subcommand_from %s' -l %s", command->name,
                  entry->name);
     if (entry->letter != 0) {
@@ -198,13 +186,14 @@ static void print_fish_option(const struct command *command, const struct option
     }
     if (entry->words != NULL) {
         (void)fputs(" -x -a '", stdout);
-        print_words(entry);
+        print_words(entry->words);
         (void)fputs("'", stdout);
     } else if (entry->type != OPTION_FLAG && !option_is_optional(entry)) {
         (void)fputs(" -r", stdout);
     }
     (void)fputs(" -d '", stdout);
-    print_quoted(entry->help);
+    option_help(entry, help);
+    print_quoted(help);
     (void)fputs("'\n", stdout);
 }
 
@@ -246,17 +235,11 @@ static int run_completion(const struct options *options) {
                      options->operands[0]);
 }
 
-static const struct option_group *const groups[] = {NULL};
-static const char *const examples[] = {
-    "completion bash > ~/.bash_completion",
-    "completion fish > ~/.config/fish/completions/superframe.fish", NULL};
-
 const struct command command_completion = {
     .name = "completion",
-    .operands = "SHELL",
+    COMMAND_OPERANDS("SHELL", 1, 1, OPERANDS_NONE),
     .summary = "Print what bash, zsh or fish needs to complete command lines.",
-    .least = 1,
-    .most = 1,
-    .groups = groups,
-    .examples = examples,
+    .groups = OPTION_GROUPS(NULL),
+    .examples = COMMAND_EXAMPLES("completion bash > ~/.bash_completion",
+                                 "completion fish > ~/.config/fish/completions/superframe.fish"),
     .run = run_completion};

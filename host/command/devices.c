@@ -64,15 +64,10 @@ static int run_devices(const struct options *options) {
     return listing.is_any_listed ? STATUS_DONE : STATUS_FAILED;
 }
 
-static const struct option_group *const groups[] = {&group_json, NULL};
-static const char *const examples[] = {"devices", "devices | grep ^usb", NULL};
-
 const struct command command_devices = {.name = "devices",
                                         .operands = "",
                                         .summary = "List the adapters that are plugged in.",
-                                        .least = 0,
-                                        .most = 0,
-                                        .kind = OPERANDS_NONE,
-                                        .groups = groups,
-                                        .examples = examples,
+                                        .groups = OPTION_GROUPS(&group_json),
+                                        .examples =
+                                            COMMAND_EXAMPLES("devices", "devices | grep ^usb"),
                                         .run = run_devices};

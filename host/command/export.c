@@ -2,12 +2,17 @@
 /* superframe export: a scene as source for another renderer. */
 #include <errno.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "base/output.h"
 #include "command/command.h"
 #include "export/pov.h"
 #include "scene/load.h"
+
+/* What only export is asked for. */
+struct export_options {
+    struct options common;
+    bool pov; /* source for POV-Ray */
+};
 
 static int write_source(const char *path, const struct scene_description *description,
                         const struct compiled_scene *scene) {
@@ -17,12 +22,7 @@ static int write_source(const char *path, const struct scene_description *descri
     }
     errno = 0;
     export_pov_write(output.file, description, scene);
-    if (ferror(output.file)) {
-        output_complain(&output, errno != 0 ? strerror(errno) : "a write failed");
-        output_discard(&output);
-        return STATUS_FAILED;
-    }
-    return output_commit(&output) ? STATUS_DONE : STATUS_FAILED;
+    return output_finish(&output, !ferror(output.file));
 }
 
 static int run_export(const struct options *options) {
@@ -45,31 +45,25 @@ static int run_export(const struct options *options) {
 }
 
 static bool check_export(const struct options *options, struct options_error *error) {
-    if (!options->pov) {
+    if (!((const struct export_options *)options)->pov) {
         return options_refuse(error, "export: --pov is missing; it is the only kind of source");
     }
     return options->output != NULL ||
            options_refuse(error, "export: -o FILE is missing; -o - is standard output");
 }
 
-static const struct option_entry own_entries[] = {{.name = "pov",
-                                                   .type = OPTION_FLAG,
-                                                   OPTION_MEMBER(pov),
-                                                   .help = "write source for POV-Ray 3.7"},
-                                                  {.name = NULL}};
-static const struct option_group group_own = {"Result", own_entries};
+static const struct option_group group_own = {
+    "Result", OPTION_ENTRIES({.name = "pov",
+                              FLAG_IN(struct export_options, pov),
+                              .help = "write source for POV-Ray 3.7"})};
 
-static const struct option_group *const groups[] = {&group_result, &group_own, &group_scene, NULL};
-static const char *const examples[] = {"export fig3 --pov -o fig3.pov",
-                                       "export my.scene --pov --depth 20 -o -", NULL};
-
-const struct command command_export = {.name = "export",
-                                       .operands = "SCENE",
-                                       .summary = "Write a scene for POV-Ray.",
-                                       .least = 1,
-                                       .most = 1,
-                                       .kind = OPERANDS_SCENES,
-                                       .groups = groups,
-                                       .examples = examples,
-                                       .check = check_export,
-                                       .run = run_export};
+const struct command command_export = {
+    .name = "export",
+    COMMAND_OPERANDS("SCENE", 1, 1, OPERANDS_SCENES),
+    .summary = "Write a scene for POV-Ray.",
+    .size = sizeof(struct export_options),
+    .groups = OPTION_GROUPS(&group_result, &group_own, &group_scene),
+    .examples =
+        COMMAND_EXAMPLES("export fig3 --pov -o fig3.pov", "export my.scene --pov --depth 20 -o -"),
+    .check = check_export,
+    .run = run_export};

@@ -15,13 +15,9 @@ static int run_help(const struct options *options) {
     return STATUS_DONE;
 }
 
-static const struct option_group *const groups[] = {NULL};
-static const char *const examples[] = {"help", "help render", NULL};
-
 const struct command command_help = {.name = "help",
-                                     .operands = "[COMMAND]",
+                                     COMMAND_OPERANDS("[COMMAND]", 0, 1, OPERANDS_NONE),
                                      .summary = "Print this text, or what a command does.",
-                                     .most = 1,
-                                     .groups = groups,
-                                     .examples = examples,
+                                     .groups = OPTION_GROUPS(NULL),
+                                     .examples = COMMAND_EXAMPLES("help", "help render"),
                                      .run = run_help};

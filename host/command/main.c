@@ -4,22 +4,26 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/output.h"
 #include "command/command.h"
 
 static int run_command(const struct command *command, int argc, char **argv) {
-    struct options options;
     struct options_error error = {""};
-    if (!options_parse(command, argc, argv, &options, &error)) {
+    struct options *options = options_parse(command, argc, argv, &error);
+    int status = STATUS_DONE;
+    if (options == NULL) {
         return bad_input("%s", error.text);
     }
-    if (options.help) {
+    if (options->help) {
         command_print_help(stdout, command);
-        return STATUS_DONE;
+    } else {
+        status = command->run(options);
     }
-    return command->run(&options);
+    free(options);
+    return status;
 }
 
 static int dispatch(int argc, char **argv) {

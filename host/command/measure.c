@@ -45,24 +45,21 @@ static int take_scenes(struct measure *measure) {
 static int make_folder(struct measure *measure) {
     measure->points_path = path_join(measure->folder, "points.csv");
     if (measure->points_path == NULL) {
-        complain("out of memory");
-        return STATUS_FAILED;
+        return failure("out of memory");
     }
     if (mkdir(measure->folder, FOLDER_MODE) != 0 && errno != EEXIST) {
-        complain("%s: cannot be written: %s", measure->folder, strerror(errno));
-        return STATUS_FAILED;
+        return failure("%s: cannot be written: %s", measure->folder, strerror(errno));
     }
     return STATUS_DONE;
 }
 
 static int run_measure(const struct options *options) {
-    static int (*const steps[])(struct measure *) = {take_scenes,    measure_plan, make_folder,
-                                                     measure_resume, measure_run,  measure_plot,
-                                                     measure_report};
+    static int (*const steps[])(struct measure *) = {take_scenes,    measure_plan,   make_folder,
+                                                     measure_resume, measure_run,    measure_gather,
+                                                     measure_plot,   measure_report, measure_print};
     struct measure *measure = calloc(1, sizeof *measure);
     if (measure == NULL) {
-        complain("out of memory");
-        return STATUS_FAILED;
+        return failure("out of memory");
     }
     measure->options = options;
     measure->folder = options->output;
@@ -70,10 +67,15 @@ static int run_measure(const struct options *options) {
     for (size_t i = 0; i < sizeof steps / sizeof steps[0] && status == STATUS_DONE; i++) {
         status = steps[i](measure);
     }
+    free(measure->settings.settings);
     free(measure->points.points);
     free(measure->points_path);
     free(measure);
     return status;
+}
+
+static const char *printed(const struct options *options) {
+    return options->json ? "the settings and points" : NULL;
 }
 
 static bool check_measure(const struct options *options, struct options_error *error) {
@@ -84,18 +86,13 @@ static bool check_measure(const struct options *options, struct options_error *e
     return options->output != NULL || options_refuse(error, "measure: -o FOLDER is missing");
 }
 
-static const struct option_group *const groups[] = {&group_folder, &group_measured, &group_jobs,
-                                                    &group_quiet, NULL};
-static const char *const examples[] = {"measure -o trade --jobs 2",
-                                       "measure my.scene --arith fx --size 160x100 -o trade", NULL};
-
-const struct command command_measure = {.name = "measure",
-                                        .operands = "[SCENE...]",
-                                        .summary = "Measure speed against accuracy.",
-                                        .least = 0,
-                                        .most = 1000,
-                                        .kind = OPERANDS_SCENES,
-                                        .groups = groups,
-                                        .examples = examples,
-                                        .check = check_measure,
-                                        .run = run_measure};
+const struct command command_measure = {
+    .name = "measure",
+    COMMAND_OPERANDS("[SCENE...]", 0, 1000, OPERANDS_SCENES),
+    .summary = "Measure speed against accuracy.",
+    .groups = OPTION_GROUPS(&group_folder, &group_json, &group_measured, &group_jobs, &group_quiet),
+    .examples = COMMAND_EXAMPLES("measure -o trade --jobs 2",
+                                 "measure my.scene --arith fx --size 160x100 -o trade"),
+    .printed = printed,
+    .check = check_measure,
+    .run = run_measure};

@@ -25,10 +25,19 @@
 
 enum { NAME_SIZE = 256 };
 
+/* What only render is asked for. */
+struct render_options {
+    struct options common;
+    bool has_rows;
+    unsigned first_row, last_row; /* rows first .. last-1 */
+    const char *keep_exposures;   /* a folder; NULL: none */
+    const char *signatures;       /* NULL: none */
+};
+
 /* One run of the command. What it holds is freed whatever happens. */
 struct render_run {
     const struct options *options;
-    const char *scene_name;
+    const struct render_options *own; /* the same */
     struct compiled_scene *compiled;
     struct ports_linux ports;   /* of --bus ports */
     struct adapter_bus adapter; /* of --bus usb and hid */
@@ -41,7 +50,7 @@ struct render_run {
 
 /* Names the picture where -o is not given; NULL: there is no picture. */
 static const char *default_output(const struct options *options, char *buffer, size_t size) {
-    if (options->bus != BUS_CHOICE_EMULATOR) {
+    if (options->bus.choice != BUS_CHOICE_EMULATOR) {
         return NULL;
     }
     scene_picture_name(options->operands[0], buffer, size);
@@ -54,23 +63,23 @@ static int open_results(struct render_run *run) {
     const struct session_files files = {
         .picture = options->output != NULL ? options->output
                                            : default_output(options, run->default_name, NAME_SIZE),
-        .trace = options->bus == BUS_CHOICE_TRACE ? options->bus_file : options->trace,
+        .trace = options->bus.choice == BUS_CHOICE_TRACE ? options->bus.file : options->trace,
         .stats = options->stats};
     int status = session_open(&run->session, &files);
-    if (status == STATUS_DONE && options->signatures != NULL &&
-        !output_open(&run->signatures, options->signatures)) {
+    if (status == STATUS_DONE && run->own->signatures != NULL &&
+        !output_open(&run->signatures, run->own->signatures)) {
         status = STATUS_FAILED;
     }
     return status;
 }
 
 static int open_camera(struct render_run *run) {
-    const char *folder = run->options->keep_exposures;
+    const char *folder = run->own->keep_exposures;
     if (run->compiled->show != SHOW_EXPOSURES) {
         return folder == NULL ? STATUS_DONE
                               : bad_input("--keep-exposures goes with --colour exposures only");
     }
-    if (run->options->bus == BUS_CHOICE_EMULATOR) {
+    if (run->options->bus.choice == BUS_CHOICE_EMULATOR) {
         run->camera = camera_new(folder);
         return run->camera != NULL ? STATUS_DONE : STATUS_FAILED;
     }
@@ -88,20 +97,19 @@ static int open_own_ports(struct ports_linux *ports, uint16_t base) {
     case PORTS_LINUX_REFUSED:
         break;
     }
-    complain("--bus ports: %s", message);
-    return STATUS_FAILED;
+    return failure("--bus ports: %s", message);
 }
 
 static int load(struct render_run *run) {
     const struct options *options = run->options;
     struct scene_error error;
-    run->compiled = load_compiled_scene(run->scene_name, &options->overrides, &error);
+    run->compiled = load_compiled_scene(options->operands[0], &options->overrides, &error);
     if (run->compiled == NULL) {
         return bad_input("%s", error.text);
     }
-    if (options->has_rows && options->last_row > run->compiled->height) {
+    if (run->own->has_rows && run->own->last_row > run->compiled->height) {
         return bad_input("--rows %u:%u: the picture has %u rows; allowed is: up to 0:%u",
-                         options->first_row, options->last_row, run->compiled->height,
+                         run->own->first_row, run->own->last_row, run->compiled->height,
                          run->compiled->height);
     }
     return STATUS_DONE;
@@ -111,8 +119,8 @@ static int load(struct render_run *run) {
 static void explain_adapter(const void *context) {
     const struct render_run *run = context;
     const struct compiled_scene *compiled = run->compiled;
-    adapter_bus_explain(&run->adapter, run->options->has_rows ? run->options->first_row : 0,
-                        run->options->has_rows ? run->options->last_row : compiled->height,
+    adapter_bus_explain(&run->adapter, run->own->has_rows ? run->own->first_row : 0,
+                        run->own->has_rows ? run->own->last_row : compiled->height,
                         render_dots(compiled->width, compiled->height));
 }
 
@@ -121,7 +129,7 @@ static int begin_session(struct render_run *run) {
     const struct options *options = run->options;
     struct session_device device = {NULL, NULL, NULL};
     int status = STATUS_DONE;
-    switch (options->bus) {
+    switch (options->bus.choice) {
     case BUS_CHOICE_EMULATOR:
         return session_begin(&run->session, &options->board, NULL);
     case BUS_CHOICE_TRACE:
@@ -131,8 +139,9 @@ static int begin_session(struct render_run *run) {
         break;
     case BUS_CHOICE_USB:
     case BUS_CHOICE_HID:
-        status = adapter_bus_open(&run->adapter, options->bus == BUS_CHOICE_HID ? "hid" : "usb",
-                                  options->board.base, &options->adapter);
+        status =
+            adapter_bus_open(&run->adapter, options->bus.choice == BUS_CHOICE_HID ? "hid" : "usb",
+                             options->board.base, &options->bus.adapter);
         if (status != STATUS_DONE) {
             return status;
         }
@@ -147,8 +156,9 @@ static int begin_session(struct render_run *run) {
 /* Opens the machine's own ports first, since rights are given up with them. */
 static int prepare(struct render_run *run) {
     const struct options *options = run->options;
-    int status = options->bus == BUS_CHOICE_PORTS ? open_own_ports(&run->ports, options->board.base)
-                                                  : STATUS_DONE;
+    int status = options->bus.choice == BUS_CHOICE_PORTS
+                     ? open_own_ports(&run->ports, options->board.base)
+                     : STATUS_DONE;
     if (status == STATUS_DONE) {
         status = load(run);
     }
@@ -177,8 +187,8 @@ static int render_rows(struct render_run *run) {
     job.arithmetic = arithmetic_find(options->arithmetic);
     job.scene = run->compiled;
     job.base = options->board.base;
-    job.first_row = options->has_rows ? options->first_row : 0;
-    job.last_row = options->has_rows ? options->last_row : run->compiled->height;
+    job.first_row = run->own->has_rows ? run->own->first_row : 0;
+    job.last_row = run->own->has_rows ? run->own->last_row : run->compiled->height;
     job.jobs = options->jobs;
     job.stop = interrupt_noted();
     job.progress = progress_show;
@@ -196,7 +206,7 @@ static int render_rows(struct render_run *run) {
 
 /* Reads back what an adapter's board holds, where --verify asks for it. */
 static bool verify(struct render_run *run) {
-    const unsigned percent = run->options->adapter.verify_percent;
+    const unsigned percent = run->options->bus.adapter.verify_percent;
     if (percent == 0 ||
         adapter_bus_verify(&run->adapter, percent, run->options->overrides.seed) == STATUS_DONE) {
         return true;
@@ -220,7 +230,7 @@ static bool write_picture(struct render_run *run) {
 
 static int write_results(struct render_run *run) {
     const struct run_stats stats = {.session = &run->session,
-                                    .scene = run->scene_name,
+                                    .scene = run->options->operands[0],
                                     .arithmetic = run->options->arithmetic,
                                     .compiled = run->compiled,
                                     .totals = &run->totals,
@@ -241,24 +251,25 @@ static int write_results(struct render_run *run) {
 static int write_signatures(struct render_run *run) {
     struct signatures signatures;
     struct scene_error error;
-    const unsigned first = run->options->has_rows ? run->options->first_row : 0;
+    const unsigned first = run->own->has_rows ? run->own->first_row : 0;
     const struct signature_job job = {.arithmetic = arithmetic_find(run->options->arithmetic),
                                       .scene = run->compiled,
                                       .first_row = first,
                                       .last_row = first + run->totals.rows,
                                       .jobs = run->options->jobs,
                                       .stop = interrupt_noted()};
+    if (run->signatures.file == NULL) {
+        return STATUS_DONE;
+    }
     memset(&signatures, 0, sizeof signatures);
     if (!signatures_make(&job, &signatures, &error)) {
         return bad_input("%s", error.text);
     }
     errno = 0;
-    bool is_written = signatures_write(&signatures, run->signatures.file);
-    if (!is_written) {
-        output_complain(&run->signatures, strerror(errno));
-    }
+    int status =
+        output_finish(&run->signatures, signatures_write(&signatures, run->signatures.file));
     signatures_free(&signatures);
-    return is_written && output_commit(&run->signatures) ? STATUS_DONE : STATUS_FAILED;
+    return status;
 }
 
 /* Says on a terminal where the picture is. */
@@ -272,7 +283,7 @@ static void tell_place(const struct render_run *run) {
 
 /* Returns the exit status of a finished run: whether it was interrupted, and whether --strict
  * holds. */
-static int judge(const struct render_run *run) {
+static int judge(struct render_run *run) {
     if (*interrupt_noted() != 0) {
         const char *partial = run->session.partial_name;
         complain("interrupted after %u rows%s%s", run->totals.rows,
@@ -284,23 +295,16 @@ static int judge(const struct render_run *run) {
 }
 
 static int run_render(const struct options *options) {
+    static int (*const steps[])(struct render_run *) = {prepare, render_rows, write_results,
+                                                        write_signatures, judge};
     struct render_run run;
     memset(&run, 0, sizeof run);
     run.options = options;
-    run.scene_name = options->operands[0];
+    run.own = (const struct render_options *)options;
     run.session.began = stopwatch_start();
-    int status = prepare(&run);
-    if (status == STATUS_DONE) {
-        status = render_rows(&run);
-    }
-    if (status == STATUS_DONE) {
-        status = write_results(&run);
-    }
-    if (status == STATUS_DONE && run.signatures.file != NULL) {
-        status = write_signatures(&run);
-    }
-    if (status == STATUS_DONE) {
-        status = judge(&run);
+    int status = STATUS_DONE;
+    for (size_t i = 0; i < sizeof steps / sizeof steps[0] && status == STATUS_DONE; i++) {
+        status = steps[i](&run);
     }
     output_discard(&run.signatures);
     camera_free(run.camera);
@@ -313,64 +317,56 @@ static int run_render(const struct options *options) {
 /* ---- The command ---------------------------------------------------------------------------- */
 
 static enum value_verdict set_rows(struct options *options, const char *value) {
+    struct render_options *own = (struct render_options *)options;
     uint64_t first, last;
     if (!value_pair(value, ':', 0, BOARD_HEIGHT, BOARD_HEIGHT, &first, &last) || first >= last) {
         return VALUE_WRONG;
     }
-    options->has_rows = true;
-    options->first_row = (unsigned)first;
-    options->last_row = (unsigned)last;
+    own->has_rows = true;
+    own->first_row = (unsigned)first;
+    own->last_row = (unsigned)last;
     return VALUE_TAKEN;
 }
 
-static const struct option_entry own_entries[] = {
-    {.name = "rows",
-     .value = "A:B",
-     .type = OPTION_OWN,
-     .set = set_rows,
-     .allowed = "A:B with 0 <= A < B <= 400",
-     .help = "only rows A..B-1; the others are not touched"},
-    {.name = "keep-exposures",
-     .value = "FOLDER",
-     .type = OPTION_TEXT,
-     OPTION_MEMBER(keep_exposures),
-     .role = ROLE_EXPOSURES,
-     .allowed = "a folder's name",
-     .help = "write the eight 8-colour pictures of --colour exposures too"},
-    {.name = "signatures",
-     .value = "FILE",
-     .type = OPTION_TEXT,
-     OPTION_MEMBER(signatures),
-     .role = ROLE_RESULT,
-     .help = "write a hash of each pixel's path, for compare"},
-    {.name = NULL}};
-static const struct option_group group_own = {"Result", own_entries};
+static bool check_render(const struct options *options, struct options_error *error) {
+    bool keeps = ((const struct render_options *)options)->keep_exposures != NULL;
+    if (keeps && options->bus.choice == BUS_CHOICE_TRACE) {
+        return options_refuse(error, "--keep-exposures goes with --bus emulator only; a trace has "
+                                     "no board behind it");
+    }
+    return bus_check(options, error);
+}
 
-static const struct option_group *const groups[] = {&group_picture,
-                                                    &group_statistics,
-                                                    &group_recording,
-                                                    &group_own,
-                                                    &group_scene,
-                                                    &group_arithmetic,
-                                                    &group_jobs,
-                                                    &group_quiet,
-                                                    &group_board,
-                                                    &group_screen,
-                                                    &group_faults,
-                                                    &group_bus,
-                                                    NULL};
-static const char *const examples[] = {"render fig3 --depth 4 -o four.png",
-                                       "render my.scene --error 1 --arith f64 --jobs 4", NULL};
+static const struct option_group group_own = {
+    "Result",
+    OPTION_ENTRIES({.name = "rows",
+                    .value = "A:B",
+                    .type = OPTION_OWN,
+                    .set = set_rows,
+                    .allowed = "A:B with 0 <= A < B <= 400",
+                    .help = "only rows A..B-1; the others are not touched"},
+                   {.name = "signatures",
+                    .value = "FILE",
+                    TEXT_IN(struct render_options, signatures),
+                    .role = ROLE_RESULT,
+                    .help = "write a hash of each pixel's path, for compare"},
+                   {.name = "keep-exposures",
+                    .value = "FOLDER",
+                    TEXT_IN(struct render_options, keep_exposures),
+                    .role = ROLE_EXPOSURES,
+                    .allowed = "a folder's name",
+                    .help = "write the eight 8-colour pictures of --colour exposures too"})};
 
 const struct command command_render = {
     .name = "render",
-    .operands = "SCENE",
+    COMMAND_OPERANDS("SCENE", 1, 1, OPERANDS_SCENES),
     .summary = "Render a scene through firmware, ports and board to a picture.",
-    .least = 1,
-    .most = 1,
-    .kind = OPERANDS_SCENES,
-    .groups = groups,
-    .examples = examples,
+    .size = sizeof(struct render_options),
+    .groups = OPTION_GROUPS(&group_picture, &group_statistics, &group_recording, &group_own,
+                            &group_scene, &group_arithmetic, &group_jobs, &group_quiet,
+                            &group_board, &group_screen, &group_faults, &group_bus),
+    .examples = COMMAND_EXAMPLES("render fig3 --depth 4 -o four.png",
+                                 "render my.scene --error 1 --arith f64 --jobs 4"),
     .default_output = default_output,
-    .check = bus_check,
+    .check = check_render,
     .run = run_render};

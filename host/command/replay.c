@@ -67,8 +67,7 @@ static int prepare(struct replay_run *run) {
     const struct session_files files = {.picture = options->output, .stats = options->stats};
     run->reader = malloc(sizeof *run->reader);
     if (run->reader == NULL) {
-        complain("out of memory");
-        return STATUS_FAILED;
+        return failure("out of memory");
     }
     int status = session_begin(&run->session, &options->board, NULL);
     return status == STATUS_DONE ? session_open(&run->session, &files) : status;
@@ -105,23 +104,13 @@ static bool check_replay(const struct options *options, struct options_error *er
            options_refuse(error, "replay: -o FILE.png is missing (or --stats or --strict)");
 }
 
-static const struct option_group *const groups[] = {&group_picture,
-                                                    &group_statistics,
-                                                    &group_board_of_trace,
-                                                    &group_screen,
-                                                    &group_faults,
-                                                    &group_stop,
-                                                    NULL};
-static const char *const examples[] = {"replay my.trace -o screen.png",
-                                       "replay my.trace --strict --stop 10000 --stats -", NULL};
-
-const struct command command_replay = {.name = "replay",
-                                       .operands = "TRACE...",
-                                       .summary = "Play port traces on the emulated board.",
-                                       .least = 1,
-                                       .most = 1000,
-                                       .kind = OPERANDS_FILES,
-                                       .groups = groups,
-                                       .examples = examples,
-                                       .check = check_replay,
-                                       .run = run_replay};
+const struct command command_replay = {
+    .name = "replay",
+    COMMAND_OPERANDS("TRACE...", 1, 1000, OPERANDS_FILES),
+    .summary = "Play port traces on the emulated board.",
+    .groups = OPTION_GROUPS(&group_picture, &group_statistics, &group_board, &group_screen,
+                            &group_faults, &group_stop),
+    .examples = COMMAND_EXAMPLES("replay my.trace -o screen.png",
+                                 "replay my.trace --strict --stop 10000 --stats -"),
+    .check = check_replay,
+    .run = run_replay};

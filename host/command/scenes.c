@@ -8,6 +8,12 @@
 #include "scene/builtin.h"
 #include "scene/load.h"
 
+/* What only scenes is asked for. */
+struct scenes_options {
+    struct options common;
+    const char *printed; /* the scene whose text is printed; NULL: they are listed */
+};
+
 /* Prints a scene on a line, or as an entry of the list. */
 static void print_scene(struct json *json, const char *name, const char *title, bool is_json) {
     if (!is_json) {
@@ -32,8 +38,9 @@ static int print_text(const char *name) {
 }
 
 static int run_scenes(const struct options *options) {
-    if (options->printed_scene != NULL) {
-        return print_text(options->printed_scene);
+    const char *printed = ((const struct scenes_options *)options)->printed;
+    if (printed != NULL) {
+        return print_text(printed);
     }
     struct json json = {.out = stdout};
     if (options->json) {
@@ -55,30 +62,23 @@ static int run_scenes(const struct options *options) {
 }
 
 static bool check_scenes(const struct options *options, struct options_error *error) {
-    return !(options->json && options->printed_scene != NULL) ||
+    return !(options->json && ((const struct scenes_options *)options)->printed != NULL) ||
            options_refuse(error, "--print and --json exclude each other; give one of them");
 }
 
-static const struct option_entry own_entries[] = {{.name = "print",
-                                                   .value = "NAME",
-                                                   .type = OPTION_TEXT,
-                                                   OPTION_MEMBER(printed_scene),
-                                                   .allowed = "a built-in scene's name",
-                                                   .help = "print the text of a built-in scene"},
-                                                  {.name = NULL}};
-static const struct option_group group_own = {"Result", own_entries};
+static const struct option_group group_own = {
+    "Result", OPTION_ENTRIES({.name = "print",
+                              .value = "NAME",
+                              TEXT_IN(struct scenes_options, printed),
+                              .allowed = "a built-in scene's name",
+                              .help = "print the text of a built-in scene"})};
 
-static const struct option_group *const groups[] = {&group_own, &group_json, NULL};
-static const char *const examples[] = {"scenes", "scenes --print fig3 > my.scene", NULL};
-
-const struct command command_scenes = {.name = "scenes",
-                                       .operands = "",
-                                       .summary =
-                                           "List the built-in scenes: name, tab, one sentence.",
-                                       .least = 0,
-                                       .most = 0,
-                                       .kind = OPERANDS_NONE,
-                                       .groups = groups,
-                                       .examples = examples,
-                                       .check = check_scenes,
-                                       .run = run_scenes};
+const struct command command_scenes = {
+    .name = "scenes",
+    .operands = "",
+    .summary = "List the built-in scenes: name, tab, one sentence.",
+    .size = sizeof(struct scenes_options),
+    .groups = OPTION_GROUPS(&group_own, &group_json),
+    .examples = COMMAND_EXAMPLES("scenes", "scenes --print fig3 > my.scene"),
+    .check = check_scenes,
+    .run = run_scenes};

@@ -16,10 +16,18 @@
 #include "trace_compare.h"
 #include "trace_statistics.h"
 
+/* What only trace is asked for. */
+struct trace_options {
+    struct options common;
+    bool lists, counts, judges; /* --list, --statistics, --violations */
+    const char *against;        /* --compare; NULL: not given */
+    enum trace_format to;       /* --to */
+};
+
 /* One run of the command: 1.4 MB. */
 struct trace_run {
     const struct options *options;
-    const char *path;
+    const struct trace_options *tracing; /* the same */
     bool lists; /* every access is printed: --list is given, or nothing else is asked for */
     FILE *file;
     struct trace_reader reader;
@@ -75,7 +83,7 @@ static void note_answer(struct trace_run *run, const struct trace_access *access
         return;
     }
     run->different_reads++;
-    if (run->lists || run->options->tracing.judges) {
+    if (run->lists || run->tracing->judges) {
         (void)printf("%s%" PRIu64 "%s the board answers %0*X\n",
                      run->lists ? "           ? access " : "access ", run->reader.accesses, ":",
                      access->width == BUS_WORD ? 4 : 2, answer);
@@ -95,7 +103,7 @@ static void tell(struct trace_run *run, const struct trace_access *access) {
     } else {
         bus_write(&run->cost.bus, access->port, access->value, access->width);
     }
-    if (run->lists || run->options->tracing.judges) {
+    if (run->lists || run->tracing->judges) {
         print_behaviours(run, access, before);
     }
 }
@@ -111,7 +119,7 @@ static int follow(struct trace_run *run) {
             break;
         }
         if (status != TRACE_OK) {
-            return trace_file_complain(run->path, &run->reader.error);
+            return trace_file_complain(run->options->operands[0], &run->reader.error);
         }
         tell(run, &access);
         if (ferror(stdout)) {
@@ -119,8 +127,8 @@ static int follow(struct trace_run *run) {
         }
     }
     if (run->reader.accesses < stop) {
-        complain("%s: the trace ends after access %" PRIu64 ", before --stop %" PRIu64, run->path,
-                 run->reader.accesses, stop);
+        complain("%s: the trace ends after access %" PRIu64 ", before --stop %" PRIu64,
+                 run->options->operands[0], run->reader.accesses, stop);
     }
     return STATUS_DONE;
 }
@@ -129,15 +137,15 @@ static int conclude(struct trace_run *run) {
     const struct options *options = run->options;
     const struct board *board = &run->statistics.board;
     if (run->different_reads > 0) {
-        complain("%s: %" PRIu64 " reads were answered otherwise than recorded", run->path,
-                 run->different_reads);
+        complain("%s: %" PRIu64 " reads were answered otherwise than recorded",
+                 run->options->operands[0], run->different_reads);
     }
-    if (options->tracing.judges) {
+    if (run->tracing->judges) {
         (void)printf("%" PRIu64 " violations in %" PRIu64 " accesses, profile %s\n",
                      board_violations(board), board->accesses,
                      board_profile_text(board->desc.profile));
     }
-    if (options->tracing.counts) {
+    if (run->tracing->counts) {
         void (*const print)(FILE *, const struct trace_statistics *, const struct cost_bus *,
                             const struct board_options *) =
             options->json ? trace_write_statistics : trace_print_statistics;
@@ -159,9 +167,9 @@ static int conclude(struct trace_run *run) {
 static int prepare(struct trace_run *run) {
     const struct options *options = run->options;
     struct board_desc desc;
-    int status = trace_file_open(run->path, &run->file, &run->reader);
+    int status = trace_file_open(run->options->operands[0], &run->file, &run->reader);
     if (status == STATUS_DONE) {
-        status = trace_file_fit(run->path, &run->reader, &options->board, &desc);
+        status = trace_file_fit(run->options->operands[0], &run->reader, &options->board, &desc);
     }
     if (status != STATUS_DONE) {
         return status;
@@ -176,22 +184,19 @@ static int prepare(struct trace_run *run) {
 }
 
 static int watch(const struct options *options) {
-    const struct trace_options *tracing = &options->tracing;
+    static int (*const steps[])(struct trace_run *) = {prepare, follow, conclude};
+    const struct trace_options *tracing = (const struct trace_options *)options;
     struct trace_run *run = calloc(1, sizeof *run);
     if (run == NULL) {
-        complain("out of memory");
-        return STATUS_FAILED;
+        return failure("out of memory");
     }
     run->options = options;
-    run->path = options->operands[0];
+    run->tracing = tracing;
     run->lists = tracing->lists || !(tracing->counts || tracing->judges || options->board.strict ||
                                      options->output != NULL);
-    int status = prepare(run);
-    if (status == STATUS_DONE) {
-        status = follow(run);
-    }
-    if (status == STATUS_DONE) {
-        status = conclude(run);
+    int status = STATUS_DONE;
+    for (size_t i = 0; i < sizeof steps / sizeof steps[0] && status == STATUS_DONE; i++) {
+        status = steps[i](run);
     }
     picture_sink_close(run->picture);
     trace_file_close(run->file);
@@ -201,87 +206,91 @@ static int watch(const struct options *options) {
 
 /* ---- Two traces ----------------------------------------------------------------------------- */
 
-static int compare_opened(const struct options *options, struct trace_reader *const readers[2],
-                          const char *const paths[2]) {
+/* Two traces: 132 KB. */
+struct trace_pair {
+    struct trace_reader readers[2];
+    FILE *files[2];
     struct trace_difference difference;
-    struct board_desc desc[2];
-    for (int i = 0; i < 2; i++) {
-        int status = trace_file_fit(paths[i], readers[i], &options->board, &desc[i]);
-        if (status != STATUS_DONE) {
-            return status;
-        }
+};
+
+static int compare_pair(struct trace_pair *pair, const char *const paths[2],
+                        const struct board_options *board) {
+    struct trace_reader *const readers[2] = {&pair->readers[0], &pair->readers[1]};
+    struct trace_difference *difference = &pair->difference;
+    struct board_desc desc;
+    int status = STATUS_DONE;
+    for (int i = 0; i < 2 && status == STATUS_DONE; i++) {
+        status = trace_file_open(paths[i], &pair->files[i], readers[i]);
     }
-    if (trace_compare(readers, &difference) != TRACE_OK) {
-        return trace_file_complain(paths[difference.failed], &readers[difference.failed]->error);
+    for (int i = 0; i < 2 && status == STATUS_DONE; i++) {
+        status = trace_file_fit(paths[i], readers[i], board, &desc);
     }
-    if (!difference.is_found) {
-        (void)printf("the traces are equal: %" PRIu64 " accesses\n", difference.access);
+    if (status != STATUS_DONE) {
+        return status;
+    }
+    if (trace_compare(readers, difference) != TRACE_OK) {
+        return trace_file_complain(paths[difference->failed], &readers[difference->failed]->error);
+    }
+    if (!difference->is_found) {
+        (void)printf("the traces are equal: %" PRIu64 " accesses\n", difference->access);
         return STATUS_DONE;
     }
-    trace_print_difference(stdout, &difference, paths);
+    trace_print_difference(stdout, difference, paths);
     return STATUS_NOT_HELD;
 }
 
-static int compare(const struct options *options) {
-    const char *const paths[2] = {options->operands[0], options->tracing.against};
-    struct trace_reader *const readers[2] = {malloc(sizeof *readers[0]),
-                                             malloc(sizeof *readers[1])};
-    FILE *files[2] = {NULL, NULL};
-    int status = STATUS_DONE;
-    if (readers[0] == NULL || readers[1] == NULL) {
-        complain("out of memory");
-        status = STATUS_FAILED;
-    } else if (strcmp(paths[0], "-") == 0 && strcmp(paths[1], "-") == 0) {
-        status = bad_input("only one of the two traces can be standard input");
+static int compare(const struct options *options, const char *against) {
+    const char *const paths[2] = {options->operands[0], against};
+    if (strcmp(paths[0], "-") == 0 && strcmp(paths[1], "-") == 0) {
+        return bad_input("only one of the two traces can be standard input");
     }
-    for (int i = 0; i < 2 && status == STATUS_DONE; i++) {
-        status = trace_file_open(paths[i], &files[i], readers[i]);
+    struct trace_pair *pair = calloc(1, sizeof *pair);
+    if (pair == NULL) {
+        return failure("out of memory");
     }
-    if (status == STATUS_DONE) {
-        status = compare_opened(options, readers, paths);
-    }
-    for (int i = 0; i < 2; i++) {
-        trace_file_close(files[i]);
-        free(readers[i]);
-    }
+    int status = compare_pair(pair, paths, &options->board);
+    trace_file_close(pair->files[0]);
+    trace_file_close(pair->files[1]);
+    free(pair);
     return status;
 }
 
 static int run_trace(const struct options *options) {
-    if (options->tracing.against != NULL) {
-        return compare(options);
+    const struct trace_options *tracing = (const struct trace_options *)options;
+    if (tracing->against != NULL) {
+        return compare(options, tracing->against);
     }
-    if (!options->tracing.converts) {
+    if (!options->converts) {
         return watch(options);
     }
     const struct trace_conversion conversion = {.path = options->operands[0],
                                                 .output =
                                                     options->output != NULL ? options->output : "-",
-                                                .to = options->tracing.to,
+                                                .to = tracing->to,
                                                 .stop = options->board.stop,
                                                 .board = &options->board};
     return trace_convert(&conversion);
 }
 
 static const char *printed(const struct options *options) {
-    const struct trace_options *tracing = &options->tracing;
+    const struct trace_options *tracing = (const struct trace_options *)options;
     return tracing->lists || tracing->counts || tracing->judges ? "what is told" : NULL;
 }
 
 /* Checks that no options of the command exclude each other. */
 static bool check_trace(const struct options *options, struct options_error *error) {
-    const struct trace_options *tracing = &options->tracing;
+    const struct trace_options *tracing = (const struct trace_options *)options;
     bool tells = printed(options) != NULL || options->board.strict;
     if (options->json && (!tracing->counts || tracing->lists || tracing->judges)) {
         return options_refuse(error, "--json goes with --statistics alone");
     }
-    if (tracing->against != NULL && (tracing->converts || tells || options->output != NULL)) {
+    if (tracing->against != NULL && (options->converts || tells || options->output != NULL)) {
         return options_refuse(error, "--compare goes with --profile and --base only");
     }
-    if (tracing->converts && tells) {
+    if (options->converts && tells) {
         return options_refuse(error, "--to goes with --profile, --base, --stop and -o only");
     }
-    if (tracing->converts &&
+    if (options->converts &&
         (options->board.native != NULL || options->board.picture != PICTURE_KIND_SCREEN)) {
         return options_refuse(error,
                               "--to makes a trace, no picture: not with --native or --picture");
@@ -290,49 +299,38 @@ static bool check_trace(const struct options *options, struct options_error *err
 }
 
 static const char *const forms[] = {[TRACE_BINARY] = "binary", [TRACE_TEXT] = "text", NULL};
-static const struct option_entry own_entries[] = {
-    {.name = "list",
-     .type = OPTION_FLAG,
-     OPTION_MEMBER(tracing.lists),
-     .help = "print every access in words"},
-    {.name = "statistics",
-     .type = OPTION_FLAG,
-     OPTION_MEMBER(tracing.counts),
-     .help = "print what was written how often, pixels touched, and what it costs"},
-    {.name = "violations",
-     .type = OPTION_FLAG,
-     OPTION_MEMBER(tracing.judges),
-     .help = "print each violation with the number of its access"},
-    {.name = "compare",
-     .value = "TRACE",
-     .type = OPTION_TEXT,
-     OPTION_MEMBER(tracing.against),
-     .role = ROLE_INPUT,
-     .help = "print the first difference from another trace; none: exit status 0, else 3"},
-    {.name = "to",
-     .value = "FORM",
-     .type = OPTION_WORD,
-     OPTION_MEMBER(tracing.to),
-     OPTION_GIVEN(tracing.converts),
-     .words = forms,
-     .help = "convert to -o FILE"},
-    {.name = NULL}};
-static const struct option_group group_own = {"Trace", own_entries};
+static const struct option_group group_own = {
+    "Trace",
+    OPTION_ENTRIES(
+        {.name = "list",
+         FLAG_IN(struct trace_options, lists),
+         .help = "print every access in words"},
+        {.name = "statistics",
+         FLAG_IN(struct trace_options, counts),
+         .help = "print what was written how often, pixels touched, and what it costs"},
+        {.name = "violations",
+         FLAG_IN(struct trace_options, judges),
+         .help = "print each violation with the number of its access"},
+        {.name = "compare",
+         .value = "TRACE",
+         TEXT_IN(struct trace_options, against),
+         .role = ROLE_INPUT,
+         .help = "print the first difference from another trace; none: exit status 0, else 3"},
+        {.name = "to",
+         .value = "FORM",
+         WORD_IN(struct trace_options, to, forms),
+         OPTION_GIVEN(converts),
+         .help = "convert to -o FILE"})};
 
-static const struct option_group *const groups[] = {
-    &group_picture, &group_own,  &group_json, &group_board_of_trace,
-    &group_screen,  &group_stop, NULL};
-static const char *const examples[] = {"trace my.trace --list | head",
-                                       "trace my.trace --statistics --violations", NULL};
-
-const struct command command_trace = {.name = "trace",
-                                      .operands = "TRACE",
-                                      .summary = "Tell a port trace in words.",
-                                      .least = 1,
-                                      .most = 1,
-                                      .kind = OPERANDS_FILES,
-                                      .groups = groups,
-                                      .examples = examples,
-                                      .printed = printed,
-                                      .check = check_trace,
-                                      .run = run_trace};
+const struct command command_trace = {
+    .name = "trace",
+    COMMAND_OPERANDS("TRACE", 1, 1, OPERANDS_FILES),
+    .summary = "Tell a port trace in words.",
+    .size = sizeof(struct trace_options),
+    .groups = OPTION_GROUPS(&group_picture, &group_own, &group_json, &group_board_of_trace,
+                            &group_screen, &group_stop),
+    .examples = COMMAND_EXAMPLES("trace my.trace --list | head",
+                                 "trace my.trace --statistics --violations"),
+    .printed = printed,
+    .check = check_trace,
+    .run = run_trace};

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* superframe tree: the tree of rays of one pixel, as in the paper's Fig. 2. */
+#include <errno.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "base/numbers.h"
 #include "base/output.h"
@@ -10,21 +10,24 @@
 #include "render/ray_tree.h"
 #include "scene/load.h"
 
+/* What only tree is asked for. */
+struct tree_options {
+    struct options common;
+    bool dot; /* a graph for Graphviz */
+};
+
 static int print_tree(const struct options *options, const struct compiled_scene *compiled,
                       const struct ray_tree *tree) {
     struct output output;
     if (!output_open(&output, options->output ? options->output : "-")) {
         return STATUS_FAILED;
     }
-    int printed = options->dot    ? ray_tree_print_dot(output.file, tree, compiled)
+    const bool is_dot = ((const struct tree_options *)options)->dot;
+    errno = 0;
+    int printed = is_dot          ? ray_tree_print_dot(output.file, tree, compiled)
                   : options->json ? ray_tree_print_json(output.file, tree, compiled)
                                   : ray_tree_print(output.file, tree, compiled);
-    if (printed != 0) {
-        output_complain(&output, "a write failed");
-        output_discard(&output);
-        return STATUS_FAILED;
-    }
-    return output_commit(&output) ? STATUS_DONE : STATUS_FAILED;
+    return output_finish(&output, printed == 0);
 }
 
 static int grow_and_print(const struct options *options, const struct compiled_scene *compiled,
@@ -74,27 +77,23 @@ static int run_tree(const struct options *options) {
 }
 
 static bool check_tree(const struct options *options, struct options_error *error) {
-    return !(options->dot && options->json) ||
+    return !(((const struct tree_options *)options)->dot && options->json) ||
            options_refuse(error, "--dot and --json exclude each other; give one of them");
 }
 
-static const struct option_entry own_entries[] = {
-    {.name = "dot", .type = OPTION_FLAG, OPTION_MEMBER(dot), .help = "a graph for Graphviz"},
-    {.name = NULL}};
-static const struct option_group group_own = {"Result", own_entries};
+static const struct option_group group_own = {
+    "Result",
+    OPTION_ENTRIES(
+        {.name = "dot", FLAG_IN(struct tree_options, dot), .help = "a graph for Graphviz"})};
 
-static const struct option_group *const groups[] = {&group_result, &group_own,        &group_json,
-                                                    &group_scene,  &group_arithmetic, NULL};
-static const char *const examples[] = {"tree fig3 100 80",
-                                       "tree fig3 100 80 --dot | dot -Tpng -o tree.png", NULL};
-
-const struct command command_tree = {.name = "tree",
-                                     .operands = "SCENE X Y",
-                                     .summary = "Print the tree of rays of one pixel.",
-                                     .least = 3,
-                                     .most = 3,
-                                     .kind = OPERANDS_SCENE_FIRST,
-                                     .groups = groups,
-                                     .examples = examples,
-                                     .check = check_tree,
-                                     .run = run_tree};
+const struct command command_tree = {
+    .name = "tree",
+    COMMAND_OPERANDS("SCENE X Y", 3, 3, OPERANDS_SCENE_FIRST),
+    .summary = "Print the tree of rays of one pixel.",
+    .size = sizeof(struct tree_options),
+    .groups =
+        OPTION_GROUPS(&group_result, &group_own, &group_json, &group_scene, &group_arithmetic),
+    .examples =
+        COMMAND_EXAMPLES("tree fig3 100 80", "tree fig3 100 80 --dot | dot -Tpng -o tree.png"),
+    .check = check_tree,
+    .run = run_tree};

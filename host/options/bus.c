@@ -15,20 +15,20 @@ static bool is_kind(const char *value, const char *word) {
 static enum value_verdict set_bus(struct options *options, const char *value) {
     static const char trace[] = "trace:";
     if (is_kind(value, "usb") || is_kind(value, "hid")) {
-        options->bus = is_kind(value, "usb") ? BUS_CHOICE_USB : BUS_CHOICE_HID;
-        options->adapter.serial = value[3] == ':' ? value + 4 : NULL;
+        options->bus.choice = is_kind(value, "usb") ? BUS_CHOICE_USB : BUS_CHOICE_HID;
+        options->bus.adapter.serial = value[3] == ':' ? value + 4 : NULL;
         return option_verdict(value[3] == '\0' || value[4] != '\0');
     }
     if (strcmp(value, "ports") == 0) {
-        options->bus = BUS_CHOICE_PORTS;
+        options->bus.choice = BUS_CHOICE_PORTS;
         return VALUE_TAKEN;
     }
     if (strncmp(value, trace, sizeof trace - 1) == 0) {
-        options->bus = BUS_CHOICE_TRACE;
-        options->bus_file = value + sizeof trace - 1;
-        return option_verdict(options->bus_file[0] != '\0');
+        options->bus.choice = BUS_CHOICE_TRACE;
+        options->bus.file = value + sizeof trace - 1;
+        return option_verdict(options->bus.file[0] != '\0');
     }
-    options->bus = BUS_CHOICE_EMULATOR;
+    options->bus.choice = BUS_CHOICE_EMULATOR;
     return option_verdict(strcmp(value, "emulator") == 0);
 }
 
@@ -37,36 +37,36 @@ static enum value_verdict set_verify(struct options *options, const char *value)
     if (value != NULL && !value_whole(value, 1, 100, &percent)) {
         return VALUE_WRONG;
     }
-    options->adapter.verify_percent = (unsigned)percent;
+    options->bus.adapter.verify_percent = (unsigned)percent;
     return VALUE_TAKEN;
 }
 
-static const struct option_entry bus_entries[] = {
-    {.name = "bus",
-     .value = "BUS",
-     .type = OPTION_OWN,
-     .set = set_bus,
-     OPTION_MEMBER(bus_file),
-     .role = ROLE_RESULT,
-     .shown = "--bus trace",
-     .allowed = "emulator, trace:FILE, usb[:SERIAL], hid[:SERIAL] or ports",
-     .help = "where the port accesses go (emulator)"},
-    {.name = "verify",
-     .value = "[=PERCENT]",
-     .type = OPTION_OWN,
-     .set = set_verify,
-     .allowed = "a whole number 1..100",
-     .help = "read back what was drawn over USB or HID, or so many of its lines, and repair it"},
-    {.name = "wait",
-     .type = OPTION_FLAG,
-     OPTION_MEMBER(adapter.waits),
-     .help = "wait for an adapter, and for a lost one"},
-    {.name = "yes-these-ports-are-mine",
-     .type = OPTION_FLAG,
-     OPTION_MEMBER(ports_are_mine),
-     .help = "let --bus ports open them: on a PC they belong to the DMA controller"},
-    {.name = NULL}};
-const struct option_group group_bus = {"Bus", bus_entries};
+const struct option_group group_bus = {
+    "Bus",
+    OPTION_ENTRIES(
+        {.name = "bus",
+         .value = "BUS",
+         .type = OPTION_OWN,
+         .set = set_bus,
+         OPTION_MEMBER_OF(struct options, bus.file),
+         .role = ROLE_RESULT,
+         .shown = "--bus trace",
+         .allowed = "emulator, trace:FILE, usb[:SERIAL], hid[:SERIAL] or ports",
+         .preset = "emulator",
+         .help = "where the port accesses go"},
+        {.name = "verify",
+         .value = "[=PERCENT]",
+         .type = OPTION_OWN,
+         .set = set_verify,
+         .allowed = "a whole number 1..100",
+         .help =
+             "read back what was drawn over USB or HID, or so many of its lines, and repair it"},
+        {.name = "wait",
+         FLAG_IN(struct options, bus.adapter.waits),
+         .help = "wait for an adapter, and for a lost one"},
+        {.name = "yes-these-ports-are-mine",
+         FLAG_IN(struct options, bus.ports_are_mine),
+         .help = "let --bus ports open them: on a PC they belong to the DMA controller"})};
 
 /* Names an option that goes with the emulated board only; NULL: none was given. */
 static const char *board_option(const struct options *options, bool is_far) {
@@ -80,37 +80,36 @@ static const char *board_option(const struct options *options, bool is_far) {
 
 /* Checks what a trace, which has no board behind it, excludes. */
 static bool check_trace_bus(const struct options *options, struct options_error *error) {
-    const char *with = options->output != NULL           ? "--output"
-                       : options->trace != NULL          ? "--trace"
-                       : options->board.strict           ? "--strict"
-                       : options->keep_exposures != NULL ? "--keep-exposures"
-                                                         : NULL;
-    return options->bus != BUS_CHOICE_TRACE || with == NULL ||
+    const char *with = options->output != NULL  ? "--output"
+                       : options->trace != NULL ? "--trace"
+                       : options->board.strict  ? "--strict"
+                                                : NULL;
+    return options->bus.choice != BUS_CHOICE_TRACE || with == NULL ||
            options_refuse(error, "%s goes with --bus emulator only; a trace has no board behind it",
                           with);
 }
 
 bool bus_check(const struct options *options, struct options_error *error) {
-    bool is_ports = options->bus == BUS_CHOICE_PORTS;
-    bool is_cable = options->bus == BUS_CHOICE_USB || options->bus == BUS_CHOICE_HID;
+    bool is_ports = options->bus.choice == BUS_CHOICE_PORTS;
+    bool is_cable = options->bus.choice == BUS_CHOICE_USB || options->bus.choice == BUS_CHOICE_HID;
     const char *with = board_option(options, is_ports || is_cable);
     if (!check_trace_bus(options, error)) {
         return false;
     }
-    if (options->bus != BUS_CHOICE_EMULATOR && with != NULL) {
+    if (options->bus.choice != BUS_CHOICE_EMULATOR && with != NULL) {
         return options_refuse(error, "%s goes with --bus emulator only", with);
     }
-    if (is_ports && !options->ports_are_mine) {
+    if (is_ports && !options->bus.ports_are_mine) {
         return options_refuse(error,
                               "--bus ports: on a PC these ports are the second DMA controller's; "
                               "where they are the board's, say --yes-these-ports-are-mine");
     }
-    if (!is_ports && options->ports_are_mine) {
+    if (!is_ports && options->bus.ports_are_mine) {
         return options_refuse(error, "--yes-these-ports-are-mine goes with --bus ports only");
     }
-    if (!is_cable && (options->adapter.waits || options->adapter.verify_percent > 0)) {
+    if (!is_cable && (options->bus.adapter.waits || options->bus.adapter.verify_percent > 0)) {
         return options_refuse(error, "--%s goes with --bus usb and --bus hid only",
-                              options->adapter.waits ? "wait" : "verify");
+                              options->bus.adapter.waits ? "wait" : "verify");
     }
     return true;
 }

@@ -27,7 +27,7 @@ void help_print_wrapped(FILE *out, const char *words, unsigned at, unsigned left
 /* Prints an option: its forms to the left, what it means and what it takes to the right. */
 static void print_option(FILE *out, const struct option_entry *entry) {
     char left[LEFT_SIZE], letter[8] = "    ", allowed[OPTION_ALLOWED_SIZE];
-    char right[2 * OPTION_ALLOWED_SIZE];
+    char help[OPTION_HELP_SIZE], right[OPTION_HELP_SIZE + OPTION_ALLOWED_SIZE + 16];
     if (entry->letter != 0) {
         (void)snprintf(letter, sizeof letter, "-%c, ", entry->letter);
     }
@@ -39,8 +39,9 @@ static void print_option(FILE *out, const struct option_entry *entry) {
     if (entry->type != OPTION_TEXT && entry->type != OPTION_FOLDER) {
         option_allowed(entry, allowed);
     }
-    (void)snprintf(right, sizeof right, "%s%s%s", entry->help,
-                   allowed[0] != '\0' ? "; allowed: " : "", allowed);
+    option_help(entry, help);
+    (void)snprintf(right, sizeof right, "%s%s%s", help, allowed[0] != '\0' ? "; allowed: " : "",
+                   allowed);
     (void)fprintf(out, "%-*s", TEXT_COLUMN, left);
     if (is_long) {
         (void)fprintf(out, "\n%*s", TEXT_COLUMN, "");

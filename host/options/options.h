@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The command line as data: options in groups, and commands that take groups. The parser, the help
- * and the completion of shells come from these tables. */
+/* The command line as data: options in groups, and commands that take groups. The parser, the help,
+ * the manual page and the completion of shells come from these tables. */
 #ifndef SUPERFRAME_OPTIONS_H
 #define SUPERFRAME_OPTIONS_H
 
@@ -13,7 +13,6 @@
 #include "board.h"
 #include "board/options.h"
 #include "scene/overrides.h"
-#include "trace.h"
 
 enum bus_choice {
     BUS_CHOICE_EMULATOR,
@@ -23,56 +22,37 @@ enum bus_choice {
     BUS_CHOICE_HID
 };
 
-/* What `superframe trace` is asked for. */
-struct trace_options {
-    bool lists, counts, judges; /* --list, --statistics, --violations */
-    const char *against;        /* --compare; NULL: not given */
-    bool converts;              /* --to */
-    enum trace_format to;
+/* Where the port accesses go. */
+struct bus_options {
+    enum bus_choice choice;
+    const char *file; /* of trace:FILE */
+    bool ports_are_mine;
+    struct adapter_options adapter;
 };
 
-/* The options of a command line. Strings point into argv. */
+/* What the groups fill that several commands take; a member is 0 or NULL where a command takes no
+ * such group. Strings point into argv. A command with options of its own has a struct that begins
+ * with this one. */
 struct options {
     char **operands; /* what is no option */
     int operand_count;
     bool help;
 
-    const char *output;     /* -o; NULL: not given; "-": standard output */
-    const char *arithmetic; /* a name that arithmetic_find() knows */
-    bool has_arithmetic;    /* --arith was given */
-    struct scene_overrides overrides;
-    enum bus_choice bus;
-    const char *bus_file;       /* of --bus trace:FILE */
-    const char *trace;          /* NULL: none */
-    const char *keep_exposures; /* a folder; NULL: none */
-    bool has_rows;
-    unsigned first_row, last_row; /* rows first .. last-1 */
-    bool ports_are_mine;
-    struct board_options board;
-    struct adapter_options adapter;
-    struct trace_options tracing;
-    unsigned jobs;     /* 1..OPTIONS_JOBS_MOST */
-    const char *stats; /* NULL: none; "-": standard output */
-    bool quiet;
-    bool force;                 /* a picture may replace what is no picture */
-    bool pov;                   /* export writes source for POV-Ray */
-    bool dot;                   /* tree writes a graph for Graphviz */
-    bool validates;             /* check holds the compiler's tables against the scene */
-    bool minimal;               /* compile writes a feature_set.h instead of the tables */
-    uint64_t instructions_most; /* that an emulated CPU may run */
-    uint64_t escape_after;      /* Esc when the keyboard has been asked so many times; 0: never */
-    unsigned within;            /* LSB, 0..255 */
-    double share;               /* per cent, 0..100 */
+    const char *output; /* -o; NULL: not given; "-": standard output */
+    bool force;         /* a picture may replace what is no picture */
+    bool converts;      /* what goes to -o is no picture, but another form of what is read */
+    const char *stats;  /* NULL: none; "-": standard output */
+    const char *trace;  /* NULL: none */
     bool json;
-    const char *printed_scene; /* --print of scenes; NULL: none */
-    const char *difference;    /* NULL: no picture of it */
-    const char *signatures;    /* render: where they go; compare: the first file; NULL: none */
+    const char *arithmetic; /* a name that arithmetic_find() knows; NULL: not given to measure */
+    struct scene_overrides overrides;
+    struct board_options board;
+    struct bus_options bus;
+    unsigned jobs; /* 1..OPTIONS_JOBS_MOST */
+    bool quiet;
 };
 
 enum { OPTIONS_JOBS_MOST = 256 };
-
-/* Instructions: a frame of 640 x 400 takes some 60 thousand million. */
-#define OPTIONS_INSTRUCTIONS UINT64_C(200000000000)
 
 /* Why a command line is refused. */
 struct options_error {
@@ -110,8 +90,9 @@ struct option_entry {
     char letter;       /* of the short form */
     const char *value; /* what the help calls the value; "[=X]": may be left out */
     enum option_type type;
-    size_t offset, size; /* of its member in struct options */
+    size_t offset, size; /* of its member in struct options, or in the command's own struct */
     size_t given;        /* offset of the bool that says the option was given */
+    const char *preset;  /* the value where the option is not given */
     double least, most;
     const char *const *words; /* ended by NULL */
     enum value_verdict (*set)(struct options *options, const char *value);
@@ -121,9 +102,19 @@ struct option_entry {
     const char *help;
 };
 
-/* The place of an option's member, for the tables. */
-#define OPTION_MEMBER(member)                                                                      \
-    .offset = offsetof(struct options, member), .size = sizeof((struct options *)0)->member
+/* The place of an option's member, for the tables: in a command's own struct, or in struct options.
+ * The types have their own words. */
+#define OPTION_MEMBER_OF(type_, member)                                                            \
+    .offset = offsetof(type_, member), .size = sizeof((type_ *)0)->member
+#define FLAG_IN(type_, member)   .type = OPTION_FLAG, OPTION_MEMBER_OF(type_, member)
+#define TEXT_IN(type_, member)   .type = OPTION_TEXT, OPTION_MEMBER_OF(type_, member)
+#define FOLDER_IN(type_, member) .type = OPTION_FOLDER, OPTION_MEMBER_OF(type_, member)
+#define WORD_IN(type_, member, list)                                                               \
+    .type = OPTION_WORD, OPTION_MEMBER_OF(type_, member), .words = (list)
+#define WHOLE_IN(type_, member, from, to)                                                          \
+    .type = OPTION_WHOLE, OPTION_MEMBER_OF(type_, member), .least = (from), .most = (to)
+#define REAL_IN(type_, member, from, to)                                                           \
+    .type = OPTION_REAL, OPTION_MEMBER_OF(type_, member), .least = (from), .most = (to)
 #define OPTION_GIVEN(member) .given = offsetof(struct options, member)
 
 /* Options that belong together. */
@@ -131,6 +122,15 @@ struct option_group {
     const char *title;                  /* "Scene" */
     const struct option_entry *entries; /* ended by one without a name */
 };
+
+/* Lists for the descriptions of groups and commands, with what ends them. */
+/* clang-format off */
+#define OPTION_ENTRIES(...) (const struct option_entry[]){__VA_ARGS__, {0}}
+#define OPTION_GROUPS(...) (const struct option_group *const[]){__VA_ARGS__, NULL}
+#define COMMAND_EXAMPLES(...) (const char *const[]){__VA_ARGS__, NULL}
+/* clang-format on */
+#define COMMAND_OPERANDS(words, at_least, at_most, of)                                             \
+    .operands = (words), .least = (at_least), .most = (at_most), .kind = (of)
 
 /* The groups that more than one command takes; groups.c has them. Two are of one subject where the
  * same options say something else to other commands. */
@@ -144,7 +144,7 @@ extern const struct option_group group_small_size; /* --size, for paper */
 extern const struct option_group group_jobs;       /* --jobs */
 extern const struct option_group group_quiet;      /* --quiet */
 extern const struct option_group group_board;      /* --profile, --base of a board that is made */
-extern const struct option_group group_board_of_trace; /* the same where traces say it */
+extern const struct option_group group_board_of_trace; /* the same where traces may say it */
 extern const struct option_group group_screen;         /* --picture, --native, --strict, costs */
 extern const struct option_group group_faults;         /* --faults */
 extern const struct option_group group_statistics;     /* --stats */
@@ -164,6 +164,7 @@ struct command {
     const char *operands; /* for the usage line; "": there are none */
     const char *summary;  /* one sentence */
     int least, most;      /* how many operands it takes */
+    size_t size; /* of its own struct, which begins with a struct options; 0: it has none */
     enum operand_kind kind;
     const struct option_group *const *groups; /* ended by NULL */
     const char *const *examples; /* command lines without "superframe "; ended by NULL */
@@ -186,9 +187,10 @@ struct command {
 /* ---- Reading a command line ----------------------------------------------------------------- */
 
 /* Reads what stands after the sub-command's name; argv[0] is that name. argv is permuted: options
- * may stand anywhere. False with *error filled where the command line is refused. */
-bool options_parse(const struct command *command, int argc, char **argv, struct options *options,
-                   struct options_error *error);
+ * may stand anywhere. Returns the command's own struct, or a struct options if it has none; the
+ * caller frees it. NULL with *error filled where the command line is refused, or memory is out. */
+struct options *options_parse(const struct command *command, int argc, char **argv,
+                              struct options_error *error);
 
 /* Fills *error, and returns false. */
 bool options_refuse(struct options_error *error, const char *format, ...)
@@ -202,11 +204,18 @@ static inline enum value_verdict option_verdict(bool is_allowed) {
     return is_allowed ? VALUE_TAKEN : VALUE_WRONG;
 }
 
-/* Puts a value into an option's member. */
+/* Puts a value into an option's member, and where there is one into that which says it was given.
+ */
 enum value_verdict option_take(const struct option_entry *entry, const char *value,
                                struct options *options);
 
-enum { OPTION_ALLOWED_SIZE = 160 };
+/* Puts into an option's member the value that holds where the option is not given. */
+void option_preset(const struct option_entry *entry, struct options *options);
+
+enum { OPTION_ALLOWED_SIZE = 160, OPTION_HELP_SIZE = 160 };
+
+/* Writes what an option means, with its preset in brackets. */
+void option_help(const struct option_entry *entry, char text[OPTION_HELP_SIZE]);
 
 /* Writes what an option's value may be; "" for a flag. */
 void option_allowed(const struct option_entry *entry, char text[OPTION_ALLOWED_SIZE]);

@@ -67,16 +67,6 @@ static bool take(const struct option_entry *entry, const char *value, struct opt
                           entry->name, value, allowed);
 }
 
-static void set_defaults(struct options *options) {
-    memset(options, 0, sizeof *options);
-    options->arithmetic = "fx";
-    options->board.base = BOARD_FACTORY_BASE;
-    options->jobs = 1;
-    options->instructions_most = OPTIONS_INSTRUCTIONS;
-    options->within = 1;
-    options->share = 99.9;
-}
-
 /* Checks what any command's options exclude. */
 static bool check_together(const struct options *options, struct options_error *error) {
     if (options->overrides.has_error && options->overrides.has_threshold) {
@@ -136,47 +126,35 @@ static const char *nearest_option(const struct getopt_tables *tables, const char
     return nearest_word(name, tables->names);
 }
 
-/* Refuses a letter that is no option's. A person who writes "-depth" means "--depth". */
-static bool refuse_letter(const struct command *command, const struct getopt_tables *tables,
-                          const char *culprit, struct options_error *error) {
-    const char *near =
-        strlen(culprit) > 2 && culprit[1] != '-' ? nearest_option(tables, culprit) : NULL;
+/* Refuses an option that getopt_long() does not know. optopt is the letter of a short option, or
+ * the value of a long one that got an argument but takes none. optopt is 0 where no long option has
+ * that name, or several begin so. A person who writes "-depth" means "--depth". */
+static bool refuse_unknown(const struct command *command, const struct getopt_tables *tables,
+                           const char *culprit, struct options_error *error) {
+    char meant[MEANT_SIZE] = "";
+    if (optopt >= LONG_ONLY) {
+        return options_refuse(error, "--%s: takes no value", tables->names[optopt - LONG_ONLY]);
+    }
     if (optopt >= '0' && optopt <= '9') {
         return options_refuse(error, "%s: no option -%c, and no number below 0 is allowed",
                               command->name, optopt);
     }
-    if (near != NULL) {
-        return options_refuse(error, "%s: no option %.100s; did you mean --%s?", command->name,
-                              culprit, near);
+    if (optopt == 0) {
+        list_meant(tables, culprit, meant);
     }
-    return options_refuse(error, "%s: no option -%c; try superframe %s --help", command->name,
-                          optopt, command->name);
-}
-
-/* Refuses an option that getopt_long() does not know. optopt is the letter of a short option, or
- * the value of a long one that got an argument but takes none. optopt is 0 where no long option has
- * that name, or several begin so. */
-static bool refuse_unknown(const struct command *command, const struct getopt_tables *tables,
-                           const char *culprit, struct options_error *error) {
-    char meant[MEANT_SIZE];
-    if (optopt >= LONG_ONLY) {
-        return options_refuse(error, "--%s: takes no value", tables->names[optopt - LONG_ONLY]);
-    }
-    if (optopt != 0) {
-        return refuse_letter(command, tables, culprit, error);
-    }
-    list_meant(tables, culprit, meant);
     if (meant[0] != '\0') {
         return options_refuse(error, "%s: %.100s is ambiguous; allowed are%s", command->name,
                               culprit, meant + 1);
     }
-    const char *near = nearest_option(tables, culprit);
+    bool is_word = optopt == 0 || (strlen(culprit) > 2 && culprit[1] != '-');
+    const char *near = is_word ? nearest_option(tables, culprit) : NULL;
     if (near != NULL) {
         return options_refuse(error, "%s: no option %.100s; did you mean --%s?", command->name,
                               culprit, near);
     }
+    const char letter[] = {'-', (char)optopt, '\0'};
     return options_refuse(error, "%s: no option %.100s; try superframe %s --help", command->name,
-                          culprit, command->name);
+                          optopt == 0 ? culprit : letter, command->name);
 }
 
 /* Returns the word that getopt_long() could not take. Amid a word of letters, optind is still at
@@ -204,12 +182,12 @@ static bool check_dashes(const struct getopt_tables *tables, const struct option
     return true;
 }
 
-bool options_parse(const struct command *command, int argc, char **argv, struct options *options,
-                   struct options_error *error) {
+/* Takes all words of a command line. Returns false with *error filled where one is refused. */
+static bool take_words(const struct command *command, int argc, char **argv,
+                       struct options *options, struct options_error *error) {
     struct getopt_tables tables;
     int found;
     make_tables(command, &tables);
-    set_defaults(options);
     opterr = 0; /* the messages are this program's own */
     optind = 0; /* starts afresh: a test parses many command lines */
     while ((found = getopt_long(argc, argv, tables.letters, tables.longs, NULL)) != -1) {
@@ -235,4 +213,22 @@ bool options_parse(const struct command *command, int argc, char **argv, struct 
     return check_operands(command, options, error) && check_together(options, error) &&
            (command->check == NULL || command->check(options, error)) &&
            places_are_apart(command, options, error);
+}
+
+struct options *options_parse(const struct command *command, int argc, char **argv,
+                              struct options_error *error) {
+    const struct option_entry *entry;
+    struct options *options = calloc(1, command->size > 0 ? command->size : sizeof *options);
+    if (options == NULL) {
+        (void)options_refuse(error, "out of memory");
+        return NULL;
+    }
+    for (size_t i = 0; (entry = command_option(command, i)) != NULL; i++) {
+        option_preset(entry, options);
+    }
+    if (!take_words(command, argc, argv, options, error)) {
+        free(options);
+        return NULL;
+    }
+    return options;
 }

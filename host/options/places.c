@@ -19,6 +19,7 @@ enum { RESULTS_MOST = 8 + RENDER_EXPOSURES, NAME_SIZE = 256, WHAT_SIZE = 32 };
 struct place {
     const char *what; /* the option or operand that names it */
     const char *name; /* "-": a standard stream */
+    bool is_picture;  /* it may replace PNGs alone */
     bool is_there;
     struct stat facts; /* where is_there */
     char *resolved;    /* where it is not there: its folder's real path, and its own name */
@@ -82,16 +83,18 @@ static bool is_overwritten(const struct place *input, const struct place *result
 
 /* ---- Results -------------------------------------------------------------------------------- */
 
-static void add_result(struct results *results, const char *what, const char *name) {
+static void add_result(struct results *results, const char *what, const char *name,
+                       bool is_picture) {
     if (name != NULL) {
-        results->places[results->count++] = look_at(what, name, STDOUT_FILENO);
+        results->places[results->count] = look_at(what, name, STDOUT_FILENO);
+        results->places[results->count++].is_picture = is_picture;
     }
 }
 
 static void add_exposures(struct results *results, const char *what, const char *folder) {
     for (unsigned i = 0; folder != NULL && i < RENDER_EXPOSURES; i++) {
         results->exposures[i] = camera_exposure_name(folder, i);
-        add_result(results, what, results->exposures[i]);
+        add_result(results, what, results->exposures[i], false);
     }
 }
 
@@ -120,22 +123,28 @@ static void add_results(struct results *results, const struct command *command,
     const struct option_entry *entry;
     if (options->output == NULL && command->default_output != NULL) {
         add_result(results, "-o",
-                   command->default_output(options, results->picture, sizeof results->picture));
+                   command->default_output(options, results->picture, sizeof results->picture),
+                   true);
     }
     for (size_t i = 0; (entry = command_option(command, i)) != NULL; i++) {
-        if (entry->role == ROLE_RESULT || entry->role == ROLE_PICTURE) {
-            add_result(results, shown(entry, results->what[results->count]),
-                       name_of(entry, options));
+        char *what = results->what[results->count];
+        switch (entry->role) {
+        case ROLE_NONE:
+        case ROLE_INPUT:
+            break;
+        case ROLE_RESULT:
+            add_result(results, shown(entry, what), name_of(entry, options), false);
+            break;
+        case ROLE_PICTURE:
+            add_result(results, shown(entry, what), name_of(entry, options), !options->converts);
+            break;
+        case ROLE_EXPOSURES:
+            add_exposures(results, shown(entry, what), name_of(entry, options));
+            break;
         }
     }
     if (command->printed != NULL && command->printed(options) != NULL) {
-        add_result(results, command->printed(options), "-");
-    }
-    for (size_t i = 0; (entry = command_option(command, i)) != NULL; i++) {
-        if (entry->role == ROLE_EXPOSURES) {
-            add_exposures(results, shown(entry, results->what[results->count]),
-                          name_of(entry, options));
-        }
+        add_result(results, command->printed(options), "-", false);
     }
 }
 
@@ -246,9 +255,8 @@ static bool is_other_file(const char *name) {
     return length < sizeof begin || memcmp(begin, signature, sizeof begin) != 0;
 }
 
-static bool may_be_written(const char *name, const struct options *options,
-                           struct options_error *error) {
-    if (name == NULL || strcmp(name, "-") == 0) {
+static bool may_be_written(const char *name, bool is_forced, struct options_error *error) {
+    if (strcmp(name, "-") == 0) {
         return true;
     }
     if (has_other_ending(name)) {
@@ -257,24 +265,17 @@ static bool may_be_written(const char *name, const struct options *options,
                               ".png, or in no other kind of picture",
                               name);
     }
-    return options->force || !is_other_file(name) ||
+    return is_forced || !is_other_file(name) ||
            options_refuse(error, "%.200s: the file that is there is no PNG; --force replaces it",
                           name);
 }
 
-/* Checks the pictures that a command writes. `superframe trace --to` writes no picture. */
-static bool may_pictures_be_written(const struct command *command, const struct options *options,
+static bool may_pictures_be_written(const struct results *results, bool is_forced,
                                     struct options_error *error) {
-    const struct option_entry *entry;
-    char name[NAME_SIZE];
-    bool may_be =
-        options->output != NULL || command->default_output == NULL ||
-        may_be_written(command->default_output(options, name, sizeof name), options, error);
-    for (size_t i = 0;
-         may_be && !options->tracing.converts && (entry = command_option(command, i)) != NULL;
-         i++) {
-        may_be =
-            entry->role != ROLE_PICTURE || may_be_written(name_of(entry, options), options, error);
+    bool may_be = true;
+    for (unsigned i = 0; i < results->count && may_be; i++) {
+        const struct place *place = &results->places[i];
+        may_be = !place->is_picture || may_be_written(place->name, is_forced, error);
     }
     return may_be;
 }
@@ -284,8 +285,9 @@ bool places_are_apart(const struct command *command, const struct options *optio
     struct results results;
     memset(&results, 0, sizeof results);
     add_results(&results, command, options);
-    bool are_apart =
-        are_results_apart(&results, error) && do_inputs_stay(command, options, &results, error);
+    bool are_apart = are_results_apart(&results, error) &&
+                     do_inputs_stay(command, options, &results, error) &&
+                     may_pictures_be_written(&results, options->force, error);
     free_results(&results);
-    return are_apart && may_pictures_be_written(command, options, error);
+    return are_apart;
 }

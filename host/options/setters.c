@@ -8,25 +8,15 @@
 
 enum { ONE_IN_MOST = 1000000000, PART_SIZE = 32 };
 
-/* Finds the place of a value among words; -1: it is none of them. */
-static int find_word(const char *value, const char *const *words) {
-    for (int i = 0; words[i] != NULL; i++) {
-        if (strcmp(value, words[i]) == 0) {
-            return i;
-        }
-    }
-    return -1;
-}
-
 enum value_verdict set_arithmetic(struct options *options, const char *value) {
     options->arithmetic = value;
     return arithmetic_is_missing(value) ? VALUE_NOT_BUILT
                                         : option_verdict(arithmetic_find(value) != NULL);
 }
 
-enum value_verdict set_size(struct options *options, const char *value) {
+static enum value_verdict take_size(struct options *options, const char *value, uint64_t dots) {
     uint64_t width, height;
-    if (!value_pair(value, 'x', 1, BOARD_WIDTH, BOARD_HEIGHT, &width, &height)) {
+    if (!value_pair(value, 'x', 1, BOARD_WIDTH / dots, BOARD_HEIGHT / dots, &width, &height)) {
         return VALUE_WRONG;
     }
     options->overrides.width = (int)width;
@@ -34,13 +24,22 @@ enum value_verdict set_size(struct options *options, const char *value) {
     return VALUE_TAKEN;
 }
 
+enum value_verdict set_size(struct options *options, const char *value) {
+    return take_size(options, value, 1);
+}
+
+enum value_verdict set_small_size(struct options *options, const char *value) {
+    return take_size(options, value, 2);
+}
+
+const char *const scene_model_words[] = {"simple", "fresnel", "wavelength", "absorption", NULL};
+
 /* Sets the model. Absorption is a property of materials and goes with every model: the word alone
  * stands for the standard model. */
 enum value_verdict set_model(struct options *options, const char *value) {
-    static const char *const words[] = {"simple", "fresnel", "wavelength", "absorption", NULL};
     static const enum scene_model models[] = {MODEL_SIMPLE, MODEL_FRESNEL, MODEL_WAVELENGTH,
                                               MODEL_FRESNEL};
-    int word = find_word(value, words);
+    int word = option_word(value, scene_model_words);
     options->overrides.model = models[word >= 0 ? word : 1];
     return option_verdict(word >= 0);
 }
@@ -50,7 +49,7 @@ enum value_verdict set_colour(struct options *options, const char *value) {
     static const enum scene_colour colours[] = {COLOUR_FULL, COLOUR_DITHER, COLOUR_EXPOSURES};
     static const char bits[] = "bits:";
     uint64_t kept;
-    int word = find_word(value, words);
+    int word = option_word(value, words);
     if (strncmp(value, bits, sizeof bits - 1) == 0) {
         options->overrides.colour = COLOUR_BITS;
         if (!value_whole(value + sizeof bits - 1, 1, 8, &kept)) {
@@ -81,86 +80,64 @@ enum value_verdict set_strict(struct options *options, const char *value) {
 
 /* ---- Faults --------------------------------------------------------------------------------- */
 
-static bool read_one_in(uint32_t *one_in, const char *value) {
-    uint64_t number;
-    if (!value_whole(value, 1, ONE_IN_MOST, &number)) {
-        return false;
-    }
-    *one_in = (uint32_t)number;
-    return true;
-}
-
-static bool read_count(uint64_t *count, uint64_t least, const char *value) {
-    uint64_t number;
-    if (!value_whole(value, least, UINT32_MAX, &number)) {
-        return false;
-    }
-    *count = number;
-    return true;
-}
-
-static bool read_dead_port(struct fault_plan *plan, const char *value) {
+static enum value_verdict set_dead_port(struct options *options, const char *value) {
     uint64_t port;
-    if (!value_port(value, &port)) {
-        return false;
-    }
-    plan->has_dead_port = true;
-    plan->dead_port = (uint16_t)port;
-    return true;
+    bool is_port = value_port(value, &port);
+    options->board.faults.has_dead_port = is_port;
+    options->board.faults.dead_port = is_port ? (uint16_t)port : 0;
+    return option_verdict(is_port);
 }
 
-/* Reads one fault of the list: a word, or a name and its value. Returns false where it is
- * invalid. */
-static bool read_fault(struct fault_plan *plan, char *part) {
+static enum value_verdict set_lost(struct options *options, const char *value) {
+    (void)value;
+    options->board.faults.vanish_status = BUS_LOST;
+    return VALUE_TAKEN;
+}
+
+#define NUMBER(member, from, to)                                                                   \
+    .value = "N", WHOLE_IN(struct options, board.faults.member, from, to)
+
+/* What the list of --faults is made of), as options are. */
+static const struct option_entry fault_entries[] = {
+    {.name = "seed", NUMBER(seed, 0, UINT32_MAX)},
+    {.name = "lose", NUMBER(lose_one_in, 1, ONE_IN_MOST)},
+    {.name = "flip", NUMBER(flip_write_one_in, 1, ONE_IN_MOST)},
+    {.name = "flip-read", NUMBER(flip_read_one_in, 1, ONE_IN_MOST)},
+    {.name = "vanish", NUMBER(vanish_after, 1, UINT32_MAX)},
+    {.name = "dead", .value = "PORT", .type = OPTION_OWN, .set = set_dead_port},
+    {.name = "absent", FLAG_IN(struct options, board.faults.is_absent)},
+    {.name = "lost", .type = OPTION_OWN, .set = set_lost},
+    {.name = NULL}};
+
+/* Reads one fault of the list: a word, or a name and its value. */
+static enum value_verdict read_fault(struct options *options, char *part) {
+    const struct option_entry *entry = fault_entries;
     char *value = strchr(part, '=');
-    if (value == NULL) {
-        plan->is_absent = plan->is_absent || strcmp(part, "absent") == 0;
-        if (strcmp(part, "lost") == 0) {
-            plan->vanish_status = BUS_LOST;
-        }
-        return strcmp(part, "absent") == 0 || strcmp(part, "lost") == 0;
+    if (value != NULL) {
+        *value++ = '\0';
     }
-    *value++ = '\0';
-    if (strcmp(part, "seed") == 0) {
-        return read_count(&plan->seed, 0, value);
+    while (entry->name != NULL && strcmp(entry->name, part) != 0) {
+        entry++;
     }
-    if (strcmp(part, "lose") == 0) {
-        return read_one_in(&plan->lose_one_in, value);
-    }
-    if (strcmp(part, "flip") == 0) {
-        return read_one_in(&plan->flip_write_one_in, value);
-    }
-    if (strcmp(part, "flip-read") == 0) {
-        return read_one_in(&plan->flip_read_one_in, value);
-    }
-    if (strcmp(part, "vanish") == 0) {
-        return read_count(&plan->vanish_after, 1, value);
-    }
-    return strcmp(part, "dead") == 0 && read_dead_port(plan, value);
-}
-
-static bool read_faults(struct board_options *options, const char *value) {
-    options->has_faults = true;
-    for (;;) {
-        char part[PART_SIZE];
-        size_t length = strcspn(value, ",");
-        if (length >= sizeof part) {
-            return false;
-        }
-        memcpy(part, value, length);
-        part[length] = '\0';
-        if (!read_fault(&options->faults, part)) {
-            return false;
-        }
-        if (value[length] == '\0') {
-            return true;
-        }
-        value += length + 1;
-    }
+    return entry->name == NULL || (value == NULL) != (entry->value == NULL)
+               ? VALUE_WRONG
+               : option_take(entry, value, options);
 }
 
 enum value_verdict set_faults(struct options *options, const char *value) {
-    return option_verdict(read_faults(&options->board, value));
+    options->board.has_faults = true;
+    for (;;) {
+        char part[PART_SIZE];
+        size_t length = strcspn(value, ",");
+        (void)snprintf(part, sizeof part, "%.*s", (int)length, value);
+        if (length >= sizeof part || read_fault(options, part) != VALUE_TAKEN) {
+            return VALUE_WRONG;
+        }
+        if (value[length] == '\0') {
+            return VALUE_TAKEN;
+        }
+        value += length + 1;
+    }
 }
 
 enum value_verdict set_value(struct options *options, const char *value) {

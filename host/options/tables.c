@@ -4,15 +4,12 @@
 #include <string.h>
 
 #include "base/numbers.h"
-#include "options/options.h"
+#include "options/options_internal.h"
 
-static const struct option_entry help_entries[] = {{.name = "help",
-                                                    .letter = 'h',
-                                                    .type = OPTION_FLAG,
-                                                    OPTION_MEMBER(help),
-                                                    .help = "print this text"},
-                                                   {.name = NULL}};
-const struct option_group group_help = {"Help", help_entries};
+const struct option_group group_help = {
+    "Help",
+    OPTION_ENTRIES(
+        {.name = "help", .letter = 'h', FLAG_IN(struct options, help), .help = "print this help"})};
 
 bool options_refuse(struct options_error *error, const char *format, ...) {
     va_list arguments;
@@ -35,7 +32,7 @@ const struct option_entry *command_option(const struct command *command, size_t 
             }
         }
     }
-    return i == 0 ? help_entries : NULL;
+    return i == 0 ? group_help.entries : NULL;
 }
 
 /* ---- Values --------------------------------------------------------------------------------- */
@@ -54,63 +51,56 @@ static void store_whole(const struct option_entry *entry, uint64_t value, struct
     }
 }
 
-static enum value_verdict take_text(const struct option_entry *entry, const char *value,
-                                    struct options *options) {
-    memcpy((unsigned char *)options + entry->offset, &value, sizeof value);
-    return option_verdict(value[0] != '\0' &&
-                          (entry->type == OPTION_TEXT || strcmp(value, "-") != 0));
-}
-
-static enum value_verdict take_whole(const struct option_entry *entry, const char *value,
-                                     struct options *options) {
-    uint64_t number;
-    if (!value_whole(value, (uint64_t)entry->least, (uint64_t)entry->most, &number)) {
-        return VALUE_WRONG;
+int option_word(const char *value, const char *const *words) {
+    int i = 0;
+    while (words[i] != NULL && strcmp(value, words[i]) != 0) {
+        i++;
     }
-    store_whole(entry, number, options);
-    return VALUE_TAKEN;
-}
-
-static enum value_verdict take_real(const struct option_entry *entry, const char *value,
-                                    struct options *options) {
-    double number;
-    if (!value_real(value, entry->least, entry->most, &number)) {
-        return VALUE_WRONG;
-    }
-    memcpy((unsigned char *)options + entry->offset, &number, sizeof number);
-    return VALUE_TAKEN;
-}
-
-static enum value_verdict take_word(const struct option_entry *entry, const char *value,
-                                    struct options *options) {
-    for (unsigned i = 0; entry->words[i] != NULL; i++) {
-        if (strcmp(value, entry->words[i]) == 0) {
-            store_whole(entry, i, options);
-            return VALUE_TAKEN;
-        }
-    }
-    return VALUE_WRONG;
+    return words[i] != NULL ? i : -1;
 }
 
 static enum value_verdict take_by_type(const struct option_entry *entry, const char *value,
                                        struct options *options) {
+    unsigned char *member = (unsigned char *)options + entry->offset;
+    uint64_t whole = 1;
+    double real;
+    int word;
+    bool is_right = true;
     switch (entry->type) {
     case OPTION_FLAG:
-        store_whole(entry, true, options);
-        return VALUE_TAKEN;
+        break;
     case OPTION_TEXT:
     case OPTION_FOLDER:
-        return take_text(entry, value, options);
+        memcpy(member, &value, sizeof value);
+        return option_verdict(value[0] != '\0' &&
+                              (entry->type == OPTION_TEXT || strcmp(value, "-") != 0));
     case OPTION_WHOLE:
-        return take_whole(entry, value, options);
-    case OPTION_REAL:
-        return take_real(entry, value, options);
-    case OPTION_WORD:
-        return take_word(entry, value, options);
-    case OPTION_OWN:
+        is_right = value_whole(value, (uint64_t)entry->least, (uint64_t)entry->most, &whole);
         break;
+    case OPTION_REAL:
+        is_right = value_real(value, entry->least, entry->most, &real);
+        if (is_right) {
+            memcpy(member, &real, sizeof real);
+        }
+        return option_verdict(is_right);
+    case OPTION_WORD:
+        word = option_word(value, entry->words);
+        is_right = word >= 0;
+        whole = (uint64_t)word;
+        break;
+    case OPTION_OWN:
+        return entry->set(options, value);
     }
-    return entry->set(options, value);
+    if (is_right) {
+        store_whole(entry, whole, options);
+    }
+    return option_verdict(is_right);
+}
+
+void option_preset(const struct option_entry *entry, struct options *options) {
+    if (entry->preset != NULL) {
+        (void)take_by_type(entry, entry->preset, options);
+    }
 }
 
 enum value_verdict option_take(const struct option_entry *entry, const char *value,
@@ -120,6 +110,12 @@ enum value_verdict option_take(const struct option_entry *entry, const char *val
         memcpy((unsigned char *)options + entry->given, &is_given, sizeof is_given);
     }
     return take_by_type(entry, value, options);
+}
+
+void option_help(const struct option_entry *entry, char text[OPTION_HELP_SIZE]) {
+    const char *preset = entry->preset;
+    (void)snprintf(text, OPTION_HELP_SIZE, "%s%s%s%s", entry->help, preset != NULL ? " (" : "",
+                   preset != NULL ? preset : "", preset != NULL ? ")" : "");
 }
 
 /* Writes words as a sentence has them: "a, b or c". */
@@ -135,28 +131,16 @@ void option_allowed(const struct option_entry *entry, char text[OPTION_ALLOWED_S
     text[0] = '\0';
     if (entry->allowed != NULL) {
         (void)snprintf(text, OPTION_ALLOWED_SIZE, "%s", entry->allowed);
-        return;
-    }
-    switch (entry->type) {
-    case OPTION_FLAG:
-    case OPTION_OWN:
-        break;
-    case OPTION_TEXT:
-        (void)snprintf(text, OPTION_ALLOWED_SIZE, "a file's name");
-        break;
-    case OPTION_FOLDER:
-        (void)snprintf(text, OPTION_ALLOWED_SIZE, "a folder's name");
-        break;
-    case OPTION_WHOLE:
+    } else if (entry->words != NULL) {
+        list_words(entry->words, text);
+    } else if (entry->type == OPTION_TEXT || entry->type == OPTION_FOLDER) {
+        (void)snprintf(text, OPTION_ALLOWED_SIZE, "a %s's name",
+                       entry->type == OPTION_TEXT ? "file" : "folder");
+    } else if (entry->type == OPTION_WHOLE) {
         (void)snprintf(text, OPTION_ALLOWED_SIZE, "a whole number %.0f..%.0f", entry->least,
                        entry->most);
-        break;
-    case OPTION_REAL:
+    } else if (entry->type == OPTION_REAL) {
         (void)snprintf(text, OPTION_ALLOWED_SIZE, "a number %.10g..%.10g", entry->least,
                        entry->most);
-        break;
-    case OPTION_WORD:
-        list_words(entry->words, text);
-        break;
     }
 }

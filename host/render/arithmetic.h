@@ -51,7 +51,7 @@ const struct arithmetic *arithmetic_find_any(const char *name);
 /* Tells whether an arithmetic of that name exists but is missing from this build. */
 bool arithmetic_is_missing(const char *name);
 
-/* The names of the arithmetics of this build, as "fx, f32, f64 or f128", for messages. */
-extern const char arithmetics_names[];
+/* The names of the arithmetics of this build; ended by NULL. */
+extern const char *const arithmetics_names[];
 
 #endif

@@ -9,6 +9,8 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include "base/stopwatch.h"
+
 enum { BAR_WIDTH = 24, SECONDS_SHOWN_MOST = 359999, COLUMNS_USUAL = 80 };
 
 #define SECONDS_BETWEEN 0.1
@@ -93,6 +95,15 @@ void progress_show(void *context, const struct render_totals *so_far) {
     progress_line(line, progress, so_far);
     (void)fprintf(stderr, "\r%s\033[K", line); /* erases what is right of the line */
     (void)fflush(stderr);
+}
+
+void progress_show_sum(void *context, const struct render_totals *so_far) {
+    struct progress_sum *sum = context;
+    sum->now.rays = sum->before.rays + so_far->rays;
+    sum->now.shadow_rays = sum->before.shadow_rays + so_far->shadow_rays;
+    sum->now.rows = sum->before.rows + so_far->rows;
+    sum->now.seconds = stopwatch_seconds(&sum->began);
+    progress_show(&sum->progress, &sum->now);
 }
 
 void progress_end(struct progress *progress) {

@@ -5,6 +5,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <time.h>
 
 #include "render/render.h"
 
@@ -28,6 +29,17 @@ void progress_begin(struct progress *progress, unsigned rows, bool quiet);
 /* Draws the line again, some ten times a second at most, as `progress` of a struct render_job.
  * context is the struct progress. */
 void progress_show(void *context, const struct render_totals *so_far);
+
+/* One bar over many renders. All zero but `progress` and `began`: nothing was rendered yet. */
+struct progress_sum {
+    struct progress progress;
+    struct timespec began;
+    struct render_totals before, now; /* of the renders that are done; with the one at work */
+};
+
+/* Adds a render at work to those that are done, and draws the line, as `progress` of a struct
+ * render_job. context is the struct progress_sum. After each render the caller sets `before`. */
+void progress_show_sum(void *context, const struct render_totals *so_far);
 
 /* Removes the line from the terminal. */
 void progress_end(struct progress *progress);

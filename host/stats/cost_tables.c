@@ -62,8 +62,7 @@ const struct cost_target cost_targets[] = {
      11, 4.5, 0, 0, "i386", "i387"},
     {"387", "the same with an 80387 at 16 MHz", 16,
      "assumed: 17 for x87 code (Intel 387 data sheet: FLD 14-25, FADD 23-34, FMUL 29-57, FDIV "
-     "88-91, "
-     "FSQRT 122-129, between integer instructions of 4.5)",
+     "88-91, FSQRT 122-129, between integer instructions of 4.5)",
      11, 4.5, 17, 17, "i386", "i387"},
     {"m0", "Cortex-M0 at 48 MHz", 48,
      "assumed: 1.5 (Cortex-M0 Technical Reference Manual, Table 3-1: ALU 1, load and store 2, "
@@ -75,8 +74,7 @@ const struct cost_target cost_targets[] = {
      2, 1.4, 1.4, 1.4, "m3", "m3"},
     {"m4f", "Cortex-M4F at 168 MHz", 168,
      "assumed: 1.3; f32 1.5 (Cortex-M4 Technical Reference Manual, Tables 3-1 and 7-1: ALU 1, "
-     "SMULL "
-     "1, load 2, VADD and VMUL 1, VDIV and VSQRT 14); port: a store of 2",
+     "SMULL 1, load 2, VADD and VMUL 1, VDIV and VSQRT 14); port: a store of 2",
      2, 1.3, 1.5, 1.3, "m4f", "m4f"},
     {"x86_64", "x86-64 at 3 GHz, one core", 3000,
      "assumed: 0.5, two instructions a clock; the ports of such a machine are a program", 0, 0.5,

@@ -34,23 +34,22 @@ void stats_predict_frames(const struct compiled_scene *scene, const struct rende
     }
 }
 
-void stats_write_cost(FILE *out, const struct cost_bus *cost, const struct board_options *options,
-                      const double frames[COST_SHOWN]) {
-    (void)fprintf(out, "  \"bus_wait_ns\": %g,\n  \"port_cost\": {", options->bus_wait);
+void stats_write_cost(struct json *json, const struct cost_bus *cost,
+                      const struct board_options *options, const double frames[COST_SHOWN]) {
+    json_rounded(json, "bus_wait_ns", options->bus_wait, 6);
+    json_begin_object(json, "port_cost");
     for (int i = 0; i < COST_SHOWN; i++) {
         const struct cost_machine *machine = cost_machine_by_name(cost_shown_machines[i]);
         double seconds = cost_bus_seconds(cost, machine, options->bus_wait);
         double frame = options->frame_seconds > 0 ? options->frame_seconds
                        : frames != NULL           ? frames[i]
                                                   : 0;
-        (void)fprintf(out, "%s\"%s\": {\"seconds\": %.9g, ", i > 0 ? ", " : "", machine->name,
-                      seconds);
-        if (isfinite(frame) && frame > 0) {
-            (void)fprintf(out, "\"frame_seconds\": %.6g, \"frame_share\": %.9g}", frame,
-                          seconds / frame);
-        } else {
-            (void)fprintf(out, "\"frame_seconds\": null, \"frame_share\": null}");
-        }
+        frame = frame > 0 ? frame : (double)NAN;
+        json_begin_object(json, machine->name);
+        json_rounded(json, "seconds", seconds, 9);
+        json_rounded(json, "frame_seconds", frame, 6);
+        json_rounded(json, "frame_share", seconds / frame, 9);
+        json_end_object(json);
     }
-    (void)fprintf(out, "},\n");
+    json_end_object(json);
 }

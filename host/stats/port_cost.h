@@ -3,8 +3,7 @@
 #ifndef SUPERFRAME_STATS_COST_H
 #define SUPERFRAME_STATS_COST_H
 
-#include <stdio.h>
-
+#include "base/json.h"
 #include "board/options.h"
 #include "compiler/tables.h"
 #include "cost_bus.h"
@@ -20,10 +19,9 @@ extern const char *const cost_shown_machines[COST_SHOWN + 1];
 void stats_predict_frames(const struct compiled_scene *scene, const struct render_totals *totals,
                           const char *arithmetic, uint64_t port_writes, double seconds[COST_SHOWN]);
 
-/* Writes the keys bus_wait_ns and port_cost of the statistics, each line ended by a comma. The
- * frame's seconds, for the share, come from --frame-seconds, else from `frames`. NULL or NaN there:
- * not known, written as null. */
-void stats_write_cost(FILE *out, const struct cost_bus *cost, const struct board_options *options,
-                      const double frames[COST_SHOWN]);
+/* Writes the keys bus_wait_ns and port_cost of the statistics. The frame's seconds, for the share,
+ * come from --frame-seconds, else from `frames`. NULL or NaN there: not known, written as null. */
+void stats_write_cost(struct json *json, const struct cost_bus *cost,
+                      const struct board_options *options, const double frames[COST_SHOWN]);
 
 #endif

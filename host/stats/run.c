@@ -2,126 +2,128 @@
 /* The statistics of a run as a JSON object. */
 #include "stats/run.h"
 
-#include <inttypes.h>
-#include <stdbool.h>
-
 #include "base/json.h"
 #include "base/stopwatch.h"
 #include "stats/port_cost.h"
 
-static void write_count(FILE *out, const char *key, uint64_t count) {
-    (void)fprintf(out, "  \"%s\": %" PRIu64 ",\n", key, count);
-}
+enum { CRC_DIGITS = 8, HASH_DIGITS = 16 };
 
 /* Writes what the estimates of cut branches have learned and reached. */
-static void write_estimate(FILE *out, const struct run_stats *stats) {
+static void write_estimate(struct json *json, const struct run_stats *stats) {
     static const char *const names[WAYS + 1] = {
         [WAY_DOWN] = "tail_down", [WAY_UP] = "tail_up", [WAY_ANY] = "tail"};
     const struct render_totals *totals = stats->totals;
     const struct estimate_level *level = &totals->estimate.level[totals->estimate.typical];
-    write_count(out, "learning_rays", totals->learning_rays);
+    json_count(json, "learning_rays", totals->learning_rays);
     for (int way = 0; way <= WAYS; way++) {
-        const int32_t *mean = level->mean[way];
-        (void)fprintf(out, "  \"%s\": [%.6f, %.6f, %.6f],\n", names[way], mean[0] / 65536.0,
-                      mean[1] / 65536.0, mean[2] / 65536.0);
+        json_begin_list(json, names[way]);
+        for (int i = 0; i < 3; i++) {
+            json_decimal(json, NULL, level->mean[way][i] / 65536.0, 6);
+        }
+        json_end_list(json);
     }
     if (stats->compiled->error > 0) {
-        (void)fprintf(out, "  \"error\": %.17g,\n  \"spread\": %.6f,\n", stats->compiled->error,
-                      level->spread / 65536.0);
-        (void)fprintf(out, "  \"estimated_error\": %.6f,\n", totals->estimated_error / 65536.0);
-        (void)fprintf(out, "  \"worst_pixel\": [%u, %u],\n", totals->worst_x, totals->worst_y);
-        write_count(out, "proved_error", totals->proved_error);
+        json_real(json, "error", stats->compiled->error);
+        json_decimal(json, "spread", level->spread / 65536.0, 6);
+        json_decimal(json, "estimated_error", totals->estimated_error / 65536.0, 6);
+        json_begin_list(json, "worst_pixel");
+        json_count(json, NULL, totals->worst_x);
+        json_count(json, NULL, totals->worst_y);
+        json_end_list(json);
+        json_count(json, "proved_error", totals->proved_error);
     }
 }
 
-static void write_render(FILE *out, const struct run_stats *stats) {
+static void write_render(struct json *json, const struct run_stats *stats) {
     const struct compiled_scene *compiled = stats->compiled;
     const struct render_totals *totals = stats->totals;
-    (void)fputs("  \"scene\": ", out);
-    json_write_string(out, stats->scene);
-    (void)fputs(",\n  \"arith\": ", out);
-    json_write_string(out, stats->arithmetic);
-    (void)fprintf(out, ",\n  \"depth\": %u,\n  \"threshold\": %.17g,\n", compiled->depth_asked,
-                  compiled->threshold);
-    write_count(out, "width", compiled->width);
-    write_count(out, "height", compiled->height);
-    write_count(out, "pixels", (uint64_t)compiled->width * totals->rows);
-    write_count(out, "nodes", totals->nodes);
-    write_count(out, "rays", totals->rays);
-    write_count(out, "shadow_rays", totals->shadow_rays);
-    write_count(out, "solid_tests", totals->solid_tests);
-    write_count(out, "leaked_rays", totals->leaked_rays);
-    write_count(out, "exhausted_pixels", totals->exhausted_pixels);
+    json_text(json, "scene", stats->scene);
+    json_text(json, "arith", stats->arithmetic);
+    json_count(json, "depth", compiled->depth_asked);
+    json_real(json, "threshold", compiled->threshold);
+    json_count(json, "width", compiled->width);
+    json_count(json, "height", compiled->height);
+    json_count(json, "pixels", (uint64_t)compiled->width * totals->rows);
+    json_count(json, "nodes", totals->nodes);
+    json_count(json, "rays", totals->rays);
+    json_count(json, "shadow_rays", totals->shadow_rays);
+    json_count(json, "solid_tests", totals->solid_tests);
+    json_count(json, "leaked_rays", totals->leaked_rays);
+    json_count(json, "exhausted_pixels", totals->exhausted_pixels);
     if (compiled->estimates) {
-        write_estimate(out, stats);
+        write_estimate(json, stats);
     }
 }
 
 /* Writes the instructions of an emulated CPU, and the seconds predicted for an RA2. The average of
  * 4.4 clocks an instruction on the 80386 is assumed: the mix here has more products than most. The
  * ports' own clocks are in port_cost. */
-static void write_processor(FILE *out, const struct run_stats *stats) {
+static void write_processor(struct json *json, const struct processor_report *processor) {
     const double clocks = 4.4;
     const struct cost_machine *machine = cost_machine_by_name("RA2");
-    write_count(out, "instructions", stats->processor->instructions);
-    (void)fprintf(out, "  \"predicted_seconds_RA2\": %.1f,\n",
-                  (double)stats->processor->instructions * clocks / (machine->megahertz * 1e6));
+    json_count(json, "instructions", processor->instructions);
+    json_decimal(json, "predicted_seconds_RA2",
+                 (double)processor->instructions * clocks / (machine->megahertz * 1e6), 1);
 }
 
-static void write_cost(FILE *out, const struct run_stats *stats) {
+static void write_cost(struct json *json, const struct run_stats *stats) {
     const struct port_chain *chain = stats->session->chain;
-    const struct board_options *board = stats->session->options;
     double frames[COST_SHOWN];
-    if (stats->totals == NULL) {
-        stats_write_cost(out, &chain->cost, board, NULL);
-        return;
+    if (stats->totals != NULL) {
+        stats_predict_frames(stats->compiled, stats->totals, stats->arithmetic,
+                             port_chain_writes(chain), frames);
     }
-    stats_predict_frames(stats->compiled, stats->totals, stats->arithmetic,
-                         port_chain_writes(chain), frames);
-    stats_write_cost(out, &chain->cost, board, frames);
+    stats_write_cost(json, &chain->cost, stats->session->options,
+                     stats->totals != NULL ? frames : NULL);
 }
 
-static void write_stats(FILE *out, const struct run_stats *stats) {
+static void write_pictures(struct json *json, const struct run_stats *stats) {
     struct port_chain *chain = stats->session->chain;
-    (void)fputs("{\n", out);
-    if (stats->totals != NULL) {
-        write_render(out, stats);
-    }
-    write_count(out, "port_writes", port_chain_writes(chain));
-    write_count(out, "port_reads", port_chain_reads(chain));
-    if (stats->totals != NULL && stats->totals->rows > 0) {
-        double pixels = (double)stats->compiled->width * stats->totals->rows;
-        (void)fprintf(out, "  \"port_writes_per_pixel\": %.6f,\n",
-                      (double)port_chain_writes(chain) / pixels);
-    }
-    (void)fprintf(out, "  \"trace_hash\": \"%016" PRIx64 "\",\n", trace_hash_value(&chain->hash));
     if (chain->has_board) {
         port_chain_picture(chain);
-        (void)fprintf(out, "  \"frame_crc\": \"%08" PRIx32 "\",\n", picture_crc(chain->rgb));
-        write_count(out, "violations", board_violations(&chain->board));
+        json_hexadecimal(json, "frame_crc", picture_crc(chain->rgb), CRC_DIGITS);
+        json_count(json, "violations", board_violations(&chain->board));
     } else {
-        (void)fputs("  \"frame_crc\": null,\n  \"violations\": null,\n", out);
+        json_text(json, "frame_crc", NULL);
+        json_text(json, "violations", NULL);
     }
     if (stats->photograph != NULL) {
-        (void)fprintf(out, "  \"photograph_crc\": \"%08" PRIx32 "\",\n",
-                      picture_crc(stats->photograph));
+        json_hexadecimal(json, "photograph_crc", picture_crc(stats->photograph), CRC_DIGITS);
     }
-    write_cost(out, stats);
+}
+
+static void write_stats(struct json *json, const struct run_stats *stats) {
+    struct port_chain *chain = stats->session->chain;
+    const struct render_totals *totals = stats->totals;
+    json_begin_object(json, NULL);
+    if (totals != NULL) {
+        write_render(json, stats);
+    }
+    json_count(json, "port_writes", port_chain_writes(chain));
+    json_count(json, "port_reads", port_chain_reads(chain));
+    if (totals != NULL && totals->rows > 0) {
+        double pixels = (double)stats->compiled->width * totals->rows;
+        json_decimal(json, "port_writes_per_pixel", (double)port_chain_writes(chain) / pixels, 6);
+    }
+    json_hexadecimal(json, "trace_hash", trace_hash_value(&chain->hash), HASH_DIGITS);
+    write_pictures(json, stats);
+    write_cost(json, stats);
     if (stats->adapter != NULL) {
-        adapter_bus_write_stats(stats->adapter, out);
+        adapter_bus_write_stats(stats->adapter, json);
     }
     if (stats->processor != NULL) {
-        write_processor(out, stats);
+        write_processor(json, stats->processor);
     }
-    if (stats->totals != NULL && chain->first.has_happened) {
-        (void)fprintf(
-            out, "  \"first_write_seconds\": %.6f,\n  \"first_write_cpu_seconds\": %.6f,\n",
-            stopwatch_between(&stats->session->began, &chain->first.at), chain->first.cpu_seconds);
+    if (totals != NULL && chain->first.has_happened) {
+        json_decimal(json, "first_write_seconds",
+                     stopwatch_between(&stats->session->began, &chain->first.at), 6);
+        json_decimal(json, "first_write_cpu_seconds", chain->first.cpu_seconds, 6);
     }
-    if (stats->totals != NULL) {
-        (void)fprintf(out, "  \"render_seconds\": %.6f,\n", stats->totals->seconds);
+    if (totals != NULL) {
+        json_decimal(json, "render_seconds", totals->seconds, 6);
     }
-    (void)fprintf(out, "  \"total_seconds\": %.6f\n}\n", stopwatch_seconds(&stats->session->began));
+    json_decimal(json, "total_seconds", stopwatch_seconds(&stats->session->began), 6);
+    json_end_object(json);
 }
 
 bool stats_commit(const struct run_stats *stats) {
@@ -129,6 +131,7 @@ bool stats_commit(const struct run_stats *stats) {
     if (output->file == NULL) {
         return true;
     }
-    write_stats(output->file, stats);
+    struct json json = {.out = output->file};
+    write_stats(&json, stats);
     return output_commit(output);
 }

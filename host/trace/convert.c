@@ -90,8 +90,7 @@ static int convert(struct conversion *conversion) {
 int trace_convert(const struct trace_conversion *asked) {
     struct conversion *conversion = calloc(1, sizeof *conversion); /* 130 KB */
     if (conversion == NULL) {
-        complain("out of memory");
-        return STATUS_FAILED;
+        return failure("out of memory");
     }
     conversion->asked = asked;
     int status = convert(conversion);

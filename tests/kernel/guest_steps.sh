@@ -150,7 +150,7 @@ replug() {
     plug "$port"
     end_of_drawing
     expect 0 '' "$*: plugged in again, it goes on to the end"
-    tr -d ' ' < /tmp/stats | grep -q '"reconnects":[1-9],"restarts":0,'
+    tr -d ' \n' < /tmp/stats | grep -q '"reconnects":[1-9],"restarts":0,'
     verdict $? "$*: it went on where it was"
     pull 1
 }

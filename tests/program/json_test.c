@@ -17,6 +17,8 @@ static const struct {
      "superframe trace t --statistics --json",
      "\"redundant_writes\": "},
     {"superframe compare a.png a.png --json", "\"holds\": true"},
+    {"superframe measure figA --arith fx --depth 2 --size 20x10 --quiet --json -o m",
+     "\"rays_per_pixel\": "},
 };
 
 static void what_is_printed_is_json(void **state) {
@@ -27,6 +29,43 @@ static void what_is_printed_is_json(void **state) {
             fail_msg("\"%s\": %s", lines[i].line, text_of("out"));
         }
     }
+}
+
+/* Points that were measured, and points that points.csv had already, are printed alike. */
+static void what_measure_prints_is_what_its_folder_holds(void **state) {
+    static const char line[] = "superframe measure figA --arith fx --depth 2 --size 20x10 --quiet "
+                               "--json -o m";
+    static const char *const keys[] = {"rays",          "shadow_rays",   "nodes",   "solid_tests",
+                                       "leaked_rays",   "port_writes",   "seconds", "percent_wrong",
+                                       "percent_apart", "largest_error", "rmse"};
+    (void)state;
+    assert_status(line, 0);
+    char *printed = strdup(text_of("out"));
+    char *points = strdup(text_of("m/points.csv"));
+    char *row = strchr(points, '\n') + 1;
+    unsigned rows = 0;
+    for (char *end; (end = strchr(row, '\n')) != NULL; row = end + 1, rows++) {
+        char fragment[1024] = "";
+        const char *value = row;
+        for (int i = 0; i < 10; i++) {
+            value = strchr(value, ',') + 1;
+        }
+        for (size_t i = 0; i < sizeof keys / sizeof keys[0]; i++) {
+            size_t used = strlen(fragment);
+            int length = (int)strcspn(value, ",");
+            (void)snprintf(fragment + used, sizeof fragment - used, "      \"%s\": %.*s,\n",
+                           keys[i], length, value);
+            value += length + 1;
+        }
+        if (strstr(printed, fragment) == NULL) {
+            fail_msg("--json lacks %s", fragment);
+        }
+    }
+    assert_true(rows > 10);
+    assert_status(line, 0);
+    assert_string_equal(text_of("out"), printed);
+    free(points);
+    free(printed);
 }
 
 /* Libraries are asked; on a machine without adapters the list is empty. */
@@ -68,6 +107,7 @@ static void a_built_in_scene_is_printed_as_it_is(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(what_is_printed_is_json, enter, leave),
+        cmocka_unit_test_setup_teardown(what_measure_prints_is_what_its_folder_holds, enter, leave),
         cmocka_unit_test_setup_teardown(a_list_of_no_devices_is_a_list, enter, leave),
         cmocka_unit_test_setup_teardown(a_scene_comes_from_standard_input, enter, leave),
         cmocka_unit_test_setup_teardown(a_built_in_scene_is_printed_as_it_is, enter, leave),

@@ -256,14 +256,28 @@ static void stats_tell_the_cost(void **state) {
     (void)state;
     assert_status(DRIVER "superframe replay d --stats - --frame-seconds 0.00002", 0);
     assert_out("\"port_reads\": 3,");
-    assert_out("\"port_cost\": {\"VM2\": {\"seconds\": 9.6e-06, \"frame_seconds\": 2e-05, "
-               "\"frame_share\": 0.48}, \"VX2\": {\"seconds\": 5.25e-06, \"frame_seconds\": "
-               "2e-05, \"frame_share\": 0.2625}, \"RA2\": {\"seconds\": 8.625e-06, "
-               "\"frame_seconds\": 2e-05, \"frame_share\": 0.43125}},");
+    assert_out("  \"port_cost\": {\n"
+               "    \"VM2\": {\n"
+               "      \"seconds\": 9.6e-06,\n"
+               "      \"frame_seconds\": 2e-05,\n"
+               "      \"frame_share\": 0.48\n"
+               "    },\n"
+               "    \"VX2\": {\n"
+               "      \"seconds\": 5.25e-06,\n"
+               "      \"frame_seconds\": 2e-05,\n"
+               "      \"frame_share\": 0.2625\n"
+               "    },\n"
+               "    \"RA2\": {\n"
+               "      \"seconds\": 8.625e-06,\n"
+               "      \"frame_seconds\": 2e-05,\n"
+               "      \"frame_share\": 0.43125\n"
+               "    }\n"
+               "  },\n");
     assert_status("superframe replay d --stats - --bus-wait 400", 0);
     assert_out("\"bus_wait_ns\": 400,");
-    assert_out("\"VM2\": {\"seconds\": 1.44e-05, \"frame_seconds\": null, \"frame_share\": "
-               "null}");
+    assert_out("\"seconds\": 1.44e-05,\n"
+               "      \"frame_seconds\": null,\n"
+               "      \"frame_share\": null\n");
 }
 
 /* A render's frame is predicted where the cost model has figures: for fixed point. */
@@ -274,7 +288,7 @@ static void a_render_knows_the_share_of_its_ports(void **state) {
     double seconds = 0, frame = 0, share = 0;
     assert_non_null(vm2);
     assert_int_equal(sscanf(vm2,
-                            "\"VM2\": {\"seconds\": %lf, \"frame_seconds\": %lf, "
+                            "\"VM2\": { \"seconds\": %lf, \"frame_seconds\": %lf, "
                             "\"frame_share\": %lf}",
                             &seconds, &frame, &share),
                      3);

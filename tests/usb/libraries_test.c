@@ -243,7 +243,7 @@ static void the_program_draws_a_scene_and_verifies_it(void **state) {
         }
         assert_int_equal(status, 0);
         assert_non_null(strstr(output, "pixels read back, 0 differed"));
-        assert_non_null(strstr(output, "\"repaired_pixels\": 0}"));
+        assert_non_null(strstr(output, "\"repaired_pixels\": 0\n"));
         (void)picture_draw(mock_board(), NULL, rgb);
         (void)snprintf(crc, sizeof crc, "%08lx", (unsigned long)picture_crc(rgb));
         assert_string_equal(crc, emulated);

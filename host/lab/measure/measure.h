@@ -99,10 +99,8 @@ struct measure {
     size_t scene_count;
     struct measure_list points;
     size_t kept; /* points that were there already */
-    struct progress progress;
-    struct render_totals before, now;
-    struct timespec began;
-    bool has_plots;
+    struct measure_settings settings;
+    struct progress_sum work;
 };
 
 /* Functions below that return an int return an exit status. Where that is not STATUS_DONE, the
@@ -116,6 +114,9 @@ int measure_resume(struct measure *measure);
 
 /* Measures the points that are missing; each is written to points.csv as soon as it is done. */
 int measure_run(struct measure *measure);
+
+/* Tells how to go on after a signal. Returns the exit status of it. */
+int measure_interrupted(void);
 
 /* Writes a finished point as one line, with the digest of its scene. */
 void measure_write_point(const struct measure *measure, FILE *file,
@@ -140,8 +141,9 @@ enum measure_beginning measure_read_head(FILE *file);
 /* Writes the line of column names and flushes the file. Returns false where that failed. */
 bool measure_write_head(FILE *file);
 
-/* Gathers the points of the grid by setting; the caller frees settings. False: memory is out. */
-bool measure_settings(const struct measure *measure, struct measure_settings *settings);
+/* Gathers the measured points of the grid by setting, anew each time; the caller frees
+ * settings.settings. */
+int measure_gather(struct measure *measure);
 
 /* Tells whether a point is of the grid: of its scene's first size, colours and model. */
 bool measure_is_of_grid(const struct measure *measure, const struct measure_point *point);
@@ -160,6 +162,9 @@ int measure_plot(struct measure *measure);
 
 /* Writes table.csv, report.md and report.html. */
 int measure_report(struct measure *measure);
+
+/* Prints scenes, settings and points as a JSON object to standard output, if --json asks for it. */
+int measure_print(struct measure *measure);
 
 /* A file of the report's folder while it is written. */
 struct measure_file {
@@ -185,8 +190,5 @@ double measure_predict(const struct measure *measure, const struct measure_point
  * the caller frees it. Stands in picture.c. */
 int measure_shoot(struct measure *measure, const char *operand, struct measure_point *point,
                   uint8_t **rgb, unsigned *dots);
-
-/* Returns the number of dots along each side of a pixel of a picture. */
-unsigned measure_dots(const struct measure_point *point);
 
 #endif

@@ -1,24 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /* The renderings that `superframe measure` compares: onto the emulated board, and back as dots. */
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/complain.h"
 #include "base/interrupt.h"
-#include "base/output.h"
-#include "base/stopwatch.h"
 #include "board/port_chain.h"
 #include "lab/measure/measure.h"
-#include "picture/ciede2000.h"
-#include "picture/compare.h"
-#include "picture/error_map.h"
-#include "png_file.h"
 #include "scene/load.h"
-
-unsigned measure_dots(const struct measure_point *point) {
-    return render_dots(point->width, point->height);
-}
 
 static struct scene_overrides overrides_of(const struct measure *measure,
                                            const struct measure_point *point) {
@@ -46,16 +35,6 @@ static struct scene_overrides overrides_of(const struct measure *measure,
     return overrides;
 }
 
-/* Adds up the finished renders and the one at work, and shows the sum. */
-static void show_progress(void *context, const struct render_totals *so_far) {
-    struct measure *measure = context;
-    measure->now.rays = measure->before.rays + so_far->rays;
-    measure->now.shadow_rays = measure->before.shadow_rays + so_far->shadow_rays;
-    measure->now.rows = measure->before.rows + so_far->rows;
-    measure->now.seconds = stopwatch_seconds(&measure->began);
-    progress_show(&measure->progress, &measure->now);
-}
-
 /* Copies the part of the screen that was rendered; the caller frees it. NULL: memory is out. */
 static uint8_t *cut_out(const uint8_t *screen, unsigned width, unsigned height) {
     uint8_t *rgb = malloc((size_t)width * height * 3);
@@ -76,12 +55,12 @@ static int draw(struct measure *measure, const struct compiled_scene *compiled,
                                    .last_row = compiled->height,
                                    .jobs = measure->options->jobs,
                                    .stop = interrupt_noted(),
-                                   .progress = show_progress,
-                                   .context = measure};
+                                   .progress = progress_show_sum,
+                                   .context = &measure->work};
     struct bus *bound = bus_bind(&chain->hash.bus);
     bool is_rendered = render(&job, &totals, &error);
     (void)bus_bind(bound);
-    measure->before = measure->now;
+    measure->work.before = measure->work.now;
     if (!is_rendered) {
         return bad_input("%s (--arith %s)", error.text, point->arithmetic);
     }
@@ -101,7 +80,7 @@ int measure_shoot(struct measure *measure, const char *operand, struct measure_p
     const struct scene_overrides overrides = overrides_of(measure, point);
     struct compiled_scene *compiled = load_compiled_scene(operand, &overrides, &error);
     *rgb = NULL;
-    *dots = measure_dots(point);
+    *dots = render_dots(point->width, point->height);
     if (compiled == NULL) {
         return bad_input("%s", error.text);
     }
@@ -115,8 +94,7 @@ int measure_shoot(struct measure *measure, const char *operand, struct measure_p
         *rgb = cut_out(chain->rgb, point->width * *dots, point->height * *dots);
     }
     if (chain == NULL || (status == STATUS_DONE && *rgb == NULL)) {
-        complain("out of memory");
-        status = STATUS_FAILED;
+        status = failure("out of memory");
     }
     port_chain_free(chain);
     free(compiled);

@@ -24,20 +24,26 @@ static void colour_text(enum scene_colour colour, int bits, char text[16]) {
 static int add(struct measure *measure, const struct measure_point *point) {
     if (measure_list_find(&measure->points, point) == NULL &&
         !measure_list_add(&measure->points, point)) {
-        complain("out of memory");
-        return STATUS_FAILED;
+        return failure("out of memory");
     }
     return STATUS_DONE;
 }
 
 /* Tells whether the board shows a point: a dithered pixel has 2 x 2 dots. */
 static bool can_be_shown(const struct measure_point *point) {
-    return strcmp(point->colour, "dither") != 0 || measure_dots(point) == 2;
+    return strcmp(point->colour, "dither") != 0 || render_dots(point->width, point->height) == 2;
 }
 
 /* Adds a point beside the grid, where the board shows it. */
 static int vary(struct measure *measure, const struct measure_point *point) {
     return can_be_shown(point) ? add(measure, point) : STATUS_DONE;
+}
+
+/* Gives a point the arithmetic that was asked for, or one of those that are varied. */
+static void take_arithmetic(struct measure_point *point, const struct options *options,
+                            const char *varied) {
+    (void)snprintf(point->arithmetic, sizeof point->arithmetic, "%s",
+                   options->arithmetic != NULL ? options->arithmetic : varied);
 }
 
 /* Adds the grid: arithmetic by depth by threshold. Without a threshold a tree doubles with each
@@ -50,12 +56,11 @@ static int plan_grid(struct measure *measure, struct measure_point point) {
                                         1.0 / 4096, 1.0 / 16384, 1.0 / 65536};
     const struct options *options = measure->options;
     const struct scene_overrides *overrides = &options->overrides;
-    unsigned many_a = options->has_arithmetic ? 1 : 5, many_d = overrides->has_depth ? 1 : 8;
+    unsigned many_a = options->arithmetic != NULL ? 1 : 5, many_d = overrides->has_depth ? 1 : 8;
     unsigned many_t = overrides->has_threshold ? 1 : 6;
     for (unsigned i = 0; i < many_a * many_d * many_t; i++) {
         unsigned a = i / (many_d * many_t), d = i / many_t % many_d, t = i % many_t;
-        (void)snprintf(point.arithmetic, sizeof point.arithmetic, "%s",
-                       options->has_arithmetic ? options->arithmetic : arithmetics[a]);
+        take_arithmetic(&point, options, arithmetics[a]);
         point.depth = overrides->has_depth ? (unsigned)overrides->depth : depths[d];
         point.threshold = overrides->has_threshold ? overrides->threshold : thresholds[t];
         bool is_endless = point.depth > BASE_DEPTH && !(point.threshold > 0);
@@ -70,47 +75,49 @@ static int plan_grid(struct measure *measure, struct measure_point point) {
     return STATUS_DONE;
 }
 
-/* Adds points that show what an estimated tail gains, at a depth with room for a tail. */
-static int plan_tails(struct measure *measure, struct measure_point point) {
+/* Adds points with an estimated tail, at a depth with room for one. Arithmetics and the values of a
+ * member are varied. */
+static int plan_estimates(struct measure *measure, struct measure_point *point, double *member,
+                          const double *values, unsigned count) {
     static const char *const arithmetics[] = {"fx", "f32", "f64"};
-    static const double thresholds[] = {1.0 / 256,  1.0 / 1024,  1.0 / 2048,
-                                        1.0 / 4096, 1.0 / 16384, 1.0 / 65536};
     const struct options *options = measure->options;
     const struct scene_overrides *overrides = &options->overrides;
-    unsigned many_a = options->has_arithmetic ? 1 : 3, many_t = overrides->has_threshold ? 1 : 6;
-    strcpy(point.tail, "estimate");
-    point.depth = overrides->has_depth ? (unsigned)overrides->depth : TAIL_DEPTH;
-    for (unsigned i = 0; i < many_a * many_t && !overrides->has_estimates; i++) {
-        (void)snprintf(point.arithmetic, sizeof point.arithmetic, "%s",
-                       options->has_arithmetic ? options->arithmetic : arithmetics[i / many_t]);
-        point.threshold = overrides->has_threshold ? overrides->threshold : thresholds[i % many_t];
-        if (add(measure, &point) != STATUS_DONE) {
+    strcpy(point->tail, "estimate");
+    point->depth = overrides->has_depth ? (unsigned)overrides->depth : TAIL_DEPTH;
+    for (unsigned i = 0; i < (options->arithmetic != NULL ? 1 : 3) * count; i++) {
+        take_arithmetic(point, options, arithmetics[i / count]);
+        *member = values[i % count];
+        if (add(measure, point) != STATUS_DONE) {
             return STATUS_FAILED;
         }
     }
     return STATUS_DONE;
 }
 
-/* Adds points with an accuracy asked for instead of a threshold; their tail is estimated. */
-static int plan_errors(struct measure *measure, struct measure_point point) {
-    static const char *const arithmetics[] = {"fx", "f32", "f64"};
-    static const double errors[] = {4, 2, 1, 0.5};
-    const struct options *options = measure->options;
-    const struct scene_overrides *overrides = &options->overrides;
-    unsigned many_a = options->has_arithmetic ? 1 : 3, many_e = overrides->has_error ? 1 : 4;
-    strcpy(point.tail, "estimate");
-    point.threshold = 0;
-    point.depth = overrides->has_depth ? (unsigned)overrides->depth : TAIL_DEPTH;
-    bool is_fixed = overrides->has_threshold || (overrides->has_estimates && !overrides->estimates);
-    for (unsigned i = 0; i < many_a * many_e && !is_fixed; i++) {
-        (void)snprintf(point.arithmetic, sizeof point.arithmetic, "%s",
-                       options->has_arithmetic ? options->arithmetic : arithmetics[i / many_e]);
-        point.error = overrides->has_error ? overrides->error : errors[i % many_e];
-        if (add(measure, &point) != STATUS_DONE) {
-            return STATUS_FAILED;
-        }
+/* Adds points that show what an estimated tail gains. */
+static int plan_tails(struct measure *measure, struct measure_point point) {
+    static const double thresholds[] = {1.0 / 256,  1.0 / 1024,  1.0 / 2048,
+                                        1.0 / 4096, 1.0 / 16384, 1.0 / 65536};
+    const struct scene_overrides *overrides = &measure->options->overrides;
+    if (overrides->has_estimates) {
+        return STATUS_DONE;
     }
-    return STATUS_DONE;
+    return overrides->has_threshold
+               ? plan_estimates(measure, &point, &point.threshold, &overrides->threshold, 1)
+               : plan_estimates(measure, &point, &point.threshold, thresholds, 6);
+}
+
+/* Adds points with an accuracy asked for instead of a threshold. */
+static int plan_errors(struct measure *measure, struct measure_point point) {
+    static const double errors[] = {4, 2, 1, 0.5};
+    const struct scene_overrides *overrides = &measure->options->overrides;
+    if (overrides->has_threshold || (overrides->has_estimates && !overrides->estimates)) {
+        return STATUS_DONE;
+    }
+    point.threshold = 0;
+    return overrides->has_error
+               ? plan_estimates(measure, &point, &point.error, &overrides->error, 1)
+               : plan_estimates(measure, &point, &point.error, errors, 4);
 }
 
 /* Adds points with one setting varied, the others as in the middle of the grid. */
@@ -119,7 +126,7 @@ static int plan_star(struct measure *measure, struct measure_point point) {
     static const char *const colours[] = {"bits:6", "bits:4", "bits:2", "bits:1", "dither"};
     const struct options *options = measure->options;
     const struct scene_overrides *overrides = &options->overrides;
-    (void)snprintf(point.arithmetic, sizeof point.arithmetic, "%s", options->arithmetic);
+    take_arithmetic(&point, options, "fx");
     point.depth = overrides->has_depth ? (unsigned)overrides->depth : BASE_DEPTH;
     point.threshold = overrides->has_threshold ? overrides->threshold : base_threshold;
     int status = STATUS_DONE;

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The plots of `superframe measure`: data and script for gnuplot, and by gnuplot the pictures. */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/complain.h"
@@ -48,17 +47,21 @@ static void write_depth_curves(FILE *file, const struct measure_settings *settin
     }
 }
 
-/* Writes per cent wrong against threshold at depth CURVE_DEPTH with one tail, for each
- * arithmetic. */
+/* Tells whether a setting is on the curve of an arithmetic and a tail against threshold. */
+static bool is_on_threshold_curve(const struct measure_setting *setting, const char *arithmetic,
+                                  const char *tail) {
+    return strcmp(setting->arithmetic, arithmetic) == 0 && strcmp(setting->tail, tail) == 0 &&
+           setting->depth == CURVE_DEPTH && setting->threshold > 0;
+}
+
+/* Writes per cent wrong against threshold with one tail, for each arithmetic. */
 static void write_threshold_curves(FILE *file, const struct measure_settings *settings,
                                    const char *tail) {
     for (int a = 0; arithmetics[a] != NULL; a++) {
         (void)fprintf(file, "# [threshold-%s-%s]\n", tail, arithmetics[a]);
         for (size_t i = 0; i < settings->count; i++) {
             const struct measure_setting *setting = &settings->settings[i];
-            if (strcmp(setting->arithmetic, arithmetics[a]) == 0 &&
-                strcmp(setting->tail, tail) == 0 && setting->depth == CURVE_DEPTH &&
-                setting->threshold > 0) {
+            if (is_on_threshold_curve(setting, arithmetics[a], tail)) {
                 (void)fprintf(file, "%.9g %.6f\n", setting->threshold, shown(setting->wrong));
             }
         }
@@ -125,13 +128,13 @@ static int write_data(const struct measure *measure, const struct measure_settin
 }
 
 static bool has(const struct measure_settings *settings, int arithmetic, int end, size_t target) {
-    for (size_t i = 0; i < settings->count; i++) {
-        if (strcmp(settings->settings[i].arithmetic, arithmetics[arithmetic]) == 0 &&
-            has_end(&settings->settings[i], end) && !isnan(settings->settings[i].seconds[target])) {
-            return true;
-        }
+    bool is_there = false;
+    for (size_t i = 0; i < settings->count && !is_there; i++) {
+        const struct measure_setting *setting = &settings->settings[i];
+        is_there = strcmp(setting->arithmetic, arithmetics[arithmetic]) == 0 &&
+                   has_end(setting, end) && !isnan(setting->seconds[target]);
     }
-    return false;
+    return is_there;
 }
 
 /* Finds the powers of ten between which a machine's seconds lie. Returns false where the machine
@@ -184,24 +187,20 @@ static void write_fronts(FILE *file, const struct measure_settings *settings) {
 }
 
 static bool has_curve(const struct measure_settings *settings, double threshold) {
-    for (size_t i = 0; i < settings->count; i++) {
-        if (is_on_depth_curve(settings, &settings->settings[i], threshold)) {
-            return true;
-        }
+    bool is_there = false;
+    for (size_t i = 0; i < settings->count && !is_there; i++) {
+        is_there = is_on_depth_curve(settings, &settings->settings[i], threshold);
     }
-    return false;
+    return is_there;
 }
 
 static bool is_deep(const struct measure_settings *settings, const char *arithmetic,
                     const char *tail) {
-    for (size_t i = 0; i < settings->count; i++) {
-        if (strcmp(settings->settings[i].arithmetic, arithmetic) == 0 &&
-            strcmp(settings->settings[i].tail, tail) == 0 &&
-            settings->settings[i].depth == CURVE_DEPTH && settings->settings[i].threshold > 0) {
-            return true;
-        }
+    bool is_there = false;
+    for (size_t i = 0; i < settings->count && !is_there; i++) {
+        is_there = is_on_threshold_curve(&settings->settings[i], arithmetic, tail);
     }
-    return false;
+    return is_there;
 }
 
 /* Writes the plot against depth for one arithmetic, with a curve for each threshold. */
@@ -284,31 +283,11 @@ static int write_script(const struct measure *measure, const struct measure_sett
 }
 
 int measure_plot(struct measure *measure) {
-    struct measure_settings settings;
-    if (!measure_settings(measure, &settings)) {
-        complain("out of memory");
+    if (write_data(measure, &measure->settings) != STATUS_DONE ||
+        write_script(measure, &measure->settings) != STATUS_DONE) {
         return STATUS_FAILED;
     }
-    int status = write_data(measure, &settings);
-    if (status == STATUS_DONE) {
-        status = write_script(measure, &settings);
-    }
-    free(settings.settings);
-    if (status != STATUS_DONE) {
-        return status;
-    }
     enum gnuplot_status drawn = gnuplot_run(measure->folder, "plots.gp");
-    measure->has_plots = drawn == GNUPLOT_DONE;
-    if (drawn == GNUPLOT_NOT_FOUND) {
-        complain(
-            "gnuplot is not there: the plots are left out; install it (Debian: apt-get install "
-            "gnuplot-nox), or draw plots.gp later");
-    } else if (drawn == GNUPLOT_FAILED) {
-        complain("gnuplot could not draw plots.gp: the plots are left out");
-    }
-    if (*interrupt_noted() != 0) {
-        complain("interrupted; started again with the same -o it goes on where it was");
-        return STATUS_SIGNAL + *interrupt_noted();
-    }
-    return STATUS_DONE;
+    gnuplot_complain(drawn, "plots.gp", "the plots");
+    return *interrupt_noted() != 0 ? measure_interrupted() : STATUS_DONE;
 }

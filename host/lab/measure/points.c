@@ -52,8 +52,7 @@ struct measure_point *measure_list_find(const struct measure_list *list,
 static const char head[] =
     "scene,arithmetic,depth,threshold,width,height,colour,model,tail,error,rays,shadow_rays,nodes,"
     "solid_tests,leaked_rays,port_writes,seconds,percent_wrong,percent_apart,largest_error,rmse,"
-    "psnr,"
-    "delta_e_mean,delta_e_999,scene_digest\n";
+    "psnr,delta_e_mean,delta_e_999,scene_digest\n";
 
 bool measure_write_head(FILE *file) {
     return fputs(head, file) >= 0 && fflush(file) == 0;
@@ -133,8 +132,7 @@ int measure_resume(struct measure *measure) {
         return STATUS_DONE;
     }
     if (file == NULL) {
-        complain("%s: cannot be read: %s", path, strerror(errno));
-        return STATUS_FAILED;
+        return failure("%s: cannot be read: %s", path, strerror(errno));
     }
     bool is_ours = measure_read_head(file) != MEASURE_FOREIGN;
     const char *changed = NULL;
@@ -158,11 +156,7 @@ int measure_resume(struct measure *measure) {
 
 double measure_predict(const struct measure *measure, const struct measure_point *point,
                        const struct cost_target *target) {
-    struct cost_work work = {point->events, {1, 0, 0, 0, 0}, point->port_writes};
-    for (size_t i = 0; i < measure->scene_count; i++) {
-        if (strcmp(measure->scenes[i].name, point->scene) == 0) {
-            work.mix = measure->scenes[i].mix;
-        }
-    }
+    const struct measure_scene *scene = measure_scene_of(measure, point->scene);
+    const struct cost_work work = {point->events, scene->mix, point->port_writes};
     return cost_seconds(target, point->arithmetic, &work);
 }

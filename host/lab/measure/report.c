@@ -2,7 +2,6 @@
 /* The report of `superframe measure`: what to choose on which machine, in words and tables. */
 #include <inttypes.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/complain.h"
@@ -78,18 +77,16 @@ static size_t count_of_machines(void) {
 }
 
 static void write_words(const struct report *report) {
-    static const struct {
-        const char *row;
-    } words[] = {
-        {"arithmetic|the numbers that the renderer computes with. fx: integers, fixed point with a "
+    static const char *const words[] = {
+        ("arithmetic|the numbers that the renderer computes with. fx: integers, fixed point with a "
          "format for each role. f32: float. f64: double. q16, q16_epsilon: plain 16.16 fixed "
-         "point, for comparison only"},
-        {"N, depth level|how many reflections and refractions a path of light may have"},
-        {"threshold|a branch of the path ends where less than this share of the light is left"},
-        {"tail|what a branch that was ended counts as: black, or an estimate of the mean"},
-        {"--error E|an accuracy asked for instead of a threshold, in LSB"},
-        {"LSB|one of the 255 steps of a colour from dark to bright"},
-        {"wrong|a pixel of which a colour is more than 1 LSB off"}};
+         "point, for comparison only"),
+        "N, depth level|how many reflections and refractions a path of light may have",
+        "threshold|a branch of the path ends where less than this share of the light is left",
+        "tail|what a branch that was ended counts as: black, or an estimate of the mean",
+        "--error E|an accuracy asked for instead of a threshold, in LSB",
+        "LSB|one of the 255 steps of a colour from dark to bright",
+        "wrong|a pixel of which a colour is more than 1 LSB off"};
     page_paragraph(report,
                    "A ray tracer may be quick or exact. This page says, for each of %zu "
                    "machines, which numbers to compute with, which setting to take, how "
@@ -97,7 +94,7 @@ static void write_words(const struct report *report) {
                    count_of_machines());
     page_row(report, true, "word|meaning");
     for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
-        page_row(report, false, words[i].row);
+        page_row(report, false, words[i]);
     }
     page_end_table(report);
 }
@@ -215,6 +212,16 @@ static void write_paper(const struct report *report) {
                  "and f64 lie on each other.");
 }
 
+/* Writes the heading and the head of a table whose first row comes next; nothing before others. */
+static void begin_table(const struct report *report, bool *has_begun, const char *heading,
+                        const char *head) {
+    if (!*has_begun) {
+        page_heading(report, 2, heading);
+        page_row(report, true, head);
+    }
+    *has_begun = true;
+}
+
 /* Writes side by side the two ways to count the light of a branch that is cut. */
 static void write_tails(const struct report *report) {
     bool has_any = false;
@@ -226,13 +233,9 @@ static void write_tails(const struct report *report) {
         if (strcmp(one->tail, "estimate") != 0 || one->error > 0) {
             continue;
         }
-        if (!has_any) {
-            page_heading(report, 2, "What a cut branch counts as");
-            page_row(report, true,
-                     "arithmetic|N|threshold|black: per cent wrong|rays a pixel|estimate: per cent "
-                     "wrong|rays a pixel");
-        }
-        has_any = true;
+        begin_table(report, &has_any, "What a cut branch counts as",
+                    "arithmetic|N|threshold|black: per cent wrong|rays a pixel|estimate: per cent "
+                    "wrong|rays a pixel");
         size_t used = (size_t)snprintf(cells, sizeof cells, "%s|%u|%s|", one->arithmetic,
                                        one->depth, page_threshold(one->threshold, threshold));
         if (black != NULL) {
@@ -258,11 +261,8 @@ static void write_errors(const struct report *report) {
         if (!(one->error > 0)) {
             continue;
         }
-        if (!has_any) {
-            page_heading(report, 2, "An accuracy asked for");
-            page_row(report, true, "arithmetic|--error|per cent wrong|worst scene|rays a pixel");
-        }
-        has_any = true;
+        begin_table(report, &has_any, "An accuracy asked for",
+                    "arithmetic|--error|per cent wrong|worst scene|rays a pixel");
         (void)snprintf(cells, sizeof cells, "%s|%g|%.3f|%.3f|%.1f", one->arithmetic, one->error,
                        one->wrong, one->worst, one->rays);
         page_row(report, false, cells);
@@ -319,13 +319,9 @@ static void write_others(const struct report *report) {
         if (measure_is_of_grid(measure, point)) {
             continue;
         }
-        if (!has_any) {
-            page_heading(report, 2, "Size, colours and model");
-            page_row(report, true,
-                     "scene|setting|size|colours|model|per cent wrong|largest error|CIEDE2000, "
-                     "mean|rays|port writes");
-            has_any = true;
-        }
+        begin_table(report, &has_any, "Size, colours and model",
+                    "scene|setting|size|colours|model|per cent wrong|largest error|CIEDE2000, "
+                    "mean|rays|port writes");
         (void)snprintf(cells, sizeof cells,
                        "%s|%s, N = %u, %s|%ux%u|%s|%s|%.3f|%u|%.3f|%" PRIu64 "|%" PRIu64,
                        point->scene, point->arithmetic, point->depth,
@@ -363,14 +359,13 @@ static void write_machines(const struct report *report) {
 
 /* ---- Files ---------------------------------------------------------------------------------- */
 
-static int write_report(const struct measure *measure, const struct measure_settings *settings,
-                        bool is_html) {
+static int write_report(const struct measure *measure, bool is_html) {
     const char *name = is_html ? "report.html" : "report.md";
     struct measure_file file;
     if (!measure_create(&file, measure, name)) {
         return STATUS_FAILED;
     }
-    const struct report report = {measure, settings, file.output.file, is_html};
+    const struct report report = {measure, &measure->settings, file.output.file, is_html};
     page_begin(&report, "Speed against accuracy");
     write_words(&report);
     write_choice_of_arithmetic(&report);
@@ -419,18 +414,9 @@ static int write_table(const struct measure *measure) {
 }
 
 int measure_report(struct measure *measure) {
-    struct measure_settings settings;
-    if (!measure_settings(measure, &settings)) {
-        complain("out of memory");
-        return STATUS_FAILED;
-    }
     int status = write_table(measure);
     if (status == STATUS_DONE) {
-        status = write_report(measure, &settings, false);
+        status = write_report(measure, false);
     }
-    if (status == STATUS_DONE) {
-        status = write_report(measure, &settings, true);
-    }
-    free(settings.settings);
-    return status;
+    return status == STATUS_DONE ? write_report(measure, true) : status;
 }

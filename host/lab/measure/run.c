@@ -80,28 +80,34 @@ static void free_twins(struct twins *twins) {
     free(twins);
 }
 
+/* Tells whether two points have the same picture by double. */
+static bool are_twins(const struct measure_point *a, const struct measure_point *b) {
+    struct measure_point one = *a, other = *b;
+    char key[MEASURE_KEY_SIZE], other_key[MEASURE_KEY_SIZE];
+    one.arithmetic[0] = other.arithmetic[0] = '\0';
+    measure_key(&one, key);
+    measure_key(&other, other_key);
+    return strcmp(key, other_key) == 0;
+}
+
 /* Finds double's picture with the settings of a point, or renders that picture. Where all places
  * are taken, the last picture gives way. Returns an exit status. */
 static int find_twin(struct measure *measure, const struct measure_scene *scene,
                      const struct measure_point *like, struct twins *twins, size_t *found) {
     struct measure_point point = *like;
-    char wanted[MEASURE_KEY_SIZE], key[MEASURE_KEY_SIZE];
-    strcpy(point.arithmetic, "f64");
-    measure_key(&point, wanted);
-    for (size_t i = 0; i < twins->count; i++) {
-        measure_key(&twins->point[i], key);
-        if (strcmp(key, wanted) == 0) {
-            *found = i;
+    for (*found = 0; *found < twins->count; ++*found) {
+        if (are_twins(like, &twins->point[*found])) {
             return STATUS_DONE;
         }
     }
     if (twins->count == TWINS_MOST) {
         free(twins->picture[--twins->count].rgb);
+        *found = twins->count;
     }
+    strcpy(point.arithmetic, "f64");
     int status = shoot(measure, scene, &point, &twins->picture[twins->count]);
     if (status == STATUS_DONE) {
-        twins->point[twins->count] = point;
-        *found = twins->count++;
+        twins->point[twins->count++] = point;
     }
     return status;
 }
@@ -122,8 +128,7 @@ static int judge_point(struct measure_point *point, const struct dots_picture *r
     size_t dots = (size_t)picture->width * picture->height;
     compare_pictures(reference->rgb, picture->rgb, dots, &comparison);
     if (!colour_differences(reference->rgb, picture->rgb, dots, &colours)) {
-        complain("out of memory");
-        return STATUS_FAILED;
+        return failure("out of memory");
     }
     point->wrong = percent_off(reference, picture);
     point->largest = comparison_largest(&comparison);
@@ -158,11 +163,10 @@ static int measure_point(struct measure *measure, const struct measure_scene *sc
         return status;
     }
     point->is_done = true;
-    measure->progress.units_done++;
+    measure->work.progress.units_done++;
     measure_write_point(measure, log, point);
     if (fflush(log) != 0) {
-        complain("%s: cannot be written: %s", measure->points_path, strerror(errno));
-        return STATUS_FAILED;
+        return failure("%s: cannot be written: %s", measure->points_path, strerror(errno));
     }
     return STATUS_DONE;
 }
@@ -180,8 +184,7 @@ static int measure_group(struct measure *measure, const struct measure_scene *sc
     like.error = 0;
     struct twins *twins = calloc(1, sizeof *twins);
     if (twins == NULL) {
-        complain("out of memory");
-        return STATUS_FAILED;
+        return failure("out of memory");
     }
     int status = shoot(measure, scene, &like, &reference);
     for (size_t i = first; i < measure->points.count && status == STATUS_DONE; i++) {
@@ -197,19 +200,12 @@ static int measure_group(struct measure *measure, const struct measure_scene *sc
 
 /* Tells whether no unfinished point before point i has the same twin. */
 static bool is_first_of_twins(const struct measure *measure, size_t i) {
-    struct measure_point one = measure->points.points[i];
-    char wanted[MEASURE_KEY_SIZE], key[MEASURE_KEY_SIZE];
-    one.arithmetic[0] = '\0';
-    measure_key(&one, wanted);
-    for (size_t j = 0; j < i; j++) {
-        struct measure_point other = measure->points.points[j];
-        other.arithmetic[0] = '\0';
-        measure_key(&other, key);
-        if (!other.is_done && strcmp(key, wanted) == 0) {
-            return false;
-        }
+    const struct measure_point *points = measure->points.points;
+    size_t j = 0;
+    while (j < i && (points[j].is_done || !are_twins(&points[i], &points[j]))) {
+        j++;
     }
-    return true;
+    return j == i;
 }
 
 /* Counts the rows that are still to be rendered, for the progress bar. */
@@ -287,26 +283,26 @@ static int run_all(struct measure *measure, FILE *log) {
     return status;
 }
 
+int measure_interrupted(void) {
+    complain("interrupted; started again with the same -o it goes on where it was");
+    return STATUS_SIGNAL + *interrupt_noted();
+}
+
 int measure_run(struct measure *measure) {
     FILE *log = open_log(measure);
     if (log == NULL) {
         return STATUS_FAILED;
     }
-    progress_begin(&measure->progress, count_rows(measure), measure->options->quiet);
-    measure->progress.unit = "setting";
-    measure->progress.units = (unsigned)measure->points.count;
-    measure->progress.units_done = count_done(measure);
-    measure->began = stopwatch_start();
+    progress_begin(&measure->work.progress, count_rows(measure), measure->options->quiet);
+    measure->work.progress.unit = "setting";
+    measure->work.progress.units = (unsigned)measure->points.count;
+    measure->work.progress.units_done = count_done(measure);
+    measure->work.began = stopwatch_start();
     interrupt_catch();
     int status = run_all(measure, log);
-    progress_end(&measure->progress);
+    progress_end(&measure->work.progress);
     if (fclose(log) != 0 && status == STATUS_DONE) {
-        complain("%s: cannot be written: %s", measure->points_path, strerror(errno));
-        status = STATUS_FAILED;
+        status = failure("%s: cannot be written: %s", measure->points_path, strerror(errno));
     }
-    if (*interrupt_noted() != 0) {
-        complain("interrupted; started again with the same -o it goes on where it was");
-        status = STATUS_SIGNAL + *interrupt_noted();
-    }
-    return status;
+    return *interrupt_noted() != 0 ? measure_interrupted() : status;
 }

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/complain.h"
 #include "lab/measure/measure.h"
 
 /* Tells whether a point has the size, colours and model of its scene's first point, as all of the
@@ -64,11 +65,13 @@ static void gather(const struct measure *measure, struct measure_setting *settin
     }
 }
 
-bool measure_settings(const struct measure *measure, struct measure_settings *settings) {
+int measure_gather(struct measure *measure) {
+    struct measure_settings *settings = &measure->settings;
+    free(settings->settings);
     settings->count = 0;
     settings->settings = calloc(measure->points.count + 1, sizeof *settings->settings);
     if (settings->settings == NULL) {
-        return false;
+        return failure("out of memory");
     }
     for (size_t i = 0; i < measure->points.count; i++) {
         const struct measure_point *point = &measure->points.points[i];
@@ -82,7 +85,7 @@ bool measure_settings(const struct measure *measure, struct measure_settings *se
             gather(measure, setting);
         }
     }
-    return true;
+    return STATUS_DONE;
 }
 
 const struct measure_setting *measure_cheapest(const struct measure_settings *settings,

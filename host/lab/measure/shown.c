@@ -51,8 +51,7 @@ static int write_file(const struct measure *measure, const char *name, const uin
                       unsigned width, unsigned height) {
     char *path = path_join(measure->folder, name);
     if (path == NULL) {
-        complain("out of memory");
-        return STATUS_FAILED;
+        return failure("out of memory");
     }
     bool is_written = write_png_picture(path, rgb, width, height);
     free(path);

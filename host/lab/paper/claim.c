@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "scene/load.h"
+#include "base/complain.h"
 
 const char *paper_verdict_text(enum paper_verdict verdict) {
     static const char *const texts[] = {"not measured", "holds", "holds in part", "does not hold"};
@@ -25,20 +25,13 @@ const char *paper_yes(bool part) {
     return part ? "yes" : "no";
 }
 
-enum paper_verdict paper_judge(const bool *parts, size_t count) {
+int paper_judge(struct paper_claim *claim, const bool *parts, size_t count) {
     size_t holding = 0;
     for (size_t i = 0; i < count; i++) {
         holding += parts[i];
     }
-    return holding == count ? PAPER_HOLDS : holding > 0 ? PAPER_HOLDS_IN_PART : PAPER_DOES_NOT_HOLD;
-}
-
-bool paper_claim_has_scenes(struct paper_claim *claim, const char *const *scenes) {
-    for (; *scenes != NULL; scenes++) {
-        if (!scene_is_builtin(*scenes)) {
-            paper_say(claim->why, "The scene %s is not built in.", *scenes);
-            return false;
-        }
-    }
-    return true;
+    claim->verdict = holding == count ? PAPER_HOLDS
+                     : holding > 0    ? PAPER_HOLDS_IN_PART
+                                      : PAPER_DOES_NOT_HOLD;
+    return STATUS_DONE;
 }

@@ -30,14 +30,10 @@ const char *paper_verdict_text(enum paper_verdict verdict);
 /* Appends to one of a claim's texts, which are PAPER_TEXT_SIZE long. */
 void paper_say(char text[PAPER_TEXT_SIZE], const char *format, ...) PAPER_FORMAT;
 
-/* Checks that scenes, a list ended by NULL, are built in. Returns false where one is not, and the
- * claim says so. */
-bool paper_claim_has_scenes(struct paper_claim *claim, const char *const *scenes);
-
 /* Tells in a word whether a part of a claim holds. */
 const char *paper_yes(bool part);
 
-/* Returns the verdict on a claim of several parts: all of them hold, some or none. */
-enum paper_verdict paper_judge(const bool *parts, size_t count);
+/* Judges a claim of several parts: all of them hold, some or none. Returns STATUS_DONE. */
+int paper_judge(struct paper_claim *claim, const bool *parts, size_t count);
 
 #endif

@@ -22,12 +22,7 @@ static struct ratios ratios_of(const struct render_totals *a, const struct rende
 /* ---- 2 -------------------------------------------------------------------------------------- */
 
 int paper_claim_nested(struct paper *paper, struct paper_claim *claim) {
-    static const char *const scenes[] = {"fig4a", "fig4b", NULL}, *const objects[3] = {
-                                                                      "ball", "intermediate cube",
-                                                                      "inner cube"};
-    if (!paper_claim_has_scenes(claim, scenes)) {
-        return STATUS_DONE;
-    }
+    static const char *const objects[3] = {"ball", "intermediate cube", "inner cube"};
     const struct paper_photo *a = paper_photo_of(paper, "fig4a"),
                              *b = paper_photo_of(paper, "fig4b");
     int status = STATUS_DONE;
@@ -66,17 +61,12 @@ int paper_claim_nested(struct paper *paper, struct paper_claim *claim) {
         "paper calls red is an orange, (64, 32, 0), to begin with); a chroma of 0.1 or more of "
         "the ball in both, whose own colour is grey (%s); half of its pixels differ (%s).",
         paper_yes(parts[0]), paper_yes(parts[1]), paper_yes(parts[2]), paper_yes(parts[3]));
-    claim->verdict = paper_judge(parts, sizeof parts / sizeof parts[0]);
-    return STATUS_DONE;
+    return paper_judge(claim, parts, sizeof parts / sizeof parts[0]);
 }
 
 /* ---- 3 -------------------------------------------------------------------------------------- */
 
 int paper_claim_cover(struct paper *paper, struct paper_claim *claim) {
-    static const char *const scenes[] = {"fig6a", "fig6b", NULL};
-    if (!paper_claim_has_scenes(claim, scenes)) {
-        return STATUS_DONE;
-    }
     const struct ratios ratios =
         ratios_of(&paper_photo_of(paper, "fig6a")->totals, &paper_photo_of(paper, "fig6b")->totals);
     paper_say(claim->measured, "(b) over (a): %.2f in rays, %.2f in solid tests, %.2f in seconds.",
@@ -87,8 +77,7 @@ int paper_claim_cover(struct paper *paper, struct paper_claim *claim) {
               "Asked for: 2.5 to 3.5, in rays (%s) and in solid tests (%s). The paper does not say "
               "how much of the picture its cover fills, on which the ratio depends.",
               paper_yes(parts[0]), paper_yes(parts[1]));
-    claim->verdict = paper_judge(parts, sizeof parts / sizeof parts[0]);
-    return STATUS_DONE;
+    return paper_judge(claim, parts, sizeof parts / sizeof parts[0]);
 }
 
 /* ---- 4 -------------------------------------------------------------------------------------- */
@@ -126,11 +115,7 @@ static double say_fits(const struct paper *paper, struct paper_claim *claim, enu
 }
 
 int paper_claim_formula(struct paper *paper, struct paper_claim *claim) {
-    static const char *const scenes[] = {"fig7-isolated", "fig7-frustum", "fig4a", "fig5", NULL};
     double best[PAPER_READINGS] = {0, 0};
-    if (!paper_claim_has_scenes(claim, scenes)) {
-        return STATUS_DONE;
-    }
     paper_say(claim->measured, "T(N)/T(0) for N = 0..16 at 320 x 200. ");
     for (int cost = 0; cost < PAPER_COSTS; cost++) {
         for (int reading = 0; reading < PAPER_READINGS; reading++) {
@@ -154,13 +139,11 @@ int paper_claim_formula(struct paper *paper, struct paper_claim *claim) {
               "Reading (i): T(N)/T(0) is the formula; (ii): log10(T(N)/T(0)) + 1 is, so T(N)/T(0) "
               "= C1 N^C2 + 1. Asked for: R^2 of 0.95 or more for all four curves, in rays or in "
               "solid tests, by (i) (%s), by (ii) (%s); the order at every N (%s); a growth from N "
-              "= 8 to 16 that is not 2 (%s). With the "
-              "largest C1 and C2 reading (i) comes to 13.8 at N = 16; reading (ii) never falls "
-              "below N + 1 "
-              "and has no power between N and N^2.",
+              "= 8 to 16 that is not 2 (%s). With the largest C1 and C2 "
+              "reading (i) comes to 13.8 at N = 16; reading (ii) never falls below N + 1 and has "
+              "no power between N and N^2.",
               paper_yes(parts[0]), paper_yes(parts[1]), paper_yes(parts[2]), paper_yes(parts[3]));
-    claim->verdict = paper_judge(parts, sizeof parts / sizeof parts[0]);
-    return STATUS_DONE;
+    return paper_judge(claim, parts, sizeof parts / sizeof parts[0]);
 }
 
 /* ---- 5 -------------------------------------------------------------------------------------- */
@@ -168,16 +151,12 @@ int paper_claim_formula(struct paper *paper, struct paper_claim *claim) {
 enum { SIZE_DEPTHS = 4 };
 
 int paper_claim_size(struct paper *paper, struct paper_claim *claim) {
-    static const char *const scenes[] = {"fig7-frustum", NULL};
     static const int depths[SIZE_DEPTHS] = {0, 2, 5, 10};
     struct render_totals totals[2][SIZE_DEPTHS];
     int status = STATUS_DONE;
-    if (!paper_claim_has_scenes(claim, scenes)) {
-        return STATUS_DONE;
-    }
     for (int i = 0; i < 2 * SIZE_DEPTHS && status == STATUS_DONE; i++) {
         const struct paper_shot shot = {
-            .scene = scenes[0],
+            .scene = "fig7-frustum",
             .is_large = i >= SIZE_DEPTHS,
             .overrides = {.has_depth = true, .depth = depths[i % SIZE_DEPTHS]}};
         status = paper_shoot(paper, &shot, paper->scratch[0]);
@@ -189,9 +168,10 @@ int paper_claim_size(struct paper *paper, struct paper_claim *claim) {
     const struct ratios ratios = ratios_of(&totals[0][3], &totals[1][3]);
     double worst = 0;
     paper_say(claim->measured,
-              "%s at N = 10, 640 x 400 over 320 x 200: %.3f in rays, %.3f in solid tests, %.2f in "
+              "fig7-frustum at N = 10, 640 x 400 over 320 x 200: %.3f in rays, %.3f in solid "
+              "tests, %.2f in "
               "seconds. Relative solid tests, T(N)/T(0), at the two sizes:",
-              scenes[0], ratios.rays, ratios.tests, ratios.seconds);
+              ratios.rays, ratios.tests, ratios.seconds);
     for (int i = 1; i < SIZE_DEPTHS; i++) {
         const double small = ratios_of(&totals[0][0], &totals[0][i]).tests;
         const double large = ratios_of(&totals[1][0], &totals[1][i]).tests;
@@ -208,8 +188,7 @@ int paper_claim_size(struct paper *paper, struct paper_claim *claim) {
               "than 2 %% (%s; the largest difference is %.2f %%). Seconds are processor time of "
               "one run each, the drawing of the whole screen included.",
               paper_yes(parts[0]), paper_yes(parts[1]), 100 * worst);
-    claim->verdict = paper_judge(parts, sizeof parts / sizeof parts[0]);
-    return STATUS_DONE;
+    return paper_judge(claim, parts, sizeof parts / sizeof parts[0]);
 }
 
 /* ---- 8 -------------------------------------------------------------------------------------- */
@@ -217,15 +196,11 @@ int paper_claim_size(struct paper *paper, struct paper_claim *claim) {
 enum { THRESHOLDS = 2, LONG_DEPTHS = 5 };
 
 int paper_claim_threshold(struct paper *paper, struct paper_claim *claim) {
-    static const char *const scenes[] = {"fig3", NULL};
     static const int depths[LONG_DEPTHS] = {10, 16, 32, 64, 255}, open_depths[2] = {10, 12};
     static const int inverse[THRESHOLDS] = {4096, 256};
     double rays[THRESHOLDS + 1][LONG_DEPTHS];
     int status = STATUS_DONE;
-    if (!paper_claim_has_scenes(claim, scenes)) {
-        return STATUS_DONE;
-    }
-    paper_say(claim->measured, "Rays a pixel of %s", scenes[0]);
+    paper_say(claim->measured, "Rays a pixel of fig3");
     for (int i = 0; i <= THRESHOLDS; i++) {
         const int count = i < THRESHOLDS ? LONG_DEPTHS : 2;
         if (i < THRESHOLDS) {
@@ -236,7 +211,7 @@ int paper_claim_threshold(struct paper *paper, struct paper_claim *claim) {
         for (int j = 0; j < count && status == STATUS_DONE; j++) {
             const int depth = i < THRESHOLDS ? depths[j] : open_depths[j];
             const struct paper_shot shot = {
-                .scene = scenes[0],
+                .scene = "fig3",
                 .overrides = {.has_depth = true,
                               .depth = depth,
                               .has_threshold = true,
@@ -258,6 +233,5 @@ int paper_claim_threshold(struct paper *paper, struct paper_claim *claim) {
               "threshold (%s, %s), and without one they grow from N = 10 to 12 by 10 %% or more "
               "(%s). Light that is caught by total reflection loses nothing and goes on to N.",
               paper_yes(parts[0]), paper_yes(parts[1]), paper_yes(parts[2]));
-    claim->verdict = paper_judge(parts, sizeof parts / sizeof parts[0]);
-    return STATUS_DONE;
+    return paper_judge(claim, parts, sizeof parts / sizeof parts[0]);
 }

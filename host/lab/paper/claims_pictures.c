@@ -52,15 +52,11 @@ static int measure_views(struct paper *paper, struct paper_contrast seen[VIEWS],
 }
 
 int paper_claim_depth(struct paper *paper, struct paper_claim *claim) {
-    static const char *const scenes[] = {"fig3", NULL};
     const struct paper_shot outline = {
         .scene = "fig3", .change = PAPER_OUTLINE, .object = "inner cube"};
     const struct paper_shot bare = {.scene = "fig3", .change = PAPER_BARE};
     struct paper_contrast without, seen[VIEWS];
     struct paper_mean mean[VIEWS];
-    if (!paper_claim_has_scenes(claim, scenes)) {
-        return STATUS_DONE;
-    }
     int status = paper_shoot(paper, &outline, paper->scratch[0]);
     if (status == STATUS_DONE) {
         status = board_contrast(paper, &bare, NULL, &without);
@@ -90,8 +86,7 @@ int paper_claim_depth(struct paper *paper, struct paper_claim *claim) {
               "through all three cubes crosses ten boundaries before it comes to the board; one "
               "that enters the inner cube's side is reflected in it as well, and needs more.",
               paper_yes(parts[0]), paper_yes(parts[1]), paper_yes(parts[2]));
-    claim->verdict = paper_judge(parts, sizeof parts / sizeof parts[0]);
-    return STATUS_DONE;
+    return paper_judge(claim, parts, sizeof parts / sizeof parts[0]);
 }
 
 /* ---- 6 -------------------------------------------------------------------------------------- */
@@ -119,13 +114,10 @@ static int measure_visibility(struct paper *paper, const char *scene,
 }
 
 int paper_claim_visibility(struct paper *paper, struct paper_claim *claim) {
-    static const char *const scenes[] = {"fig7-isolated", "fig7-frustum", "fig3", NULL};
+    static const char *const scenes[] = {"fig7-isolated", "fig7-frustum", "fig3"};
     struct visibility seen[3];
     int status = STATUS_DONE;
     memset(seen, 0, sizeof seen);
-    if (!paper_claim_has_scenes(claim, scenes)) {
-        return STATUS_DONE;
-    }
     paper_say(claim->measured,
               "Of the pixels of the glass, those that change by %d levels or more when the board's "
               "two colours are swapped, in per cent of those that do at N = %d: ",
@@ -151,21 +143,16 @@ int paper_claim_visibility(struct paper *paper, struct paper_claim *claim) {
               "to that.",
               paper_yes(parts[0]), paper_yes(parts[1]), paper_yes(parts[2]), paper_yes(parts[3]),
               paper_yes(parts[4]));
-    claim->verdict = paper_judge(parts, sizeof parts / sizeof parts[0]);
-    return status;
+    return status == STATUS_DONE ? paper_judge(claim, parts, sizeof parts / sizeof parts[0])
+                                 : status;
 }
 
 /* ---- 7 -------------------------------------------------------------------------------------- */
 
 int paper_claim_bands(struct paper *paper, struct paper_claim *claim) {
-    static const char *const scenes[] = {"figA", NULL}, *const files[3] = {"figA-4bits",
-                                                                           "figA-5bits",
-                                                                           "figA-8bits"};
+    static const char *const files[3] = {"figA-4bits", "figA-5bits", "figA-8bits"};
     static const int bits[3] = {4, 5, 8};
     bool parts[3];
-    if (!paper_claim_has_scenes(claim, scenes)) {
-        return STATUS_DONE;
-    }
     const struct paper_shot outline = {
         .scene = "figA", .change = PAPER_OUTLINE, .object = "white ball"};
     int status = paper_shoot(paper, &outline, paper->scratch[0]);
@@ -188,17 +175,12 @@ int paper_claim_bands(struct paper *paper, struct paper_claim *claim) {
               "There is one at 4 bits (%s) and at 5 bits (%s), and none at 8 bits (%s). Whether "
               "an eye adds light and dark edges to it (Mach) was not measured.",
               PAPER_SEEN, paper_yes(parts[0]), paper_yes(parts[1]), paper_yes(parts[2]));
-    claim->verdict = paper_judge(parts, sizeof parts / sizeof parts[0]);
-    return STATUS_DONE;
+    return paper_judge(claim, parts, sizeof parts / sizeof parts[0]);
 }
 
 /* ---- 9 -------------------------------------------------------------------------------------- */
 
 int paper_claim_exposures(struct paper *paper, struct paper_claim *claim) {
-    static const char *const scenes[] = {"fig3", NULL};
-    if (!paper_claim_has_scenes(claim, scenes)) {
-        return STATUS_DONE;
-    }
     const struct paper_shot shot = {
         .scene = "fig3",
         .overrides = {
@@ -219,6 +201,5 @@ int paper_claim_exposures(struct paper *paper, struct paper_claim *claim) {
     const bool part = differing == 0;
     paper_say(claim->why, part ? "The sum of 2^k times bit k is the level itself."
                                : "The sum is not the full-colour picture.");
-    claim->verdict = paper_judge(&part, 1);
-    return STATUS_DONE;
+    return paper_judge(claim, &part, 1);
 }

@@ -71,8 +71,7 @@ int paper_make_figures(struct paper *paper) {
             paper->figures[i] = malloc(sizeof *paper->figures[i]);
         }
         if (paper->figures[i] == NULL) {
-            complain("out of memory");
-            return STATUS_FAILED;
+            return failure("out of memory");
         }
         status = paper_shoot(paper, &paper_figures[i].shot, paper->figures[i]);
     }

@@ -19,8 +19,6 @@
 
 /* ---- Renders -------------------------------------------------------------------------------- */
 
-enum { PAPER_SMALL_WIDTH = 320, PAPER_SMALL_HEIGHT = 200 };
-
 /* A picture and what it took. */
 struct paper_photo {
     struct render_totals totals; /* seconds: of processor time */
@@ -89,10 +87,7 @@ struct paper {
 
     bool is_planning; /* rows are counted, nothing is rendered */
     unsigned rows;    /* of all renders */
-    struct progress progress;
-    struct timespec began;
-    struct render_totals before; /* of the renders that are done */
-    struct render_totals now;    /* of those and the one at work */
+    struct progress_sum work;
 
     struct paper_photo *figures[PAPER_FIGURES_MOST]; /* by paper_figures; NULL: not made */
     struct paper_photo *scratch[PAPER_SCRATCH];      /* for the work at hand */

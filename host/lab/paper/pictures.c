@@ -87,8 +87,7 @@ static int write_sheet(const struct paper *paper) {
     unsigned height = rows * (CELL_HEIGHT + GAP) + GAP;
     uint8_t *sheet = malloc((size_t)SHEET_WIDTH * height * 3);
     if (sheet == NULL) {
-        complain("out of memory");
-        return STATUS_FAILED;
+        return failure("out of memory");
     }
     memset(sheet, PAPER_WHITE, (size_t)SHEET_WIDTH * height * 3);
     for (int i = 0; paper_figures[i].file != NULL; i++) {

@@ -105,12 +105,8 @@ int paper_write_plots(struct paper *paper) {
     paper->has_plots = drawn == GNUPLOT_DONE;
     if (drawn != GNUPLOT_DONE) {
         remove_plots(paper);
-        complain(
-            drawn == GNUPLOT_NOT_FOUND
-                ? "gnuplot is not there: the plots of Fig. 7 are left out; install it (Debian: "
-                  "apt-get install gnuplot-nox, or sh setup.sh paper), or draw fig7.gp later"
-                : "gnuplot could not draw fig7.gp: the plots of Fig. 7 are left out");
     }
+    gnuplot_complain(drawn, script_name, "the plots of Fig. 7");
     if (*interrupt_noted() != 0) {
         complain("interrupted; nothing was written");
         return STATUS_SIGNAL + *interrupt_noted();

@@ -5,45 +5,25 @@
 #include "base/complain.h"
 #include "lab/paper/paper.h"
 
-/* Returns what stands for a letter that means something else in a format; NULL: the letter
- * itself. */
-typedef const char *escape(char letter);
+/* What stands for a letter that means something else in a format; ended by one with no letter. */
+struct escape {
+    char letter;
+    const char *stands;
+};
 
-static const char *html_escape(char letter) {
-    switch (letter) {
-    case '<':
-        return "&lt;";
-    case '>':
-        return "&gt;";
-    case '&':
-        return "&amp;";
-    case '"':
-        return "&quot;";
-    default:
-        return NULL;
-    }
-}
+static const struct escape html[] = {
+    {'<', "&lt;"}, {'>', "&gt;"}, {'&', "&amp;"}, {'"', "&quot;"}, {'\0', NULL}};
+static const struct escape markdown[] = {
+    {'|', "\\|"}, {'<', "&lt;"}, {'*', "\\*"}, {'^', "\\^"}, {'\0', NULL}};
 
-static const char *markdown_escape(char letter) {
-    switch (letter) {
-    case '|':
-        return "\\|";
-    case '<':
-        return "&lt;";
-    case '*':
-        return "\\*";
-    case '^':
-        return "\\^";
-    default:
-        return NULL;
-    }
-}
-
-static void put(FILE *file, const char *text, escape *escaped) {
+static void put(FILE *file, const char *text, const struct escape *escapes) {
     for (; *text != '\0'; text++) {
-        const char *stands = escaped(*text);
-        if (stands != NULL) {
-            (void)fputs(stands, file);
+        const struct escape *found = escapes;
+        while (found->letter != '\0' && found->letter != *text) {
+            found++;
+        }
+        if (found->letter != '\0') {
+            (void)fputs(found->stands, file);
         } else {
             (void)fputc(*text, file);
         }
@@ -65,13 +45,13 @@ static int write_markdown(const struct paper *paper) {
     for (int i = 0; i < PAPER_CLAIMS; i++) {
         const struct paper_claim *claim = &paper->claims[i];
         (void)fprintf(file, "| %d | ", i + 1);
-        put(file, claim->title, markdown_escape);
+        put(file, claim->title, markdown);
         (void)fputs(" | ", file);
-        put(file, claim->says, markdown_escape);
+        put(file, claim->says, markdown);
         (void)fputs(" | ", file);
-        put(file, claim->measured, markdown_escape);
+        put(file, claim->measured, markdown);
         (void)fprintf(file, " | **%s** | ", paper_verdict_text(claim->verdict));
-        put(file, claim->why, markdown_escape);
+        put(file, claim->why, markdown);
         (void)fputs(" |\n", file);
     }
     return paper_close(file, "claims.md");
@@ -98,11 +78,11 @@ static const char html_head[] =
 static void put_figure(FILE *file, const char *type, const char *name, const char *label,
                        const char *caption) {
     (void)fprintf(file, "<figure%s><img src=\"%s.png\" alt=\"", type, name);
-    put(file, label, html_escape);
+    put(file, label, html);
     (void)fputs("\"><figcaption><b>", file);
-    put(file, label, html_escape);
+    put(file, label, html);
     (void)fputs("</b> ", file);
-    put(file, caption, html_escape);
+    put(file, caption, html);
     (void)fputs("</figcaption></figure>\n", file);
 }
 
@@ -131,7 +111,7 @@ static void put_figures(FILE *file, const struct paper *paper) {
 
 static void put_cell(FILE *file, const char *text) {
     (void)fputs("<td>", file);
-    put(file, text, html_escape);
+    put(file, text, html);
     (void)fputs("</td>", file);
 }
 

@@ -26,10 +26,10 @@ static int plan_and_render(struct paper *paper, bool quiet) {
         return status;
     }
     paper->is_planning = false;
-    paper->began = stopwatch_start();
-    progress_begin(&paper->progress, paper->rows, quiet);
+    paper->work.began = stopwatch_start();
+    progress_begin(&paper->work.progress, paper->rows, quiet);
     status = render_all(paper);
-    progress_end(&paper->progress);
+    progress_end(&paper->work.progress);
     return status;
 }
 
@@ -82,17 +82,12 @@ static int make_paper(struct paper *paper, const struct options *options) {
 int paper_run(const struct options *options) {
     struct paper *paper = calloc(1, sizeof *paper);
     if (paper == NULL) {
-        complain("out of memory");
-        return STATUS_FAILED;
+        return failure("out of memory");
     }
     paper->arithmetic = arithmetic_find(options->arithmetic);
     paper->jobs = options->jobs;
-    paper->width = PAPER_SMALL_WIDTH;
-    paper->height = PAPER_SMALL_HEIGHT;
-    if (options->overrides.has_size) {
-        paper->width = (unsigned)options->overrides.width;
-        paper->height = (unsigned)options->overrides.height;
-    }
+    paper->width = (unsigned)options->overrides.width;
+    paper->height = (unsigned)options->overrides.height;
     int status = make_paper(paper, options);
     free_photos(paper);
     free(paper);

@@ -124,17 +124,6 @@ static struct compiled_scene *compile_shot(const struct paper *paper, const stru
 
 /* ---- Rendering ------------------------------------------------------------------------------ */
 
-/* Adds up the finished renders and the one at work, and shows the sum. */
-static void show_progress(void *context, const struct render_totals *so_far) {
-    struct paper *paper = context;
-    const struct render_totals *before = &paper->before;
-    paper->now.rays = before->rays + so_far->rays;
-    paper->now.shadow_rays = before->shadow_rays + so_far->shadow_rays;
-    paper->now.rows = before->rows + so_far->rows;
-    paper->now.seconds = stopwatch_seconds(&paper->began);
-    progress_show(&paper->progress, &paper->now);
-}
-
 /* Returns the processor time of this process with all its threads, in which the load of other
  * processes hardly shows. */
 static double processor_seconds(void) {
@@ -164,8 +153,8 @@ static int render_shot(struct paper *paper, const struct compiled_scene *compile
                                    .last_row = compiled->height,
                                    .jobs = paper->jobs,
                                    .stop = interrupt_noted(),
-                                   .progress = show_progress,
-                                   .context = paper,
+                                   .progress = progress_show_sum,
+                                   .context = &paper->work,
                                    .exposed = studio->camera != NULL ? take_exposure : NULL,
                                    .exposed_context = studio};
     struct bus *bound = bus_bind(&studio->chain->hash.bus);
@@ -173,7 +162,7 @@ static int render_shot(struct paper *paper, const struct compiled_scene *compile
     bool is_rendered = render(&job, totals, &error);
     totals->seconds = processor_seconds() - began;
     (void)bus_bind(bound);
-    paper->before = paper->now;
+    paper->work.before = paper->work.now;
     if (!is_rendered) {
         return bad_input("%s", error.text);
     }

@@ -22,16 +22,16 @@ static bool parse_line(const char *line) {
 static void usb_and_hid_take_a_serial_number_or_none(void **state) {
     (void)state;
     assert_true(parse_line("render fig3 --bus usb"));
-    assert_int_equal(options.bus, BUS_CHOICE_USB);
-    assert_null(options.adapter.serial);
-    assert_int_equal(options.adapter.verify_percent, 0);
+    assert_int_equal(options.bus.choice, BUS_CHOICE_USB);
+    assert_null(options.bus.adapter.serial);
+    assert_int_equal(options.bus.adapter.verify_percent, 0);
     assert_true(parse_line("render fig3 --bus hid:A1-b --wait --verify"));
-    assert_int_equal(options.bus, BUS_CHOICE_HID);
-    assert_string_equal(options.adapter.serial, "A1-b");
-    assert_true(options.adapter.waits);
-    assert_int_equal(options.adapter.verify_percent, 100);
+    assert_int_equal(options.bus.choice, BUS_CHOICE_HID);
+    assert_string_equal(options.bus.adapter.serial, "A1-b");
+    assert_true(options.bus.adapter.waits);
+    assert_int_equal(options.bus.adapter.verify_percent, 100);
     assert_true(parse_line("render fig3 --bus usb:X --verify=7"));
-    assert_int_equal(options.adapter.verify_percent, 7);
+    assert_int_equal(options.bus.adapter.verify_percent, 7);
 }
 
 static void what_does_not_go_with_them_is_refused(void **state) {
@@ -53,9 +53,9 @@ static void what_does_not_go_with_them_is_refused(void **state) {
 static void the_virtual_adapter_has_options_of_its_own(void **state) {
     (void)state;
     assert_true(parse_line("adapter --listen 0.0.0.0:1 --serial AB-1 --once -o s.png"));
-    assert_string_equal(options.adapter.listen, "0.0.0.0:1");
-    assert_string_equal(options.adapter.serial, "AB-1");
-    assert_true(options.adapter.once);
+    assert_string_equal(text_of_option("listen"), "0.0.0.0:1");
+    assert_string_equal(text_of_option("serial"), "AB-1");
+    assert_true(flag_of_option("once"));
     assert_string_equal(options.output, "s.png");
     assert_false(parse_line("adapter --serial a_b"));
     assert_false(parse_line("adapter --serial 12345678901234567890123456789012"));

@@ -77,7 +77,10 @@ static const char *written(void) {
     static char text[1024];
     FILE *file = tmpfile();
     assert_non_null(file);
-    adapter_bus_write_stats(&adapter, file);
+    struct json json = {.out = file};
+    json_begin_object(&json, NULL);
+    adapter_bus_write_stats(&adapter, &json);
+    json_end_object(&json);
     rewind(file);
     text[fread(text, 1, sizeof text - 1, file)] = '\0';
     (void)fclose(file);
@@ -105,7 +108,8 @@ static void a_good_cable_is_counted_byte_by_byte(void **state) {
                          count_of("reconnects") + count_of("restarts"),
                      0);
     assert_non_null(strstr(written(), "\"bus\": \"usb\""));
-    assert_non_null(strstr(written(), "\"verified_pixels\": null, \"repaired_pixels\": null},\n"));
+    assert_non_null(strstr(written(), "\"verified_pixels\": null,\n"));
+    assert_non_null(strstr(written(), "\"repaired_pixels\": null\n"));
     adapter_bus_close(&adapter);
 }
 

@@ -50,6 +50,29 @@ static void objects_and_lists_nest(void **state) {
                           "}\n");
 }
 
+static void numbers_are_rounded_and_hashes_keep_their_zeros(void **state) {
+    (void)state;
+    struct json json = start();
+    json_begin_list(&json, NULL);
+    json_rounded(&json, NULL, 1.0 / 3, 6);
+    json_rounded(&json, NULL, 2e-5 / 3, 9);
+    json_rounded(&json, NULL, (double)NAN, 9);
+    json_decimal(&json, NULL, 2, 6);
+    json_decimal(&json, NULL, -0.75, 1);
+    json_hexadecimal(&json, NULL, 0xBEEF, 8);
+    json_hexadecimal(&json, NULL, UINT64_MAX, 16);
+    json_end_list(&json);
+    assert_written(&json, "[\n"
+                          "  0.333333,\n"
+                          "  6.66666667e-06,\n"
+                          "  null,\n"
+                          "  2.000000,\n"
+                          "  -0.8,\n"
+                          "  \"0000beef\",\n"
+                          "  \"ffffffffffffffff\"\n"
+                          "]\n");
+}
+
 static void what_is_no_number_is_null(void **state) {
     (void)state;
     struct json json = start();
@@ -140,6 +163,7 @@ static void the_check_itself_refuses_what_is_no_json(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(objects_and_lists_nest),
+        cmocka_unit_test(numbers_are_rounded_and_hashes_keep_their_zeros),
         cmocka_unit_test(what_is_no_number_is_null),
         cmocka_unit_test(any_bytes_become_a_string),
         cmocka_unit_test(any_nesting_is_well_formed),

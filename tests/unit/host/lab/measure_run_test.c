@@ -40,7 +40,7 @@ static struct measure *plan_scenes(const char *line) {
 static void run_and_count(struct measure *measure) {
     (void)remove(measure->points_path);
     assert_int_equal(measure_run(measure), STATUS_DONE);
-    assert_int_equal(measure->now.rows, measure->progress.rows);
+    assert_int_equal(measure->work.now.rows, measure->work.progress.rows);
     for (size_t i = 0; i < measure->points.count; i++) {
         assert_true(measure->points.points[i].is_done);
     }

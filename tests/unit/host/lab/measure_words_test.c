@@ -103,6 +103,7 @@ static void nothing_is_called_fewer_that_is_more(void **state) {
         point->wrong = is_paper ? 1 : 0;
     }
     made.count = settings_of(made.measure, made.settings);
+    assert_int_equal(measure_gather(made.measure), STATUS_DONE);
     assert_int_equal(measure_report(made.measure), STATUS_DONE);
     read_markdown(text_of("m/report.md"), &made.page);
     check_paper(&made);
@@ -195,6 +196,7 @@ static void pictures_are_shown_once_where_they_are_there(void **state) {
     uint64_t random = 7;
     (void)state;
     draw_results(measure, 1);
+    assert_int_equal(measure_gather(measure), STATUS_DONE);
     for (unsigned round = 0; round < 4; round++) {
         uint64_t there = round == 0 ? 0 : round == 1 ? UINT64_MAX : splitmix64(&random);
         for (size_t i = 0; i < count; i++) {

@@ -10,6 +10,7 @@
 
 #include <cmocka.h>
 
+#include "base/complain.h"
 #include "lab/paper/measure.h"
 
 enum { WIDTH = 40, HEIGHT = 10 };
@@ -140,9 +141,13 @@ static void terraces_and_cliffs(void **state) {
 static void verdicts(void **state) {
     (void)state;
     static const bool all[] = {true, true}, some[] = {false, true}, none[] = {false, false};
-    assert_int_equal(paper_judge(all, 2), PAPER_HOLDS);
-    assert_int_equal(paper_judge(some, 2), PAPER_HOLDS_IN_PART);
-    assert_int_equal(paper_judge(none, 2), PAPER_DOES_NOT_HOLD);
+    static struct paper_claim claim;
+    assert_int_equal(paper_judge(&claim, all, 2), STATUS_DONE);
+    assert_int_equal(claim.verdict, PAPER_HOLDS);
+    assert_int_equal(paper_judge(&claim, some, 2), STATUS_DONE);
+    assert_int_equal(claim.verdict, PAPER_HOLDS_IN_PART);
+    assert_int_equal(paper_judge(&claim, none, 2), STATUS_DONE);
+    assert_int_equal(claim.verdict, PAPER_DOES_NOT_HOLD);
     assert_string_equal(paper_verdict_text(PAPER_HOLDS), "holds");
     assert_string_equal(paper_verdict_text(PAPER_HOLDS_IN_PART), "holds in part");
     assert_string_equal(paper_verdict_text(PAPER_DOES_NOT_HOLD), "does not hold");

@@ -2,6 +2,7 @@
 /* The command line's options about the board and about traces: good values, wrong ones, and what
  * excludes what. */
 #include "options_fixture.h"
+#include "trace.h"
 
 /* Refused, and with a message that holds the fragment. */
 static const struct {
@@ -83,7 +84,7 @@ static void options_about_the_board(void **state) {
     assert_true(options.board.faults.is_absent);
     assert_true(
         parse("render a --bus ports --yes-these-ports-are-mine --base 02D0", &options, &error));
-    assert_int_equal(options.bus, BUS_CHOICE_PORTS);
+    assert_int_equal(options.bus.choice, BUS_CHOICE_PORTS);
     assert_true(parse("render a --faults lost --faults vanish=5", &options, &error));
     assert_true(options.board.faults.vanish_after == 5);
     assert_int_equal(options.board.faults.vanish_status, BUS_LOST);
@@ -94,18 +95,19 @@ static void what_a_trace_is_asked_for(void **state) {
     struct options options;
     struct options_error error;
     assert_true(parse("trace a", &options, &error));
-    assert_false(options.board.has_profile || options.board.has_base || options.tracing.lists);
+    assert_false(options.board.has_profile || options.board.has_base || flag_of_option("list"));
     assert_true(parse("trace a --list --statistics --violations --stop 9 -o b.png "
                       "--profile later --base 02D0",
                       &options, &error));
-    assert_true(options.tracing.lists && options.tracing.counts && options.tracing.judges);
+    assert_true(flag_of_option("list") && flag_of_option("statistics") &&
+                flag_of_option("violations"));
     assert_true(options.board.has_profile && options.board.has_base && options.board.stop == 9);
     assert_true(parse("trace a --to text -o -", &options, &error));
-    assert_true(options.tracing.converts && options.tracing.to == TRACE_TEXT);
+    assert_true(options.converts && number_of_option("to") == TRACE_TEXT);
     assert_true(parse("trace a --to binary", &options, &error));
-    assert_int_equal(options.tracing.to, TRACE_BINARY);
+    assert_int_equal(number_of_option("to"), TRACE_BINARY);
     assert_true(parse("trace a --compare b", &options, &error));
-    assert_string_equal(options.tracing.against, "b");
+    assert_string_equal(text_of_option("compare"), "b");
 }
 
 int main(void) {

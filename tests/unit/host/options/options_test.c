@@ -13,20 +13,29 @@ static void defaults(void **state) {
     assert_int_equal(options.operand_count, 1);
     assert_string_equal(options.operands[0], "fig3");
     assert_string_equal(options.arithmetic, "fx");
-    assert_int_equal(options.bus, BUS_CHOICE_EMULATOR);
+    assert_int_equal(options.bus.choice, BUS_CHOICE_EMULATOR);
     assert_int_equal(options.board.profile, BOARD_1987);
     assert_int_equal(options.board.base, 0x00D0);
     assert_int_equal(options.jobs, 1);
     assert_null(options.output);
     assert_null(options.stats);
     assert_null(options.trace);
-    assert_false(options.board.strict || options.quiet || options.has_rows || options.json);
+    assert_false(options.board.strict || options.quiet || options.json);
     assert_false(options.overrides.has_depth || options.overrides.has_threshold ||
                  options.overrides.has_size || options.overrides.has_model ||
                  options.overrides.has_highlight || options.overrides.has_colour);
     assert_true(parse("compare a b", &options, &error));
-    assert_int_equal(options.within, 1);
-    assert_true(options.share == 99.9);
+    assert_true(*(const double *)member_of("share") == 99.9);
+    assert_int_equal(number_of_option("within"), 1);
+    assert_null(text_of_option("signatures"));
+    assert_true(parse("boot a", &options, &error));
+    assert_true(*(const uint64_t *)member_of("instructions") == 200000000000);
+    assert_true(parse("paper -o p", &options, &error));
+    assert_true(options.overrides.width == 320 && options.overrides.height == 200);
+    assert_true(parse("measure -o m", &options, &error));
+    assert_null(options.arithmetic);
+    assert_true(parse("adapter", &options, &error));
+    assert_string_equal(text_of_option("listen"), "127.0.0.1:3240");
 }
 
 static void all_options_of_render(void **state) {
@@ -42,8 +51,6 @@ static void all_options_of_render(void **state) {
     assert_int_equal(options.overrides.width, 640);
     assert_int_equal(options.overrides.height, 400);
     assert_string_equal(options.output, "a.png");
-    assert_int_equal(options.first_row, 0);
-    assert_int_equal(options.last_row, 200);
     assert_int_equal(options.jobs, 2);
     assert_int_equal(options.board.base, 0x0CD0);
     assert_int_equal(options.board.profile, BOARD_LATER);
@@ -53,8 +60,8 @@ static void all_options_of_render(void **state) {
     assert_int_equal(options.overrides.highlight, HIGHLIGHT_BLINN);
     assert_string_equal(options.arithmetic, "f64");
     assert_true(parse("render fig3 --bus trace:a.trace", &options, &error));
-    assert_int_equal(options.bus, BUS_CHOICE_TRACE);
-    assert_string_equal(options.bus_file, "a.trace");
+    assert_int_equal(options.bus.choice, BUS_CHOICE_TRACE);
+    assert_string_equal(options.bus.file, "a.trace");
     assert_true(parse("render a --colour bits:3 --seed 4294967295", &options, &error));
     assert_int_equal(options.overrides.colour, COLOUR_BITS);
     assert_int_equal(options.overrides.colour_bits, 3);
@@ -63,7 +70,7 @@ static void all_options_of_render(void **state) {
     assert_int_equal(options.overrides.colour, COLOUR_DITHER);
     assert_true(parse("render a --colour exposures --keep-exposures e", &options, &error));
     assert_int_equal(options.overrides.colour, COLOUR_EXPOSURES);
-    assert_string_equal(options.keep_exposures, "e");
+    assert_string_equal(text_of_option("keep-exposures"), "e");
     assert_true(parse("render --strict -- -fig3", &options, &error));
     assert_true(options.board.strict && !options.board.has_strict_grade);
     assert_string_equal(options.operands[0], "-fig3");
@@ -83,7 +90,6 @@ static const struct {
     {"--tail black", offsetof(struct options, overrides.has_estimates)},
     {"--highlight phong", offsetof(struct options, overrides.has_highlight)},
     {"--seed 1", offsetof(struct options, overrides.has_seed)},
-    {"--arith fx", offsetof(struct options, has_arithmetic)},
     {"--profile 1987", offsetof(struct options, board.has_profile)},
     {"--base 00D0", offsetof(struct options, board.has_base)},
 };
@@ -248,7 +254,8 @@ static const char *fault_of(const struct option_entry *entry) {
     if ((allowed[0] == '\0') != (entry->type == OPTION_FLAG)) {
         return "nothing says what is allowed";
     }
-    if ((entry->words != NULL) != (entry->type == OPTION_WORD) ||
+    if ((entry->words == NULL && entry->type == OPTION_WORD) ||
+        (entry->words != NULL && entry->type != OPTION_WORD && entry->type != OPTION_OWN) ||
         (entry->set != NULL) != (entry->type == OPTION_OWN)) {
         return "words or a setter that the type does not take";
     }
@@ -267,17 +274,41 @@ static void every_row_says_all_that_its_type_takes(void **state) {
     for (size_t i = 0; commands_built[i] != NULL; i++) {
         const struct option_entry *entry;
         for (size_t j = 0; (entry = command_option(commands_built[i], j)) != NULL; j++) {
-            if (fault_of(entry) != NULL) {
-                fail_msg("%s --%s: %s", commands_built[i]->name, entry->name, fault_of(entry));
+            size_t own = commands_built[i]->size, size = own > 0 ? own : sizeof(struct options);
+            const char *fault =
+                entry->offset + entry->size > size ? "a member beyond the struct" : fault_of(entry);
+            if (fault != NULL) {
+                fail_msg("%s --%s: %s", commands_built[i]->name, entry->name, fault);
             }
         }
     }
 }
 
+enum { OWN_MOST = 256 };
+
+/* Options with room for any command's own. */
+static struct options *room;
+
 /* Puts a value into fresh options; the members that may differ are those of the row. */
-static bool is_taken(const struct option_entry *entry, const char *value, struct options *options) {
-    memset(options, 0, sizeof *options);
-    return option_take(entry, value, options) == VALUE_TAKEN;
+static bool is_taken(const struct option_entry *entry, const char *value) {
+    free(room);
+    room = calloc(1, sizeof *room + OWN_MOST);
+    assert_non_null(room);
+    return option_take(entry, value, room) == VALUE_TAKEN;
+}
+
+/* A row says what holds where its option is not given, in words that it takes itself. */
+static void every_preset_is_a_value_of_its_own_row(void **state) {
+    (void)state;
+    for (size_t i = 0; commands_built[i] != NULL; i++) {
+        const struct option_entry *entry;
+        assert_true(commands_built[i]->size <= sizeof *room + OWN_MOST);
+        for (size_t j = 0; (entry = command_option(commands_built[i], j)) != NULL; j++) {
+            if (entry->preset != NULL && !is_taken(entry, entry->preset)) {
+                fail_msg("%s --%s: %s", commands_built[i]->name, entry->name, entry->preset);
+            }
+        }
+    }
 }
 
 static void whole_numbers_are_taken_to_the_ends_of_their_range(void **state) {
@@ -286,28 +317,27 @@ static void whole_numbers_are_taken_to_the_ends_of_their_range(void **state) {
         const struct option_entry *entry;
         for (size_t j = 0; (entry = command_option(commands_built[i], j)) != NULL; j++) {
             char value[32];
-            struct options options;
             if (entry->type != OPTION_WHOLE) {
                 continue;
             }
             (void)snprintf(value, sizeof value, "%.0f", entry->most);
-            assert_true(is_taken(entry, value, &options));
+            assert_true(is_taken(entry, value));
             uint64_t stored = 0;
             unsigned narrow = 0;
             if (entry->size == sizeof stored) {
-                memcpy(&stored, (const unsigned char *)&options + entry->offset, sizeof stored);
+                memcpy(&stored, (const unsigned char *)room + entry->offset, sizeof stored);
             } else {
                 assert_int_equal(entry->size, sizeof narrow);
-                memcpy(&narrow, (const unsigned char *)&options + entry->offset, sizeof narrow);
+                memcpy(&narrow, (const unsigned char *)room + entry->offset, sizeof narrow);
                 stored = narrow;
             }
             assert_true((double)stored >= entry->most && (double)stored <= entry->most);
             (void)snprintf(value, sizeof value, "%.0f", entry->most + 1);
-            assert_false(is_taken(entry, value, &options));
+            assert_false(is_taken(entry, value));
             (void)snprintf(value, sizeof value, "%.0f", entry->least);
-            assert_true(is_taken(entry, value, &options));
+            assert_true(is_taken(entry, value));
             (void)snprintf(value, sizeof value, "%.0f", entry->least - 1);
-            assert_false(is_taken(entry, value, &options));
+            assert_false(is_taken(entry, value));
         }
     }
 }
@@ -317,13 +347,12 @@ static void words_are_taken_whole_and_nothing_else(void **state) {
     for (size_t i = 0; commands_built[i] != NULL; i++) {
         const struct option_entry *entry;
         for (size_t j = 0; (entry = command_option(commands_built[i], j)) != NULL; j++) {
-            struct options options;
             for (size_t k = 0; entry->words != NULL && entry->words[k] != NULL; k++) {
                 char other[64];
-                assert_true(is_taken(entry, entry->words[k], &options));
+                assert_true(is_taken(entry, entry->words[k]));
                 (void)snprintf(other, sizeof other, "%sx", entry->words[k]);
-                assert_false(is_taken(entry, other, &options));
-                assert_false(is_taken(entry, "", &options));
+                assert_false(is_taken(entry, other));
+                assert_false(is_taken(entry, ""));
             }
         }
     }
@@ -459,6 +488,7 @@ int main(void) {
         cmocka_unit_test(port_addresses),
         cmocka_unit_test(no_command_is_offered_an_option_twice),
         cmocka_unit_test(every_row_says_all_that_its_type_takes),
+        cmocka_unit_test(every_preset_is_a_value_of_its_own_row),
         cmocka_unit_test(whole_numbers_are_taken_to_the_ends_of_their_range),
         cmocka_unit_test(words_are_taken_whole_and_nothing_else),
         cmocka_unit_test(a_slip_is_answered_with_what_may_be_meant),

@@ -73,7 +73,8 @@ static void assert_quoted(const char *text, const char *expected) {
     char quoted[128] = "";
     FILE *file = tmpfile();
     assert_non_null(file);
-    json_write_string(file, text);
+    struct json json = {.out = file};
+    json_text(&json, NULL, text);
     rewind(file);
     quoted[fread(quoted, 1, sizeof quoted - 1, file)] = '\0';
     (void)fclose(file);
