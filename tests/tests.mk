@@ -108,7 +108,7 @@ pov: $(BUILD)/release/tests/pov/pov_check $(BUILD)/superframe $(RELATIONS) ## Ho
 TEST_SCRIPTS := $(addprefix tests/,float_matrix.sh trace_hash_matrix.sh check_includes.sh check_cycles.sh check_paths.sh check_changing.sh check_symbols.sh \
     check_recursion.sh check_adapter.sh check_fuzz.sh check_usb_bytes.sh check_without_usb.sh \
     check_without_f128.sh check_install.sh check_measure.sh targets/quick_test.sh targets/minimal_test.sh \
-    targets/probe_test.sh check_porting.sh check_32_bits.sh check_bench.sh check_manual.sh check_completion.sh check_hashes.sh \
+    targets/probe_test.sh check_porting.sh check_32_bits.sh check_bench.sh check_manual.sh check_scene_page.sh check_completion.sh check_hashes.sh \
     check_uninitialised.sh check_mutants.sh relations/relations_test.sh)
 FIRMWARE_IMAGES := $(patsubst %,$(BUILD)/release/firmware_%.o,fx f32 f64)
 # `make quick` leaves these to `make test`: each takes more than two seconds.

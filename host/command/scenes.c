@@ -7,11 +7,13 @@
 #include "command/command.h"
 #include "scene/builtin.h"
 #include "scene/load.h"
+#include "scene/reference.h"
 
 /* What only scenes is asked for. */
 struct scenes_options {
     struct options common;
     const char *printed; /* the scene whose text is printed; NULL: they are listed */
+    bool keys;           /* the keys of scene files are printed instead */
 };
 
 /* Prints a scene on a line, or as an entry of the list. */
@@ -38,9 +40,13 @@ static int print_text(const char *name) {
 }
 
 static int run_scenes(const struct options *options) {
-    const char *printed = ((const struct scenes_options *)options)->printed;
-    if (printed != NULL) {
-        return print_text(printed);
+    const struct scenes_options *own = (const struct scenes_options *)options;
+    if (own->printed != NULL) {
+        return print_text(own->printed);
+    }
+    if (own->keys) {
+        scene_print_reference(stdout);
+        return STATUS_DONE;
     }
     struct json json = {.out = stdout};
     if (options->json) {
@@ -62,8 +68,9 @@ static int run_scenes(const struct options *options) {
 }
 
 static bool check_scenes(const struct options *options, struct options_error *error) {
-    return !(options->json && ((const struct scenes_options *)options)->printed != NULL) ||
-           options_refuse(error, "--print and --json exclude each other; give one of them");
+    const struct scenes_options *own = (const struct scenes_options *)options;
+    return options->json + (own->printed != NULL) + own->keys <= 1 ||
+           options_refuse(error, "--print, --keys and --json exclude each other; give one of them");
 }
 
 static const struct option_group group_own = {
@@ -71,7 +78,10 @@ static const struct option_group group_own = {
                               .value = "NAME",
                               TEXT_IN(struct scenes_options, printed),
                               .allowed = "a built-in scene's name",
-                              .help = "print the text of a built-in scene"})};
+                              .help = "print the text of a built-in scene"},
+                             {.name = "keys",
+                              FLAG_IN(struct scenes_options, keys),
+                              .help = "print the keys of scene files, with ranges and defaults"})};
 
 const struct command command_scenes = {
     .name = "scenes",

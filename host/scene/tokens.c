@@ -32,6 +32,10 @@ bool token_is(const struct token *token, char mark) {
     return token->kind == TOKEN_MARK && *token->start == mark;
 }
 
+bool token_closes(const struct token *token) {
+    return token_is(token, '}') || token_is(token, ')') || token_is(token, ']');
+}
+
 bool token_spells(const struct token *token, const char *word) {
     return strlen(word) == token->length && memcmp(word, token->start, token->length) == 0;
 }

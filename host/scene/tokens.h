@@ -39,6 +39,9 @@ struct token scanner_next(struct scanner *scanner);
 /* Tells whether a token is this mark. */
 bool token_is(const struct token *token, char mark);
 
+/* Tells whether a token is a bracket that closes. */
+bool token_closes(const struct token *token);
+
 /* Tells whether a token spells a word. */
 bool token_spells(const struct token *token, const char *word);
 
