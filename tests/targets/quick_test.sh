@@ -113,8 +113,8 @@ exposures() {
     scene=$work/exposed.scene
     sed '/^depth/i colour = "exposures";' firmware/scenes/fig3.scene > "$scene"
     grep -q exposures "$scene" || wrong 'no scene of a multiple exposure'
-    sh firmware/targets/build.sh native fx "$scene" $SIZE $DEPTH full "$work/exposed" &&
-        sh tests/targets/run_target.sh native "$work/exposed" || wrong 'exposures: not built, or not run'
+    sh firmware/targets/build.sh gcc fx "$scene" $SIZE $DEPTH full "$work/exposed" &&
+        sh tests/targets/run_target.sh gcc "$work/exposed" || wrong 'exposures: not built, or not run'
     hash=$(sh tests/targets/trace_hash.sh "$work/exposed")
     [ "$hash" = "$(native_hash "$scene")" ] || wrong "exposures: trace_hash $hash; the native one is $(native_hash "$scene")"
     for target in 386-flat wasm; do

@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: MIT
+# A program on the build machine, or on another Linux by qemu-user. A target sets compiler, which
+# may have options, and link_options.
+#
+# shellcheck disable=SC2034,SC2154,SC2086 # values for, and from, who sources this file; lists of words
+link_options=''
+
+build() {
+    objects=
+    for source in $firmware $records; do
+        object=$folder/$(basename "$source" .c)_.o
+        $compiler -O2 $flags -c -o "$object" "$source"
+        objects="$objects $object"
+    done
+    $compiler -O2 -std=c99 -Wall -Wextra -Werror -I$targets/common $link_options \
+        -o "$folder/image.elf" tests/targets/posix_main.c $objects -lm
+}
+
+run() {
+    $limit ./image.elf
+}
