@@ -177,7 +177,7 @@ const struct option_group group_quiet = {"Work", quiet_entries};
     OPTION_GIVEN(board.has_profile), .words = profiles
 #define BASE_ENTRY                                                                                 \
     .name = "base", .value = "PORT", .type = OPTION_OWN, OPTION_GIVEN(board.has_base),             \
-    .set = set_base, .allowed = "00D0, 02D0, 04D0, 06D0, 08D0, 0AD0 or 0CD0"
+    .set = set_base, .allowed = BOARD_BASES_TEXT
 
 static const struct option_entry board_entries[] = {
     {PROFILE_ENTRY, .help = "which board (1987)"},

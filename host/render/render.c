@@ -8,7 +8,6 @@
 #include <string.h>
 
 #include "base/stopwatch.h"
-#include "board.h"
 #include "bus.h"
 #include "render/rows.h"
 
@@ -300,10 +299,6 @@ static void learn(struct renderer *renderer, struct scene *scene) {
     totals->nodes += counts.nodes;
     totals->solid_tests += counts.solid_tests;
     totals->leaked_rays += counts.leaked_rays;
-}
-
-unsigned render_dots(unsigned width, unsigned height) {
-    return width <= BOARD_WIDTH / 2 && height <= BOARD_HEIGHT / 2 ? 2 : 1;
 }
 
 bool render(const struct render_job *job, struct render_totals *totals, struct scene_error *error) {
