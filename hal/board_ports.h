@@ -1,9 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* The board's facts: ports, addresses, screen, modes, and what a driver writes first. Whoever
- * drives the board, plays it or speaks of it takes them from here.
+/* The board's facts: ports, bases, screen, modes, and what a driver writes first. Whoever drives,
+ * plays or describes the board takes the facts from here.
  *
- * Each fact has the letter of its source, best first: P the paper's Table 2; D drivers of 1991-93;
- * S a jumper sheet of a later board. docs/board.md has the facts with their sources. */
+ * A letter tells how a fact is known. docs/board.md explains the letters.
+ *
+ *     P  the paper's Table 2
+ *     D  drivers of 1991-93
+ *     S  a jumper sheet of a later board */
 #ifndef SUPERFRAME_HAL_BOARD_PORTS_H
 #define SUPERFRAME_HAL_BOARD_PORTS_H
 
