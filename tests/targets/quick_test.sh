@@ -152,9 +152,24 @@ lacks_each() {
         awk -v feature="$feature" '$1 == feature { sub($3, $3 - 1 (/,/ ? "," : "")) } { print }' \
             "$missing/all.h" > "$missing/feature_set.h"
         # shellcheck disable=SC2086 # a list of words
-        expect 1 "image_lacks_$feature[^A-Z_]" $compile
+        expect 1 "image_lacks_${feature}[^A-Z_]" $compile
         echo "$feature" >> "$missing/names.txt"
     done
+}
+
+# Each folder with a target.sh is a target, and another name is refused with the names that there are.
+names() {
+    names=$(. firmware/targets/targets.sh && target_names)
+    for file in firmware/targets/*/target.sh; do
+        name=$(basename "$(dirname "$file")")
+        case " $names " in
+        *" $name "*) ;;
+        *) wrong "$file: $name is not among the targets: $names" ;;
+        esac
+    done
+    expect 1 "no target \"z80\"; there are: $names" \
+        sh firmware/targets/build.sh z80 fx fig3 $SIZE $DEPTH minimal "$work/refused"
+    expect 1 "no target \"z80\"; there are: $names" sh tests/targets/run_target.sh z80 "$work"
 }
 
 # A scene whose stack does not fit the machine is refused when it is built, with what would fit.
@@ -198,6 +213,7 @@ sizes() {
 }
 
 feature_names
+names
 sizes
 hashes
 bad_images
