@@ -113,7 +113,7 @@ static void explain_adapter(const void *context) {
     const struct compiled_scene *compiled = run->compiled;
     adapter_bus_explain(&run->adapter, run->options->has_rows ? run->options->first_row : 0,
                         run->options->has_rows ? run->options->last_row : compiled->height,
-                        board_dots_a_pixel(compiled->width, compiled->height));
+                        render_dots(compiled->width, compiled->height));
 }
 
 /* Begins the session with what --bus asks for at the end of the buses. */

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "base/stopwatch.h"
+#include "board_ports.h"
 #include "bus.h"
 #include "render/rows.h"
 
@@ -299,6 +300,10 @@ static void learn(struct renderer *renderer, struct scene *scene) {
     totals->nodes += counts.nodes;
     totals->solid_tests += counts.solid_tests;
     totals->leaked_rays += counts.leaked_rays;
+}
+
+unsigned render_dots(unsigned width, unsigned height) {
+    return board_dots_a_pixel(width, height);
 }
 
 bool render(const struct render_job *job, struct render_totals *totals, struct scene_error *error) {

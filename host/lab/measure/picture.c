@@ -17,7 +17,7 @@
 #include "scene/load.h"
 
 unsigned measure_dots(const struct measure_point *point) {
-    return board_dots_a_pixel(point->width, point->height);
+    return render_dots(point->width, point->height);
 }
 
 static struct scene_overrides overrides_of(const struct measure *measure,

@@ -198,7 +198,7 @@ static int shoot(struct paper *paper, const struct compiled_scene *compiled,
     if (status == STATUS_DONE) {
         photo->width = compiled->width;
         photo->height = compiled->height;
-        photo->dots = board_dots_a_pixel(photo->width, photo->height);
+        photo->dots = render_dots(photo->width, photo->height);
         port_chain_picture(studio.chain);
         if (has_camera) {
             camera_develop(studio.camera);
