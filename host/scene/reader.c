@@ -11,7 +11,7 @@
 #include "scene/overrides.h"
 #include "scene/values.h"
 
-enum { SCENE_VERSION = 1 };
+enum { SCENE_VERSION = 1, WIDTH_MOST = BOARD_WIDTH, HEIGHT_MOST = BOARD_HEIGHT };
 
 /* A light may be many times white, for scenes in which light fades with the distance. */
 static const struct scene_range RANGE_LIGHT = {0, 32767};
@@ -150,15 +150,15 @@ static bool read_colour(const struct scene_scope *top) {
 
 static bool read_size(const struct scene_scope *top) {
     double size[2] = {320, 200};
-    struct scene_range whole = {1, BOARD_WIDTH};
+    struct scene_range whole = {1, WIDTH_MOST};
     if (!scope_numbers(top, "size", OPTIONAL, whole, 2, size)) {
         return false;
     }
-    if (size[1] > BOARD_HEIGHT || floor(size[0]) != size[0] || floor(size[1]) != size[1]) {
+    if (size[1] > HEIGHT_MOST || floor(size[0]) != size[0] || floor(size[1]) != size[1]) {
         return scene_fail(top->reader, scope_line(top, "size"),
                           "'size' of the scene is %.10g x %.10g: whole numbers of pixels, up to "
                           "%d x %d, are allowed",
-                          size[0], size[1], BOARD_WIDTH, BOARD_HEIGHT);
+                          size[0], size[1], WIDTH_MOST, HEIGHT_MOST);
     }
     top->reader->scene->width = (int)size[0];
     top->reader->scene->height = (int)size[1];
