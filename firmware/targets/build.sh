@@ -13,8 +13,6 @@
 # TARGET_RAM  bytes of memory in place of the target's: up to 65536 for a Cortex-M0 in QEMU
 #
 # Exit status: 0 built, 1 not.
-#
-# shellcheck disable=SC2034,SC2154 # values for, and from, the target
 set -eu
 
 target=$1 arithmetic=$2 scene=$3 size=$4 depth=$5 features=$6 folder=$7
@@ -31,10 +29,8 @@ mkdir -p "$folder/tables"
 options=${COMPILE:-}
 [ "$size" = - ] || options="$options --size $size"
 [ "$depth" = - ] || options="$options --depth $depth"
-# shellcheck disable=SC2086 # a list of words
 "$SUPERFRAME" compile "$scene" $options -o "$folder/scene.c"
 if [ "$features" = minimal ]; then
-    # shellcheck disable=SC2086 # a list of words
     "$SUPERFRAME" compile "$scene" $options --minimal -o "$folder/tables/feature_set.h"
 else
     cp firmware/features/full/feature_set.h "$folder/tables/feature_set.h"

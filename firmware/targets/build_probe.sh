@@ -13,7 +13,6 @@ mkdir -p "$folder"
 
 . firmware/targets/targets.sh
 target_read 386-flat
-# shellcheck disable=SC2034 # for pc98_disk()
 optimisation=-Os
 pc98_disk -std=c99 -pedantic -Wall -Wextra -Wconversion -Wshadow -Werror -ffreestanding \
     -ffunction-sections -fdata-sections -fno-tree-loop-distribute-patterns -nostdlib \

@@ -5,8 +5,6 @@
 # FOLDER is what build.sh has made for the target; of a compiler other than gcc nothing is known.
 # A function of the compiler's library takes at most 32 bytes (the largest is __aeabi_ldivmod's kin;
 # a leaf pushes up to 6 registers). Exit status: 0 printed, 1 not known.
-#
-# shellcheck disable=SC2154 # the target's values
 set -eu
 
 . firmware/targets/targets.sh

@@ -10,15 +10,14 @@
 # arithmetics  what it ships: a row of the table each
 # fx           the folder of firmware/real/ whose fx suits its registers and products; same bits in all
 # square_root  the source of sqrtf() for floating point
-# memory       bytes for the stack and the sections; 0: not limited
+# memory       bytes that the stack shares with the sections of image.elf; 0: not limited
+# sections     which sections these are
 # entry        the function where the stack begins; none: the stack is not known
 # calls        lines "caller>called" of calls by pointer, as gcc names functions
 # screen       yes: one picture is shown, so a multiple exposure is refused
 # sizes        the images of `make size`: arithmetic/features, with /count where instructions are counted
 # build()      makes the image in $folder; build.sh sets the variables used there
 # run()        runs the image in the current folder; run_target.sh sets the variables used there
-#
-# shellcheck disable=SC2034 # who sources this file uses the values
 
 targets=firmware/targets
 

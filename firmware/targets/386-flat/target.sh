@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: MIT
 # A PC-9801's floppy that goes to protected mode.
-#
-# shellcheck disable=SC2034,SC2154 # values for, and from, who sources this file
 . "$targets/pc98/family.sh"
 title='386, protected mode (PC-98 floppy on Unicorn)'
 place=130

@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: MIT
 # A PC-9801's floppy that stays in real mode: one segment for all.
-#
-# shellcheck disable=SC2034,SC2154 # values for, and from, who sources this file
 . "$targets/pc98/family.sh"
 title='386, real mode (PC-98 floppy on Unicorn)'
 place=140

@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: MIT
 # A Cortex-M0, the smallest: 16 KiB of memory, products of 16 by 16 bits.
-#
-# shellcheck disable=SC2034,SC2154 # values for, and from, who sources this file
 . "$targets/cortex_m/family.sh"
 title='Cortex-M0 (QEMU microbit)'
 place=100

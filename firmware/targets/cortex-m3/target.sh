@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: MIT
 # A Cortex-M3. f32 in software takes too long for the table: `make size` measures it.
-#
-# shellcheck disable=SC2034,SC2154 # values for, and from, who sources this file
 . "$targets/cortex_m/family.sh"
 title='Cortex-M3 (QEMU mps2-an385)'
 place=80

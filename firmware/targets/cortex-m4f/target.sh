@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: MIT
 # A Cortex-M4 with a floating-point unit of single precision.
-#
-# shellcheck disable=SC2034,SC2154 # values for, and from, who sources this file
 . "$targets/cortex_m/family.sh"
 title='Cortex-M4F (QEMU mps2-an386)'
 place=70

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: MIT
 # A Cortex-M in QEMU. A target sets cpu, optimisation, machine, and coprocessor, the source that switches a
 # floating-point unit on.
-#
-# shellcheck disable=SC2034,SC2154,SC2086 # values for, and from, who sources this file; lists of words
 packages='tool|arm-none-eabi-gcc|gcc-arm-none-eabi
 tool|qemu-system-arm|qemu-system-arm'
 memory=65536

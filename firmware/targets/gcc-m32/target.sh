@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: MIT
 # A Linux of 32 bits on x86.
-#
-# shellcheck disable=SC2034,SC2154 # values for, and from, who sources this file
 . "$targets/posix/family.sh"
 title='gcc -m32'
 place=30

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: MIT
 # The floppy of the PC-9801's target that was read before, in a ROM for a PC without a BIOS: QEMU's
 # isapc with a 486.
-#
-# shellcheck disable=SC2034,SC2154 # values for, and from, who sources this file
 packages="$packages
 tool|qemu-system-i386|qemu-system-x86"
 sizes=''

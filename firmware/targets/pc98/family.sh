@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: MIT
 # A PC-9801 with a 386, which boots from a floppy. A target sets mode (flat or real), cpu,
 # optimisation and load_address.
-#
-# shellcheck disable=SC2034,SC2154,SC2086 # values for, and from, who sources this file; lists of words
 packages='m32|stdio.h|gcc-multilib'
 fx=fx_32
 sections='.text .rodata .data .bss'

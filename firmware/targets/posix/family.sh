@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: MIT
 # A program on the build machine, or on another Linux by qemu-user. A target sets compiler, which
 # may have options, and link_options.
-#
-# shellcheck disable=SC2034,SC2154,SC2086 # values for, and from, who sources this file; lists of words
 link_options=''
 
 build() {

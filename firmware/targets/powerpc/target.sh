@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: MIT
 # A big-endian CPU, by qemu-user.
-#
-# shellcheck disable=SC2034,SC2154 # values for, and from, who sources this file
 . "$targets/posix/family.sh"
 title='PowerPC, big-endian (qemu-user)'
 place=60

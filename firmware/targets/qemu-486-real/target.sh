@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: MIT
 # The real-mode floppy once more, on a 486 of another emulator.
-#
-# shellcheck disable=SC2034,SC2154 # values for, and from, who sources this file
 . "$targets/386-real/target.sh"
 . "$targets/isapc/family.sh"
 title='486, real mode (the same floppy on QEMU isapc)'

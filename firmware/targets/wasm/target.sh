@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: MIT
 # A module for a web page, which holds the board too: superframe.h.
-#
-# shellcheck disable=SC2034,SC2154 # values for, and from, who sources this file
 title='WebAssembly (node)'
 place=50
 packages='tool|clang|clang
@@ -11,7 +9,6 @@ screen=yes
 sizes='fx/minimal fx/full'
 
 build() {
-    # shellcheck disable=SC2086 # lists of words
     clang --target=wasm32 -Oz -Iemulator/board $flags -I$targets/wasm/include -nostdlib \
         -Wl,--no-entry -Wl,--gc-sections -Wl,--strip-all -Wl,-z,stack-size=65536 -fno-builtin \
         -o "$folder/image.wasm" $firmware $targets/wasm/module.c $targets/common/memory.c \
