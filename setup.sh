@@ -14,6 +14,7 @@ CC=${CC:-cc}
 SETUP=${SETUP:-yes}
 
 # group | how to look for it: header, tool, file, pc (pkg-config), runtime (clang's) or m32 | what to look for | Debian package
+# or group | target | a target of firmware/targets/, whose folder says what it needs, or "every"
 table='
 build|tool|make|make
 build|header|stdio.h|libc6-dev
@@ -42,19 +43,11 @@ prove|tool|frama-c|frama-c-base
 prove|tool|gappa|gappa
 quick|tool|pkg-config|pkg-config
 quick|header|unicorn/unicorn.h|libunicorn-dev
-quick|m32|stdio.h|gcc-multilib
-quick|tool|clang|clang
-quick|tool|wasm-ld|lld
-quick|tool|node|nodejs
-quick|tool|arm-none-eabi-gcc|gcc-arm-none-eabi
-quick|tool|qemu-system-arm|qemu-system-arm
-pc98|m32|stdio.h|gcc-multilib
-targets|tool|riscv64-unknown-elf-gcc|gcc-riscv64-unknown-elf
-targets|tool|qemu-system-riscv32|qemu-system-misc
-targets|tool|qemu-system-i386|qemu-system-x86
-targets|tool|powerpc-linux-gnu-gcc|gcc-powerpc-linux-gnu
-targets|file|/usr/powerpc-linux-gnu/include/stdio.h|libc6-dev-powerpc-cross
-targets|tool|qemu-ppc|qemu-user
+quick|target|386-flat
+quick|target|cortex-m3
+quick|target|wasm
+pc98|target|386-flat
+targets|target|every
 targets|tool|avr-gcc|gcc-avr
 targets|file|/usr/lib/avr/include/stdint.h|avr-libc
 '
@@ -88,11 +81,25 @@ in_groups() {
     esac
 }
 
+# packages_of TARGET|every: prints rows without their group.
+packages_of() (
+    . firmware/targets/targets.sh
+    [ "$1" = every ] && names=$(target_names) || names=$1
+    for name in $names; do
+        target_read "$name"
+        # shellcheck disable=SC2154 # the target's value
+        [ -z "$packages" ] || printf '%s\n' "$packages"
+    done
+)
+
 # The table's rows of the wanted groups, without blank lines.
 wanted_rows() {
     printf '%s\n' "$table" | while IFS='|' read -r group kind thing package; do
         if [ -n "$group" ] && in_groups "$group"; then
-            echo "$kind|$thing|$package"
+            case $kind in
+            target) packages_of "$thing" ;;
+            *) echo "$kind|$thing|$package" ;;
+            esac
         fi
     done
 }

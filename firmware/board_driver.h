@@ -6,8 +6,6 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-enum { BOARD_WIDTH = 640, BOARD_HEIGHT = 400, BOARD_BASE = 0x00D0 };
-
 /* Initialises the board for 640 x 400 and shows its picture over the PC-9801's (mode 01). The
  * sequence of index and data is the drivers' (grade D). */
 void board_start(uint16_t base);

@@ -3,6 +3,7 @@
 #include "image.h"
 
 #include "board_driver.h"
+#include "board_ports.h"
 #include "camera.h"
 #include "learn.h"
 #include "show.h"
@@ -31,8 +32,7 @@ static void image_row(const struct scene *scene, uint16_t y, uint8_t *rgb,
 
 static void draw_rows(const struct scene *scene, const struct drawing *drawing) {
     uint8_t rgb[3 * FEATURE_WIDTH];
-    /* A picture of up to 320 x 200 is shown with 2 x 2 dots a pixel. */
-    uint8_t dots = scene->width <= BOARD_WIDTH / 2 && scene->height <= BOARD_HEIGHT / 2 ? 2 : 1;
+    uint8_t dots = board_dots_a_pixel(scene->width, scene->height);
     uint16_t y = drawing->first;
     board_start(drawing->base);
     for (; y < drawing->last; y++) {

@@ -2,7 +2,7 @@
 /* What is shown of a row of full colours: all of it, the upper bits, 8 colours by dither or bit. */
 #include "show.h"
 
-#include "board_driver.h"
+#include "board_ports.h"
 
 enum { PRIMARIES = 3, LEVEL_MOST = 255 };
 

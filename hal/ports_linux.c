@@ -21,7 +21,7 @@ enum { OWNER_LINE = 256 };
  * would end the program with SIGSEGV. */
 static bool is_open(struct ports_linux *ports, uint16_t port, unsigned width) {
     unsigned offset = (uint16_t)(port - ports->base);
-    if (offset + width > PORTS_LINUX_COUNT) {
+    if (offset + width > BOARD_PORTS) {
         bus_fail(&ports->bus, BUS_REFUSED);
         return false;
     }
@@ -69,7 +69,7 @@ static bool names_an_owner(const char *line, uint16_t base, bool *is_hidden, con
     *owner += sizeof " : " - 1;
     /* To those who may not know the addresses, all are shown as 0. */
     *is_hidden = *is_hidden || (first == 0 && last == 0);
-    return last >= base && first < (unsigned long)base + PORTS_LINUX_COUNT &&
+    return last >= base && first < (unsigned long)base + BOARD_PORTS &&
            strncmp(*owner, "PCI Bus", sizeof "PCI Bus" - 1) != 0;
 }
 
@@ -100,8 +100,7 @@ static bool is_free(const char *owners, uint16_t base, char *message) {
         (void)snprintf(message, PORTS_LINUX_MESSAGE_SIZE,
                        "ports %04X-%04X belong to %.*s (%s); --base names another address of the "
                        "jumper's",
-                       base, base + PORTS_LINUX_COUNT - 1, (int)strcspn(owner, "\n"), owner,
-                       owners);
+                       base, base + BOARD_PORTS - 1, (int)strcspn(owner, "\n"), owner, owners);
     } else if (is_hidden) {
         (void)snprintf(message, PORTS_LINUX_MESSAGE_SIZE,
                        "who owns the ports can't be found out: %s shows no addresses to this user",
@@ -119,7 +118,7 @@ static enum ports_linux_result refuse(char *message, uint16_t base, int reason) 
         : reason == ENOSYS ? "; this system or processor has no ports to open"
                            : "";
     (void)snprintf(message, PORTS_LINUX_MESSAGE_SIZE, "ports %04X-%04X can't be opened: %s%s", base,
-                   base + PORTS_LINUX_COUNT - 1, strerror(reason), help);
+                   base + BOARD_PORTS - 1, strerror(reason), help);
     return PORTS_LINUX_REFUSED;
 }
 
@@ -132,13 +131,13 @@ enum ports_linux_result ports_linux_open(struct ports_linux *ports, uint16_t bas
     if (!is_free(system->owners, base, message)) {
         return PORTS_LINUX_OWNED;
     }
-    if (system->allow(base, PORTS_LINUX_COUNT, 1) != 0) {
+    if (system->allow(base, BOARD_PORTS, 1) != 0) {
         return refuse(message, base, errno);
     }
     if (system->drop() != 0) {
         (void)snprintf(message, PORTS_LINUX_MESSAGE_SIZE, "the privileges can't be dropped: %s",
                        strerror(errno));
-        (void)system->allow(base, PORTS_LINUX_COUNT, 0);
+        (void)system->allow(base, BOARD_PORTS, 0);
         return PORTS_LINUX_REFUSED;
     }
     ports->bus.status = BUS_OK;

@@ -3,12 +3,13 @@
 #ifndef SUPERFRAME_HAL_PORTS_LINUX_H
 #define SUPERFRAME_HAL_PORTS_LINUX_H
 
+#include "board_ports.h"
 #include "bus.h"
 
 #include <stdbool.h>
 #include <stddef.h>
 
-enum { PORTS_LINUX_COUNT = 16, PORTS_LINUX_MESSAGE_SIZE = 240 };
+enum { PORTS_LINUX_MESSAGE_SIZE = 240 };
 
 /* How the kernel and the ports are reached. Value and port stand in Linux's order, which is the
  * reverse of outp()'s. A test puts its own functions here. */

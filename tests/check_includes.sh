@@ -24,7 +24,7 @@ BEGIN {
     may["firmware"] = "firmware hal firmware/real/* firmware/features/*"
     may["firmware/real"] = "firmware/real"
     may["firmware/real/lab"] = "firmware/real/lab firmware/real"
-    may["firmware/features"] = "firmware/features"
+    may["firmware/features"] = "firmware/features hal"
     may["firmware/adapter"] = "firmware/adapter hal hal/*"
     # The ports for other CPUs lie around the firmware; the module for a web page holds the board too.
     may["firmware/targets"] = "firmware/targets/* firmware hal firmware/real/* firmware/features/*"

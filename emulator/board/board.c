@@ -7,8 +7,6 @@
 enum {
     POSITION_X_MASK = 0x03FF,
     POSITION_Y_MASK = 0x01FF,
-    CONTROLLER_STATUS = 0x1F, /* index */
-    STATUS_BLANK = 0x02,
     /* 17.73 ms at 56.4 Hz, at 0.4 us an access (the only figure known, an emulator's model). */
     FRAME_ACCESSES = 44326,
     FRAME_SHOWN_ACCESSES = FRAME_ACCESSES * 10 / 11 /* 400 of 440 lines */
@@ -131,10 +129,10 @@ static void write_data(struct board *board, struct access access) {
 }
 
 static uint8_t read_data(struct board *board, struct access access) {
-    if (board->desc.profile == BOARD_LATER && board->index == CONTROLLER_STATUS) {
+    if (board->desc.profile == BOARD_LATER && board->index == BOARD_STATUS_INDEX) {
         board_note_use(board, BOARD_STATUS_READ);
         bool is_blank = board->accesses % FRAME_ACCESSES >= FRAME_SHOWN_ACCESSES;
-        return is_blank ? STATUS_BLANK : 0;
+        return is_blank ? BOARD_STATUS_BLANK : 0;
     }
     if (board->controller_written[board->index] == 0) {
         access.value = board->controller[board->index];
@@ -149,7 +147,7 @@ static void write_mode(struct board *board, struct access access) {
     uint8_t mode = (uint8_t)access.value;
     board->mode = mode;
     board->is_stepping = board->desc.profile == BOARD_LATER && (mode & BOARD_MODE_STEP) != 0;
-    if (mode == 0x00 || mode == 0x01 || mode == 0x03) {
+    if (mode == BOARD_MODE_PC || mode == BOARD_MODE_BOTH || mode == BOARD_MODE_BOARD) {
         board_note_use(board, BOARD_MODE_WRITE);
     } else {
         report(board, BOARD_MODE_UNKNOWN, access);
@@ -167,45 +165,45 @@ static void step_x(struct board *board, struct access access) {
 
 static void write_byte(struct board *board, unsigned offset, struct access access) {
     switch (offset) {
-    case 0x0:
+    case BOARD_CONTROL_1:
         board_note_use(board, BOARD_INDEX_WRITE);
         board->index = (uint8_t)access.value;
         break;
-    case 0x2:
+    case BOARD_CONTROL_2:
         write_data(board, access);
         break;
-    case 0x4:
+    case BOARD_X:
         board_note_use(board, BOARD_POSITION_LOW_WRITE);
         set_x(board, (board->x & 0xFF00U) | access.value);
         break;
-    case 0x5:
+    case BOARD_X + 1:
         report(board, BOARD_POSITION_HIGH_WRITE, access);
         set_x(board, (board->x & 0x00FFU) | (unsigned)access.value << 8);
         break;
-    case 0x6:
+    case BOARD_Y:
         board_note_use(board, BOARD_POSITION_LOW_WRITE);
         set_y(board, (board->y & 0xFF00U) | access.value);
         break;
-    case 0x7:
+    case BOARD_Y + 1:
         report(board, BOARD_POSITION_HIGH_WRITE, access);
         set_y(board, (board->y & 0x00FFU) | (unsigned)access.value << 8);
         break;
-    case 0x8:
+    case BOARD_RED:
         board_note_use(board, BOARD_PRIMARY_WRITE);
         write_primary(board, 0, access);
         break;
-    case 0xA:
+    case BOARD_GREEN:
         board_note_use(board, BOARD_PRIMARY_WRITE);
         write_primary(board, 1, access);
         break;
-    case 0xC:
+    case BOARD_BLUE:
         board_note_use(board, BOARD_PRIMARY_WRITE);
         write_primary(board, 2, access);
         if (board->is_stepping) {
             step_x(board, access);
         }
         break;
-    case 0xE:
+    case BOARD_MODE:
         write_mode(board, access);
         break;
     default:
@@ -216,21 +214,21 @@ static void write_byte(struct board *board, unsigned offset, struct access acces
 
 static void write_word(struct board *board, unsigned offset, struct access access) {
     switch (offset) {
-    case 0x4:
+    case BOARD_X:
         board_note_use(board, BOARD_POSITION_WRITE);
         set_x(board, access.value);
         break;
-    case 0x6:
+    case BOARD_Y:
         board_note_use(board, BOARD_POSITION_WRITE);
         set_y(board, access.value);
         break;
-    case 0x8:
+    case BOARD_RED:
         fill(board, access);
         break;
-    case 0xA:
-    case 0xC:
+    case BOARD_GREEN:
+    case BOARD_BLUE:
         report(board, BOARD_PRIMARY_WORD_WRITE, access);
-        write_primary(board, offset / 2 - 4, access);
+        write_primary(board, offset / 2 - BOARD_RED / 2, access);
         break;
     default: /* control 1, control 2, mode: bits 15-8 are "don't care" */
         write_byte(board, offset, access);
@@ -287,24 +285,24 @@ void board_write_any(struct board *board, uint16_t port, uint16_t value, unsigne
 
 static uint8_t read_byte(struct board *board, unsigned offset, struct access access) {
     switch (offset) {
-    case 0x0:
+    case BOARD_CONTROL_1:
         access.value = 0x00;
         report(board, BOARD_CONTROL1_BYTE_READ, access);
         return 0x00;
-    case 0x1:
+    case BOARD_CONTROL_1 + 1:
         access.value = 0x00;
         report(board, BOARD_ODD_READ, access);
         return 0x00;
-    case 0x2:
+    case BOARD_CONTROL_2:
         return read_data(board, access);
-    case 0x8:
-    case 0xA:
-    case 0xC:
+    case BOARD_RED:
+    case BOARD_GREEN:
+    case BOARD_BLUE:
         board_note_use(board, BOARD_PRIMARY_READ);
-        return read_primary(board, offset / 2 - 4, access);
-    case 0x4:
-    case 0x6:
-    case 0xE:
+        return read_primary(board, offset / 2 - BOARD_RED / 2, access);
+    case BOARD_X:
+    case BOARD_Y:
+    case BOARD_MODE:
         report(board, BOARD_WRITE_ONLY_READ, access);
         return 0xFF;
     default:
@@ -315,17 +313,18 @@ static uint8_t read_byte(struct board *board, unsigned offset, struct access acc
 
 static uint16_t read_word(struct board *board, unsigned offset, struct access access) {
     switch (offset) {
-    case 0x0:
+    case BOARD_CONTROL_1:
         /* A board that reads back what was written would be taken for the other family. */
         access.value = 0x0000;
         report(board, BOARD_CONTROL1_READ, access);
         return 0x0000;
-    case 0x2:
+    case BOARD_CONTROL_2:
         return (uint16_t)(0xFF00U | read_data(board, access));
-    case 0x8:
-    case 0xA:
-    case 0xC:
-        access.value = (uint16_t)(0xFF00U | read_primary(board, offset / 2 - 4, access));
+    case BOARD_RED:
+    case BOARD_GREEN:
+    case BOARD_BLUE:
+        access.value =
+            (uint16_t)(0xFF00U | read_primary(board, offset / 2 - BOARD_RED / 2, access));
         report(board, BOARD_PRIMARY_WORD_READ, access);
         return access.value;
     default:

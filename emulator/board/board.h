@@ -1,16 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The SuperFrame board as a plain, copyable struct: write a port, read a port, look inside.
  *
- * PORT MAP, by offset from the base (00D0h from the factory). Eight 16-bit registers; grade P.
- *
- *     +0  control 1  W     index of a register of the CRT controller.      D
- *     +2  control 2  R/W   data of the indexed register.                   D
- *     +4  X          W     0..639, bits 9-0.                               P
- *     +6  Y          W     0..399, bits 8-0.                               P
- *     +8  red        R/W   0..255 of the pixel at (X, Y), at once.         P
- *     +A  green      R/W   as red.                                         P
- *     +C  blue       R/W   as red.                                         P
- *     +E  mode       W     which of the two pictures is shown.             P, values D.
+ * Ports, addresses and screen are in board_ports.h.
  *
  * Grades, best first: P the paper's Table 2; D drivers of 1991-93; S a jumper sheet of a later
  * board. I is inferred from P and D; A is assumed, because something has to happen. ! means:
@@ -63,14 +54,13 @@
 #ifndef SUPERFRAME_EMULATOR_BOARD_H
 #define SUPERFRAME_EMULATOR_BOARD_H
 
+#include "board_ports.h"
 #include "bus.h"
 
 #include <stdbool.h>
 #include <stdint.h>
 
 enum {
-    BOARD_WIDTH = 640,         /* pixels shown on a line */
-    BOARD_HEIGHT = 400,        /* lines shown */
     BOARD_MEMORY_HEIGHT = 416, /* lines in memory: the last 16 are the hidden blocks */
     BOARD_HIDDEN_WIDTH = 384,  /* pixels on a line of the hidden blocks */
     BOARD_HIDDEN_HEIGHT = 408, /* the first line that can't be reached */
@@ -78,9 +68,7 @@ enum {
     BOARD_BLOCK_HEIGHT = 16,
     BOARD_BLOCKS = 2048,
     BOARD_BLOCKS_ON_A_ROW = 80,
-    BOARD_MEMORY_BYTES = BOARD_WIDTH * BOARD_MEMORY_HEIGHT * 3,
-    BOARD_PORTS = 16,         /* decoded from the base upwards */
-    BOARD_FACTORY_BASE = 0xD0 /* 00D0h */
+    BOARD_MEMORY_BYTES = BOARD_WIDTH * BOARD_MEMORY_HEIGHT * 3
 };
 
 /* How well a behaviour is known, best first; `>=` therefore means "no better known than". */
@@ -182,10 +170,6 @@ struct board {
 
 /* Returns the factory's board of a profile: base 00D0h, X outside ignored, memory black. */
 struct board_desc board_default_desc(enum board_profile profile);
-
-/* Tells whether base is one of the seven addresses that the jumper offers: 00D0h, 02D0h, ... 0CD0h
- * (grade S). */
-bool board_base_is_offered(uint16_t base);
 
 /* Powers the board on. Returns false, and leaves the board untouched, if the desc has an unknown
  * profile or a base that the jumper doesn't offer. */

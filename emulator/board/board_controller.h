@@ -6,6 +6,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "board_ports.h"
+
 /* Bits of the mode register that have a meaning here. 08h (GRAYMODE) and 80h (STEALWR) have a
  * name and no known effect. */
 enum { BOARD_MODE_SHOWN = 0x01, BOARD_MODE_PC_OFF = 0x02, BOARD_MODE_STEP = 0x40 };
@@ -22,8 +24,8 @@ enum {
 /* Tells whether an index is one of the fifteen that the drivers' initialisation writes (grade
  * D). */
 static inline bool board_index_is_initialised(unsigned index) {
-    const uint32_t initialised =
-        0x000003FFU | 1U << 0x0C | 1U << 0x0D | 1U << 0x1B | 1U << 0x1E | 1U << 0x1F;
+#define INDEX_BIT(index, data) | UINT32_C(1) << (index)
+    const uint32_t initialised = 0 BOARD_INITIALISATION(INDEX_BIT);
     return index < 32 && (initialised >> index & 1U) != 0;
 }
 

@@ -15,7 +15,7 @@ static inline bool write_primary(struct board *board, unsigned offset, uint16_t 
     board->accesses++;
     board->writes[offset][BUS_BYTE - 1]++;
     board_note_use(board, BOARD_PRIMARY_WRITE);
-    board->memory[(uint32_t)board->place + offset / 2 - 4] = (uint8_t)value;
+    board->memory[(uint32_t)board->place + offset / 2 - BOARD_RED / 2] = (uint8_t)value;
     return true;
 }
 
@@ -34,9 +34,9 @@ static inline bool write_x(struct board *board, unsigned offset, uint16_t x) {
 
 void board_write(struct board *board, uint16_t port, uint16_t value, unsigned width) {
     unsigned offset = (uint16_t)(port - board->desc.base);
-    bool is_primary = offset == 0x8 || offset == 0xA || offset == 0xC;
+    bool is_primary = offset == BOARD_RED || offset == BOARD_GREEN || offset == BOARD_BLUE;
     bool is_done = (is_primary && width == BUS_BYTE && write_primary(board, offset, value)) ||
-                   (offset == 0x4 && width == BUS_WORD && write_x(board, offset, value));
+                   (offset == BOARD_X && width == BUS_WORD && write_x(board, offset, value));
     if (!is_done) {
         board_write_any(board, port, value, width);
     }

@@ -11,11 +11,6 @@ struct board_desc board_default_desc(enum board_profile profile) {
     return desc;
 }
 
-bool board_base_is_offered(uint16_t base) {
-    /* 00D0h, 02D0h, 04D0h, 06D0h, 08D0h, 0AD0h, 0CD0h */
-    return (base & 0xF1FF) == BOARD_FACTORY_BASE && base <= 0x0CD0;
-}
-
 static void fill_with_noise(struct board *board, uint64_t seed) {
     uint64_t noise = 0;
     for (size_t i = 0; i < sizeof board->memory; i++) {

@@ -6,9 +6,11 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "board_ports.h"
+
 enum {
-    NATIVE_WIDTH = 640,
-    NATIVE_HEIGHT = 400,
+    NATIVE_WIDTH = BOARD_WIDTH, /* the two pictures lie dot upon dot */
+    NATIVE_HEIGHT = BOARD_HEIGHT,
     NATIVE_COLOURS = 16,
     NATIVE_PLANE_BYTES = NATIVE_WIDTH / 8 * NATIVE_HEIGHT /* 32,000 */
 };

@@ -4,43 +4,52 @@
 
 #include <string.h>
 
-enum { REGISTER_DATA = 1, REGISTER_RED = 4, REGISTER_BLUE = 6, PRIMARIES = 0x7 };
+enum { PRIMARIES = 0x7 };
 
 bool trace_statistics_init(struct trace_statistics *statistics, const struct board_desc *desc) {
     memset(statistics, 0, sizeof *statistics);
     return board_init(&statistics->board, desc);
 }
 
-/* Returns what a register holds now. For red, green and blue that is the pixel's primary, 0 where
- * there is no pixel. */
-static unsigned register_value(const struct board *board, unsigned number) {
-    switch (number) {
-    case 0:
+static bool is_primary(unsigned offset) {
+    return offset >= BOARD_RED && offset <= BOARD_BLUE;
+}
+
+/* Returns the place of a primary's register among red, green and blue. */
+static unsigned primary_of(unsigned offset) {
+    return offset / 2 - BOARD_RED / 2;
+}
+
+/* Returns what the register at an even offset holds now. For red, green and blue that is the
+ * pixel's primary, 0 where there is no pixel. */
+static unsigned register_value(const struct board *board, unsigned offset) {
+    switch (offset) {
+    case BOARD_CONTROL_1:
         return board->index;
-    case REGISTER_DATA:
+    case BOARD_CONTROL_2:
         return board->controller[board->index];
-    case 2:
+    case BOARD_X:
         return board->x;
-    case 3:
+    case BOARD_Y:
         return board->y;
-    case 7:
+    case BOARD_MODE:
         return board->mode;
     default:
-        return board->place < 0 ? 0 : board->memory[(uint32_t)board->place + number - REGISTER_RED];
+        return board->place < 0 ? 0 : board->memory[(uint32_t)board->place + primary_of(offset)];
     }
 }
 
 /* Tells whether a register, or a pixel's primary, was written before. */
-static bool was_written(const struct trace_statistics *statistics, unsigned number) {
+static bool was_written(const struct trace_statistics *statistics, unsigned offset) {
     const struct board *board = &statistics->board;
-    if (number == REGISTER_DATA) {
+    if (offset == BOARD_CONTROL_2) {
         return board->controller_written[board->index] != 0;
     }
-    if (number >= REGISTER_RED && number <= REGISTER_BLUE) {
+    if (is_primary(offset)) {
         return board->place >= 0 &&
-               (statistics->touched[board->place / 3] >> (number - REGISTER_RED) & 1) != 0;
+               (statistics->touched[board->place / 3] >> primary_of(offset) & 1) != 0;
     }
-    return (statistics->written_registers >> number & 1) != 0;
+    return (statistics->written_registers >> offset / 2 & 1) != 0;
 }
 
 static void touch(struct trace_statistics *statistics, uint32_t pixel, unsigned primaries) {
@@ -72,28 +81,28 @@ static void add_fill(struct trace_statistics *statistics, const struct trace_acc
     }
 }
 
-/* Counts a write at one of the board's ports that sets one register or one primary. */
+/* Counts a write that sets the register, or the primary, at an even offset. */
 static void add_write(struct trace_statistics *statistics, const struct trace_access *access,
-                      unsigned number) {
+                      unsigned offset) {
     struct board *board = &statistics->board;
-    bool was = was_written(statistics, number);
-    unsigned before = register_value(board, number);
+    bool was = was_written(statistics, offset);
+    unsigned before = register_value(board, offset);
     int32_t place = board->place;
     uint16_t x = board->x;
     board_write(board, access->port, access->value, access->width);
-    if (number >= REGISTER_RED && number <= REGISTER_BLUE) {
+    if (is_primary(offset)) {
         if (place >= 0) {
-            unsigned primary = number - REGISTER_RED;
+            unsigned primary = primary_of(offset);
             unsigned after = board->memory[(uint32_t)place + primary];
             statistics->redundant_writes += was && before == after ? 1 : 0;
             touch(statistics, (uint32_t)place / 3, 1U << primary);
         }
         /* By mode bit 40h a write of blue sets X too. */
-        statistics->written_registers |= board->x != x ? 1U << 2 : 0;
+        statistics->written_registers |= board->x != x ? 1U << BOARD_X / 2 : 0;
         return;
     }
-    statistics->redundant_writes += was && before == register_value(board, number) ? 1 : 0;
-    statistics->written_registers = (uint16_t)(statistics->written_registers | 1U << number);
+    statistics->redundant_writes += was && before == register_value(board, offset) ? 1 : 0;
+    statistics->written_registers = (uint16_t)(statistics->written_registers | 1U << offset / 2);
 }
 
 uint16_t trace_statistics_add(struct trace_statistics *statistics,
@@ -106,15 +115,16 @@ uint16_t trace_statistics_add(struct trace_statistics *statistics,
     }
     statistics->writes++;
     bool is_odd = (offset & 1) != 0;
-    bool is_position = offset / 2 == 2 || offset / 2 == 3;
+    unsigned even = offset & ~1U;
+    bool is_position = even == BOARD_X || even == BOARD_Y;
     if (offset >= BOARD_PORTS || (is_odd && (access->width == BUS_WORD || !is_position))) {
         /* Elsewhere, split in two or without effect: such a write can't be redundant. */
         board_write(board, access->port, access->value, access->width);
-    } else if (offset == 2 * REGISTER_RED && access->width == BUS_WORD &&
+    } else if (offset == BOARD_RED && access->width == BUS_WORD &&
                board->desc.profile == BOARD_LATER) {
         add_fill(statistics, access);
     } else {
-        add_write(statistics, access, offset / 2);
+        add_write(statistics, access, even);
     }
     return 0;
 }

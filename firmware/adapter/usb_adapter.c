@@ -2,7 +2,7 @@
 /* The adapter: finds frames in a stream, runs each once and in order, replies to each. */
 #include "usb_adapter.h"
 
-enum { FIRST_BASE = 0x00D0, LAST_BASE = 0x0CD0, BASE_STEP = 0x0200 };
+#include "board_ports.h"
 
 void usb_adapter_init(struct usb_adapter *adapter, struct bus *bus, uint16_t base_served) {
     adapter->bus = bus;
@@ -31,10 +31,7 @@ static void reply(struct usb_adapter *adapter, uint8_t status, uint32_t sequence
 }
 
 static bool is_served(const struct usb_adapter *adapter, uint16_t base) {
-    if (adapter->base_served != 0) {
-        return base == adapter->base_served;
-    }
-    return base >= FIRST_BASE && base <= LAST_BASE && (base - FIRST_BASE) % BASE_STEP == 0;
+    return adapter->base_served != 0 ? base == adapter->base_served : board_base_is_offered(base);
 }
 
 /* Answers a hello. A hello for the current session changes nothing, so that a late duplicate does

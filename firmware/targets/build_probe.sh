@@ -8,12 +8,12 @@ set -eu
 
 folder=$1
 CC=${CC:-gcc}
-here=firmware/targets
 rm -rf "$folder"
 mkdir -p "$folder"
 
-. $here/pc98/disk.sh
-
-pc98_disk flat '-m32 -Os' 0x20000 0x2F000 -std=c99 -pedantic -Wall -Wextra -Wconversion -Wshadow \
-    -Werror -ffreestanding -ffunction-sections -fdata-sections -fno-tree-loop-distribute-patterns \
-    -nostdlib -Wl,--gc-sections -Ihal -Ifirmware $here/pc98/probe/*.c firmware/board_driver.c
+. firmware/targets/targets.sh
+target_read 386-flat
+optimisation=-Os
+pc98_disk -std=c99 -pedantic -Wall -Wextra -Wconversion -Wshadow -Werror -ffreestanding \
+    -ffunction-sections -fdata-sections -fno-tree-loop-distribute-patterns -nostdlib \
+    -Wl,--gc-sections -Ihal -Ifirmware "$targets"/pc98/probe/*.c firmware/board_driver.c

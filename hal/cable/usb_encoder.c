@@ -53,7 +53,7 @@ static struct pixel_facts facts_of(const struct usb_encoder *encoder, unsigned i
     for (unsigned primary = 0; primary < 3; primary++) {
         facts.changed |= colour[primary] != before[primary] ? 1U << primary : 0U;
     }
-    facts.is_copy = x < USB_LINE_PIXELS && equal(colour, encoder->memory.line[x]);
+    facts.is_copy = x < BOARD_WIDTH && equal(colour, encoder->memory.line[x]);
     facts.is_pair = i + 1 < encoder->count && equal(colour, encoder->run[i + 1]);
     facts.is_extreme = is_extreme(colour[0]) && is_extreme(colour[1]) && is_extreme(colour[2]);
     return facts;
@@ -228,7 +228,7 @@ static void encode_run(struct usb_encoder *encoder) {
 
 static void put_plain(struct usb_encoder *encoder, unsigned offset, uint16_t value,
                       unsigned width) {
-    if (offset == USB_OFFSET_Y && width == BUS_WORD && value == (uint16_t)(encoder->memory.y + 1)) {
+    if (offset == BOARD_Y && width == BUS_WORD && value == (uint16_t)(encoder->memory.y + 1)) {
         reserve(encoder, 1)[0] = USB_OP_NEXT_LINE;
     } else if (width == BUS_BYTE) {
         uint8_t *op = reserve(encoder, 2);
@@ -247,16 +247,16 @@ void usb_encoder_flush(struct usb_encoder *encoder) {
     encode_run(encoder);
     encoder->stage = 0;
     if (stage > 0) {
-        put_plain(encoder, USB_OFFSET_X, encoder->x, BUS_WORD);
+        put_plain(encoder, BOARD_X, encoder->x, BUS_WORD);
     }
     for (unsigned i = 1; i < stage; i++) {
-        put_plain(encoder, USB_OFFSET_RED + 2 * (i - 1), encoder->colour[i - 1], BUS_BYTE);
+        put_plain(encoder, BOARD_RED + 2 * (i - 1), encoder->colour[i - 1], BUS_BYTE);
     }
 }
 
 /* Takes a whole pixel, which joins the run or begins the next one. */
 static void take_pixel(struct usb_encoder *encoder) {
-    if (encoder->count == USB_LINE_PIXELS ||
+    if (encoder->count == BOARD_WIDTH ||
         (encoder->count > 0 && encoder->x != encoder->first_x + encoder->count)) {
         encode_run(encoder);
     }
@@ -273,14 +273,14 @@ static void take_pixel(struct usb_encoder *encoder) {
 /* Takes the access if it begins a pixel or goes on with one. Returns false if it does neither. */
 static bool goes_on(struct usb_encoder *encoder, unsigned offset, uint16_t value, unsigned width) {
     if (encoder->stage == 0) {
-        if (offset != USB_OFFSET_X || width != BUS_WORD) {
+        if (offset != BOARD_X || width != BUS_WORD) {
             return false;
         }
         encoder->x = value;
         encoder->stage = 1;
         return true;
     }
-    if (width != BUS_BYTE || offset != USB_OFFSET_RED + 2 * (encoder->stage - 1)) {
+    if (width != BUS_BYTE || offset != BOARD_RED + 2 * (encoder->stage - 1)) {
         return false;
     }
     encoder->colour[encoder->stage - 1] = (uint8_t)value;
@@ -293,7 +293,7 @@ static bool goes_on(struct usb_encoder *encoder, unsigned offset, uint16_t value
 }
 
 static bool is_of_the_board(unsigned offset, unsigned width) {
-    return offset + width <= USB_BOARD_PORTS;
+    return offset + width <= BOARD_PORTS;
 }
 
 bool usb_encoder_write(struct usb_encoder *encoder, unsigned offset, uint16_t value,

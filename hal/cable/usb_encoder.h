@@ -16,10 +16,10 @@ enum {
 
 /* The best way of each run of pixels: shortest paths over the ways of sending them. */
 struct usb_plan {
-    uint32_t cost[USB_LINE_PIXELS + 1][USB_WAYS];  /* eighths of a byte */
-    uint8_t before[USB_LINE_PIXELS + 1][USB_WAYS]; /* the way that led there */
-    uint8_t best[USB_LINE_PIXELS + 1];
-    uint8_t way[USB_LINE_PIXELS]; /* of each pixel */
+    uint32_t cost[BOARD_WIDTH + 1][USB_WAYS];  /* eighths of a byte */
+    uint8_t before[BOARD_WIDTH + 1][USB_WAYS]; /* the way that led there */
+    uint8_t best[BOARD_WIDTH + 1];
+    uint8_t way[BOARD_WIDTH]; /* of each pixel */
 };
 
 /* Turns a stream of accesses into payloads. Running the payloads in their order makes the same
@@ -35,12 +35,12 @@ struct usb_encoder {
     void (*full)(void *context);
     void *context;
 
-    unsigned stage;                  /* accesses of a pixel seen: 0, X, X R, X R G */
-    uint16_t x;                      /* of that pixel */
-    uint8_t colour[3];               /* so far */
-    uint16_t first_x;                /* of the run */
-    unsigned count;                  /* pixels in the run */
-    uint8_t run[USB_LINE_PIXELS][3]; /* pixels side by side that wait to be encoded */
+    unsigned stage;              /* accesses of a pixel seen: 0, X, X R, X R G */
+    uint16_t x;                  /* of that pixel */
+    uint8_t colour[3];           /* so far */
+    uint16_t first_x;            /* of the run */
+    unsigned count;              /* pixels in the run */
+    uint8_t run[BOARD_WIDTH][3]; /* pixels side by side that wait to be encoded */
     struct usb_plan plan;
 };
 

@@ -92,12 +92,12 @@ static bool is_in_range(const struct op *op, uint16_t *next_x) {
     case USB_OP_READ_BYTE:
         return true;
     case USB_OP_READ_WORD:
-        return op->low < USB_BOARD_PORTS - 1;
+        return op->low < BOARD_PORTS - 1;
     case USB_OP_WRITE_WORD:
-        if (op->low == USB_OFFSET_Y) {
+        if (op->low == BOARD_Y) {
             *next_x = 0;
         }
-        return op->low < USB_BOARD_PORTS - 1; /* its high byte would leave the board's ports */
+        return op->low < BOARD_PORTS - 1; /* its high byte would leave the board's ports */
     case USB_OP_NEXT_LINE:
         *next_x = 0;
         return true;
@@ -105,7 +105,7 @@ static bool is_in_range(const struct op *op, uint16_t *next_x) {
         *next_x = op->number;
         return true;
     case USB_OP_COPY:
-        if (*next_x >= USB_LINE_PIXELS || pixels > (size_t)(USB_LINE_PIXELS - *next_x)) {
+        if (*next_x >= BOARD_WIDTH || pixels > (size_t)(BOARD_WIDTH - *next_x)) {
             return false;
         }
         break;
@@ -121,7 +121,7 @@ static bool is_in_range(const struct op *op, uint16_t *next_x) {
         return false;
     }
     *next_x = (uint16_t)(*next_x + pixels);
-    return pixels >= 1 && pixels <= USB_LINE_PIXELS;
+    return pixels >= 1 && pixels <= BOARD_WIDTH;
 }
 
 bool usb_ops_check(const struct usb_memory *memory, const uint8_t *ops, size_t count,
@@ -154,7 +154,7 @@ void usb_memory_clear(struct usb_memory *memory) {
 void usb_memory_pixel(struct usb_memory *memory, const uint8_t colour[3]) {
     for (unsigned i = 0; i < 3; i++) {
         memory->colour[i] = colour[i];
-        if (memory->next_x < USB_LINE_PIXELS) {
+        if (memory->next_x < BOARD_WIDTH) {
             memory->line[memory->next_x][i] = colour[i];
         }
     }
@@ -162,7 +162,7 @@ void usb_memory_pixel(struct usb_memory *memory, const uint8_t colour[3]) {
 }
 
 void usb_memory_write(struct usb_memory *memory, unsigned offset, uint16_t value, unsigned width) {
-    if (offset == USB_OFFSET_Y && width == BUS_WORD) {
+    if (offset == BOARD_Y && width == BUS_WORD) {
         memory->y = value;
         memory->next_x = 0;
     }
@@ -181,10 +181,10 @@ static uint16_t port(const struct target *target, unsigned offset) {
 
 static void draw(const struct target *target, const uint8_t colour[3]) {
     struct bus *bus = target->bus;
-    bus_write(bus, port(target, USB_OFFSET_X), target->memory->next_x, BUS_WORD);
-    bus_write(bus, port(target, USB_OFFSET_RED), colour[0], BUS_BYTE);
-    bus_write(bus, port(target, USB_OFFSET_GREEN), colour[1], BUS_BYTE);
-    bus_write(bus, port(target, USB_OFFSET_BLUE), colour[2], BUS_BYTE);
+    bus_write(bus, port(target, BOARD_X), target->memory->next_x, BUS_WORD);
+    bus_write(bus, port(target, BOARD_RED), colour[0], BUS_BYTE);
+    bus_write(bus, port(target, BOARD_GREEN), colour[1], BUS_BYTE);
+    bus_write(bus, port(target, BOARD_BLUE), colour[2], BUS_BYTE);
     usb_memory_pixel(target->memory, colour);
 }
 
@@ -227,8 +227,8 @@ static void draw_known(const struct target *target, const struct op *op) {
 static size_t read_pixels(const struct target *target, const struct op *op, uint8_t *data) {
     size_t used = 0;
     for (unsigned n = 0; n < op->number; n++) {
-        bus_write(target->bus, port(target, USB_OFFSET_X), target->memory->next_x++, BUS_WORD);
-        for (unsigned offset = USB_OFFSET_RED; offset <= USB_OFFSET_BLUE; offset += 2) {
+        bus_write(target->bus, port(target, BOARD_X), target->memory->next_x++, BUS_WORD);
+        for (unsigned offset = BOARD_RED; offset <= BOARD_BLUE; offset += 2) {
             data[used++] = (uint8_t)bus_read(target->bus, port(target, offset), BUS_BYTE);
         }
     }
@@ -258,8 +258,8 @@ static size_t run_op(const struct target *target, const struct op *op, uint8_t *
         return 0;
     case USB_OP_NEXT_LINE: {
         uint16_t y = (uint16_t)(target->memory->y + 1);
-        bus_write(target->bus, port(target, USB_OFFSET_Y), y, BUS_WORD);
-        usb_memory_write(target->memory, USB_OFFSET_Y, y, BUS_WORD);
+        bus_write(target->bus, port(target, BOARD_Y), y, BUS_WORD);
+        usb_memory_write(target->memory, BOARD_Y, y, BUS_WORD);
         return 0;
     }
     case USB_OP_READ_PIXELS:

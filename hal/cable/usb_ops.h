@@ -4,11 +4,12 @@
 #ifndef SUPERFRAME_HAL_USB_OPS_H
 #define SUPERFRAME_HAL_USB_OPS_H
 
+#include "board_ports.h"
 #include "bus.h"
 #include "usb_wire.h"
 
 /* "A pixel" here is always the same four accesses: X as a word, then R, G and B as bytes. A count
- * is a number of pixels, 1..USB_LINE_PIXELS; next_x, colour and line are struct usb_memory's. */
+ * is a number of pixels, 1..BOARD_WIDTH; next_x, colour and line are struct usb_memory's. */
 enum usb_op {
     USB_OP_WRITE_BYTE = 0x00,  /* | offset; value */
     USB_OP_WRITE_WORD = 0x10,  /* | offset; low, high */
@@ -28,25 +29,15 @@ enum usb_op {
     USB_OP_PAIRS = 0x88   /* | mask; count - 1; as USB_OP_PIXELS, and each pixel twice */
 };
 
-enum {
-    USB_LINE_PIXELS = 640,
-    USB_FEW_MOST = 16,
-    USB_PIXELS_MOST = 256, /* of one USB_OP_PIXELS */
-    USB_BOARD_PORTS = 16,
-    USB_OFFSET_X = 0x4, /* of the board's ports, from its base */
-    USB_OFFSET_Y = 0x6,
-    USB_OFFSET_RED = 0x8,
-    USB_OFFSET_GREEN = 0xA,
-    USB_OFFSET_BLUE = 0xC
-};
+enum { USB_FEW_MOST = 16, USB_PIXELS_MOST = 256 /* of one USB_OP_PIXELS */ };
 
 /* What both ends remember of a session. All zero at its beginning. A word written to Y, by an op
  * or plainly, sets next_x to 0. */
 struct usb_memory {
-    uint16_t next_x;                  /* where the next pixel goes */
-    uint16_t y;                       /* the last word written to Y */
-    uint8_t colour[3];                /* of the last pixel: R, G, B */
-    uint8_t line[USB_LINE_PIXELS][3]; /* the last pixel drawn at each X */
+    uint16_t next_x;              /* where the next pixel goes */
+    uint16_t y;                   /* the last word written to Y */
+    uint8_t colour[3];            /* of the last pixel: R, G, B */
+    uint8_t line[BOARD_WIDTH][3]; /* the last pixel drawn at each X */
 };
 
 /* Forgets everything: a session begins. */

@@ -27,15 +27,15 @@ static void close_line(struct usb_bus *usb_bus) {
 
 /* Follows the picture: words to X and Y, and bytes to the primaries. */
 static void follow(struct usb_bus *usb_bus, unsigned offset, uint16_t value, unsigned width) {
-    if (width == BUS_WORD && offset == USB_OFFSET_X) {
+    if (width == BUS_WORD && offset == BOARD_X) {
         usb_bus->x = value;
-    } else if (width == BUS_WORD && offset == USB_OFFSET_Y) {
+    } else if (width == BUS_WORD && offset == BOARD_Y) {
         close_line(usb_bus);
         usb_bus->y = value;
-    } else if (width == BUS_BYTE && offset >= USB_OFFSET_RED && offset <= USB_OFFSET_BLUE &&
+    } else if (width == BUS_BYTE && offset >= BOARD_RED && offset <= BOARD_BLUE &&
                offset % 2 == 0 && usb_bus->x < BOARD_WIDTH && usb_bus->y < BOARD_HEIGHT) {
-        usb_bus->pixels[usb_bus->y][usb_bus->x][(offset - USB_OFFSET_RED) / 2] = (uint8_t)value;
-        usb_bus->drawn[usb_bus->y][usb_bus->x] |= (uint8_t)(1U << (offset - USB_OFFSET_RED) / 2);
+        usb_bus->pixels[usb_bus->y][usb_bus->x][(offset - BOARD_RED) / 2] = (uint8_t)value;
+        usb_bus->drawn[usb_bus->y][usb_bus->x] |= (uint8_t)(1U << (offset - BOARD_RED) / 2);
         usb_bus->line_frame[usb_bus->y] = being_written;
     }
 }
@@ -43,7 +43,7 @@ static void follow(struct usb_bus *usb_bus, unsigned offset, uint16_t value, uns
 static void refuse(struct usb_bus *usb_bus, uint16_t port) {
     usb_bus_give_up(usb_bus, BUS_REFUSED,
                     "port %04X is none of the adapter's; allowed are %04X-%04X", port,
-                    usb_bus->base, usb_bus->base + USB_BOARD_PORTS - 1);
+                    usb_bus->base, usb_bus->base + BOARD_PORTS - 1);
 }
 
 static void write_port(struct bus *bus, uint16_t port, uint16_t value, unsigned width) {

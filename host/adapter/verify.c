@@ -27,7 +27,7 @@ static unsigned compare_line(struct usb_bus *usb_bus, unsigned line, uint8_t *di
                              uint64_t *compared) {
     unsigned most = usb_bus->read_most / 3, different = 0;
     memset(differs, 0, BOARD_WIDTH);
-    port_write(usb_bus, USB_OFFSET_Y, line, BUS_WORD);
+    port_write(usb_bus, BOARD_Y, line, BUS_WORD);
     for (unsigned x = 0; x < BOARD_WIDTH; x += most) {
         unsigned count = BOARD_WIDTH - x < most ? BOARD_WIDTH - x : most;
         usb_encoder_read_pixels(&usb_bus->encoder, (uint16_t)x, count);
@@ -47,12 +47,12 @@ static unsigned compare_line(struct usb_bus *usb_bus, unsigned line, uint8_t *di
 }
 
 static void repair_line(struct usb_bus *usb_bus, unsigned line, const uint8_t *differs) {
-    port_write(usb_bus, USB_OFFSET_Y, line, BUS_WORD);
+    port_write(usb_bus, BOARD_Y, line, BUS_WORD);
     for (unsigned x = 0; x < BOARD_WIDTH; x++) {
         if (differs[x] != 0) {
-            port_write(usb_bus, USB_OFFSET_X, x, BUS_WORD);
+            port_write(usb_bus, BOARD_X, x, BUS_WORD);
             for (unsigned primary = 0; primary < 3; primary++) {
-                port_write(usb_bus, USB_OFFSET_RED + 2 * primary, usb_bus->pixels[line][x][primary],
+                port_write(usb_bus, BOARD_RED + 2 * primary, usb_bus->pixels[line][x][primary],
                            BUS_BYTE);
             }
         }

@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "board.h"
+#include "board_ports.h"
 
 /* A pixel that traps light ends after so many rays: where an accuracy is asked for, and where none
  * is. */
@@ -196,7 +196,7 @@ bool compile_colour(struct compiler *compiler) {
     scene->show_bits = (uint8_t)(description->colour == COLOUR_BITS ? description->colour_bits : 8);
     scene->seed = description->seed;
     if (description->colour == COLOUR_DITHER &&
-        (description->width > BOARD_WIDTH / 2 || description->height > BOARD_HEIGHT / 2)) {
+        board_dots_a_pixel((unsigned)description->width, (unsigned)description->height) != 2) {
         return compile_fail(compiler, 0,
                             "colour \"dither\" with %d x %d pixels, each of 2 x 2 dots; allowed "
                             "is: up to %d x %d, or another colour",

@@ -154,7 +154,7 @@ const struct option_group group_quiet = {
     OPTION_GIVEN(board.has_profile)
 #define BASE_ENTRY                                                                                 \
     .name = "base", .value = "PORT", .type = OPTION_OWN, OPTION_GIVEN(board.has_base),             \
-    .set = set_base, .allowed = "00D0, 02D0, 04D0, 06D0, 08D0, 0AD0 or 0CD0"
+    .set = set_base, .allowed = BOARD_BASES_TEXT
 
 const struct option_group group_board = {
     "Board", OPTION_ENTRIES({PROFILE_ENTRY, .preset = "1987", .help = "which board"},

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "base/stopwatch.h"
-#include "board.h"
+#include "board_ports.h"
 #include "bus.h"
 #include "render/rows.h"
 
@@ -303,7 +303,7 @@ static void learn(struct renderer *renderer, struct scene *scene) {
 }
 
 unsigned render_dots(unsigned width, unsigned height) {
-    return width <= BOARD_WIDTH / 2 && height <= BOARD_HEIGHT / 2 ? 2 : 1;
+    return board_dots_a_pixel(width, height);
 }
 
 bool render(const struct render_job *job, struct render_totals *totals, struct scene_error *error) {

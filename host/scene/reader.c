@@ -5,11 +5,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "board_ports.h"
 #include "scene/assign.h"
 #include "scene/keys.h"
 #include "scene/overrides.h"
 
-enum { WIDTH_MOST = 640, HEIGHT_MOST = 400, TEXT_MOST = 64 * 1024 * 1024 };
+enum { WIDTH_MOST = BOARD_WIDTH, HEIGHT_MOST = BOARD_HEIGHT, TEXT_MOST = 64 * 1024 * 1024 };
 
 /* A light may be many times white, for scenes in which light fades with the distance. */
 static const struct scene_range light_levels = {0, 32767, NULL};

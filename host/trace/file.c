@@ -49,9 +49,8 @@ int trace_file_fit(const char *path, struct trace_reader *reader, const struct b
     }
     if (!board_base_is_offered(header.base)) {
         return bad_input(
-            "%s: byte 12: the trace's base is %04X; the jumper offers 00D0, 02D0, 04D0, "
-            "06D0, 08D0, 0AD0 and 0CD0",
-            path, header.base);
+            "%s: byte 12: the trace's base is %04X; the jumper offers " BOARD_BASES_TEXT, path,
+            header.base);
     }
     *desc = board_default_desc(header.profile);
     desc->base = header.base;

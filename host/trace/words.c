@@ -4,12 +4,18 @@
 
 #include <stdio.h>
 
-enum { CONTROL_1, CONTROL_2, X_AXIS, Y_AXIS, RED, GREEN, BLUE, MODE };
-
 const char *trace_register_name(unsigned offset) {
-    static const char *const names[] = {"control 1", "control 2", "X",    "Y",
-                                        "red",       "green",     "blue", "mode"};
-    return names[offset / 2 % 8];
+    static const char *const names[BOARD_PORTS / 2] = {
+        [BOARD_CONTROL_1 / 2] = "control 1",
+        [BOARD_CONTROL_2 / 2] = "control 2",
+        [BOARD_X / 2] = "X",
+        [BOARD_Y / 2] = "Y",
+        [BOARD_RED / 2] = "red",
+        [BOARD_GREEN / 2] = "green",
+        [BOARD_BLUE / 2] = "blue",
+        [BOARD_MODE / 2] = "mode",
+    };
+    return names[offset / 2 % (BOARD_PORTS / 2)];
 }
 
 static int digits(const struct trace_access *access) {
@@ -18,11 +24,11 @@ static int digits(const struct trace_access *access) {
 
 static const char *mode_words(unsigned mode) {
     switch (mode) {
-    case 0x00:
+    case BOARD_MODE_PC:
         return "the PC's screen only";
-    case 0x01:
+    case BOARD_MODE_BOTH:
         return "both, superimposed";
-    case 0x03:
+    case BOARD_MODE_BOARD:
         return "the board's picture only";
     default:
         return "of unknown effect";
@@ -30,25 +36,25 @@ static const char *mode_words(unsigned mode) {
 }
 
 /* Describes a write to a register that has a meaning of its own; false: the register has none. */
-static bool words_of_write(char *text, const struct board *before, unsigned number,
+static bool words_of_write(char *text, const struct board *before, unsigned offset,
                            const struct trace_access *access) {
     unsigned value = access->value;
     unsigned low = value & 0xFF;
-    switch (number) {
-    case CONTROL_1:
+    switch (offset) {
+    case BOARD_CONTROL_1:
         (void)snprintf(text, TRACE_WORDS_SIZE, "control 1: index %02X", low);
         return true;
-    case CONTROL_2:
+    case BOARD_CONTROL_2:
         (void)snprintf(text, TRACE_WORDS_SIZE, "control 2: register %02X = %02X", before->index,
                        low);
         return true;
-    case X_AXIS:
-    case Y_AXIS:
+    case BOARD_X:
+    case BOARD_Y:
         (void)snprintf(text, TRACE_WORDS_SIZE,
                        access->width == BUS_WORD ? "%c = %u" : "%c, low = %u",
-                       number == X_AXIS ? 'X' : 'Y', value);
+                       offset == BOARD_X ? 'X' : 'Y', value);
         return true;
-    case MODE:
+    case BOARD_MODE:
         (void)snprintf(text, TRACE_WORDS_SIZE, "mode %02X: %s", low, mode_words(low));
         return true;
     default:
@@ -58,7 +64,7 @@ static bool words_of_write(char *text, const struct board *before, unsigned numb
 
 static void words_of_pixel(char *text, const struct board *before, unsigned offset,
                            const struct trace_access *access) {
-    if (offset == 2 * RED && access->width == BUS_WORD && !access->is_read &&
+    if (offset == BOARD_RED && access->width == BUS_WORD && !access->is_read &&
         before->desc.profile == BOARD_LATER) {
         (void)snprintf(text, TRACE_WORDS_SIZE, "four pixels from (%u, %u) = %02X", before->x & ~3U,
                        before->y, access->value & 0xFFU);
@@ -72,16 +78,15 @@ static void words_of_pixel(char *text, const struct board *before, unsigned offs
 const char *trace_words(char text[TRACE_WORDS_SIZE], const struct board *before,
                         const struct trace_access *access) {
     unsigned offset = (uint16_t)(access->port - before->desc.base);
-    unsigned number = offset / 2;
     if (offset >= BOARD_PORTS) {
         (void)snprintf(text, TRACE_WORDS_SIZE, "not the board's");
     } else if ((offset & 1) != 0) {
         (void)snprintf(text, TRACE_WORDS_SIZE, "%s, %s: %0*X %s", trace_register_name(offset),
                        access->width == BUS_WORD ? "across two registers" : "upper half",
                        digits(access), access->value, access->is_read ? "read" : "written");
-    } else if (number >= RED && number <= BLUE) {
+    } else if (offset >= BOARD_RED && offset <= BOARD_BLUE) {
         words_of_pixel(text, before, offset, access);
-    } else if (access->is_read || !words_of_write(text, before, number, access)) {
+    } else if (access->is_read || !words_of_write(text, before, offset, access)) {
         (void)snprintf(text, TRACE_WORDS_SIZE, "%s is %0*X", trace_register_name(offset),
                        digits(access), access->value);
     }

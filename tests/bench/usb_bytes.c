@@ -32,7 +32,7 @@ static void count_frame(void *context) {
 static void write_port(struct bus *bus, uint16_t port, uint16_t value, unsigned width) {
     struct counter *counter = (struct counter *)bus;
     unsigned offset = port & 15U;
-    counter->pixels += offset == USB_OFFSET_BLUE;
+    counter->pixels += offset == BOARD_BLUE;
     if (!usb_encoder_write(&counter->encoder, offset, value, width)) {
         bus_fail(bus, BUS_REFUSED);
     }

@@ -16,7 +16,7 @@ kinds='ADD TEST PRODUCT DOT SLOPE OVER ROOT QUOTIENT NORMALISE REFRACT POWER TRA
 # instructions ARITHMETIC KIND ROUNDS: all that the program takes.
 instructions() {
     # shellcheck disable=SC2086 # the compiler has options
-    $compiler -std=c99 -O2 -ffreestanding -fno-stack-protector -ffp-contract=off -Ifirmware/real/"$(real "$1" "$target")" -Ifirmware \
+    $compiler -std=c99 -O2 -ffreestanding -fno-stack-protector -ffp-contract=off -Ifirmware/real/"$(real "$1")" -Ifirmware \
         -DKIND="WRAP_$2" -DROUNDS="$3" -nostdlib -static -Wl,-z,noexecstack -o "$folder/program" \
         tests/cost/one_operation.c tests/cost/root.c "$folder/$start.s" -lgcc
     count_instructions

@@ -49,14 +49,22 @@ sqrt: sqrtsd %xmm0, %xmm0
     ret
 END
 
-# Sets compiler, start and emulator for a target.
+. firmware/targets/targets.sh
+
+# choose TARGET: sets compiler, start, emulator, and fx, the folder of firmware/real/ for fx; where
+# there are images for the CPU, as they have it.
 choose() {
-    arm='arm-none-eabi-gcc -mthumb'
+    fx=fx
     case $1 in
-    m0) compiler="$arm -mcpu=cortex-m0" start=arm emulator=qemu-arm ;;
-    m3) compiler="$arm -mcpu=cortex-m3" start=arm emulator=qemu-arm ;;
-    m4f) compiler="$arm -mcpu=cortex-m4 -mfloat-abi=hard -mfpu=fpv4-sp-d16" start=arm_fpu emulator=qemu-arm ;;
-    i386) compiler='gcc -m32 -march=i386 -fno-pic -fno-pie -no-pie' start=i386 emulator=qemu-i386 ;;
+    m0 | m3 | m4f)
+        target_read "cortex-$1"
+        compiler="arm-none-eabi-gcc -mthumb $cpu" start=arm emulator=qemu-arm
+        [ "$1" != m4f ] || start=arm_fpu
+        ;;
+    i386)
+        target_read 386-flat
+        compiler="gcc $cpu -march=i386 -fno-pic -fno-pie -no-pie" start=i386 emulator=qemu-i386
+        ;;
     i387) compiler='gcc -m32 -march=i386 -mfpmath=387 -fno-pic -fno-pie -no-pie' start=i387 emulator=qemu-i386 ;;
     x86_64) compiler='gcc -fno-pie -no-pie' start=x86_64 emulator=qemu-x86_64 ;;
     *)
@@ -66,14 +74,9 @@ choose() {
     esac
 }
 
-# real ARITHMETIC TARGET: the arithmetic's folder, as firmware/targets/build.sh takes it for the target.
+# real ARITHMETIC: the arithmetic's folder on the chosen target.
 real() {
-    case $1-$2 in
-    fx-m0) echo fx_16 ;;
-    fx-m3) echo fx_m3 ;;
-    fx-m4f | fx-i386) echo fx_32 ;;
-    *) echo "$1" ;;
-    esac
+    [ "$1" = fx ] && echo "$fx" || echo "$1"
 }
 
 # count_instructions: of $folder/program, by the plugin of QEMU that COUNT names.

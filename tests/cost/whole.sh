@@ -13,7 +13,7 @@ choose "$target"
 "$superframe" compile "$scene" --size "$size" --colour full -o "$folder/scene.c"
 symbol=$(sed -n 's/^const struct scene \([a-zA-Z0-9_]*\) = .*/\1/p' "$folder/scene.c")
 # shellcheck disable=SC2086 # the compiler has options
-$compiler -std=c99 -O2 -ffreestanding -fno-stack-protector -ffp-contract=off -Ifirmware/real/"$(real "$arithmetic" "$target")" \
+$compiler -std=c99 -O2 -ffreestanding -fno-stack-protector -ffp-contract=off -Ifirmware/real/"$(real "$arithmetic")" \
     -Ifirmware/features/full -Ihal -Ifirmware -DIMAGE=image_"$arithmetic" -DSCENE="$symbol" -DHEIGHT="${size#*x}" \
     -nostdlib -static -Wl,-z,noexecstack -o "$folder/program" \
     "$folder/scene.c" tests/cost/whole_image.c tests/no_ports.c tests/cost/root.c firmware/*.c "$folder/$start.s" -lgcc

@@ -25,7 +25,7 @@ mkdir -p "$work"
 # image SCENE FEATURES NAME: prints hash, code, constants, data, stack, instructions.
 image() {
     folder=$work/$3-$2
-    FIT=any TARGET_RAM=65536 sh firmware/targets/build.sh cortex-m0 fx "$1" $SIZE - "$2" "$folder" >&2
+    TARGET_RAM=65536 sh firmware/targets/build.sh cortex-m0 fx "$1" $SIZE - "$2" "$folder" >&2
     COUNT=$BUILD/targets/count.so sh "$here/run_target.sh" cortex-m3 "$folder" >&2
     echo "$(sh "$here/trace_hash.sh" "$folder") $(section "$folder/image.elf" .text .ARM.exidx)" \
         "$(section "$folder/image.elf" .rodata) $(section "$folder/image.elf" .bss .data)" \

@@ -17,8 +17,8 @@ pictures=0
 
 # image SCENE DEPTH FEATURES: leaves the image's port writes in $work/FEATURES/ports.bin.
 image() {
-    sh firmware/targets/build.sh native fx "$1" 32x20 "$2" "$3" "$work/$3" &&
-        TARGET_TIMEOUT=100 sh tests/targets/run_target.sh native "$work/$3"
+    sh firmware/targets/build.sh gcc fx "$1" 32x20 "$2" "$3" "$work/$3" &&
+        TARGET_TIMEOUT=100 sh tests/targets/run_target.sh gcc "$work/$3"
 }
 
 # same SCENE DEPTH OPTIONS

@@ -113,8 +113,8 @@ exposures() {
     scene=$work/exposed.scene
     sed '/^depth/i colour = "exposures";' firmware/scenes/fig3.scene > "$scene"
     grep -q exposures "$scene" || wrong 'no scene of a multiple exposure'
-    sh firmware/targets/build.sh native fx "$scene" $SIZE $DEPTH full "$work/exposed" &&
-        sh tests/targets/run_target.sh native "$work/exposed" || wrong 'exposures: not built, or not run'
+    sh firmware/targets/build.sh gcc fx "$scene" $SIZE $DEPTH full "$work/exposed" &&
+        sh tests/targets/run_target.sh gcc "$work/exposed" || wrong 'exposures: not built, or not run'
     hash=$(sh tests/targets/trace_hash.sh "$work/exposed")
     [ "$hash" = "$(native_hash "$scene")" ] || wrong "exposures: trace_hash $hash; the native one is $(native_hash "$scene")"
     for target in 386-flat wasm; do
@@ -152,9 +152,24 @@ lacks_each() {
         awk -v feature="$feature" '$1 == feature { sub($3, $3 - 1 (/,/ ? "," : "")) } { print }' \
             "$missing/all.h" > "$missing/feature_set.h"
         # shellcheck disable=SC2086 # a list of words
-        expect 1 "image_lacks_$feature[^A-Z_]" $compile
+        expect 1 "image_lacks_${feature}[^A-Z_]" $compile
         echo "$feature" >> "$missing/names.txt"
     done
+}
+
+# Each folder with a target.sh is a target, and another name is refused with the names that there are.
+names() {
+    names=$(. firmware/targets/targets.sh && target_names)
+    for file in firmware/targets/*/target.sh; do
+        name=$(basename "$(dirname "$file")")
+        case " $names " in
+        *" $name "*) ;;
+        *) wrong "$file: $name is not among the targets: $names" ;;
+        esac
+    done
+    expect 1 "no target \"z80\"; there are: $names" \
+        sh firmware/targets/build.sh z80 fx fig3 $SIZE $DEPTH minimal "$work/refused"
+    expect 1 "no target \"z80\"; there are: $names" sh tests/targets/run_target.sh z80 "$work"
 }
 
 # A scene whose stack does not fit the machine is refused when it is built, with what would fit.
@@ -198,6 +213,7 @@ sizes() {
 }
 
 feature_names
+names
 sizes
 hashes
 bad_images

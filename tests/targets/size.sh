@@ -26,29 +26,21 @@ work=$BUILD/targets/size
 rm -rf "$work"
 mkdir -p "$work"
 
-# Images: target, arithmetic, features, and whether their instructions are counted.
-images='
-386-flat fx minimal count
-cortex-m0 fx minimal count
-cortex-m0 f32 minimal count
-cortex-m3 fx minimal count
-cortex-m3 f32 minimal count
-cortex-m4f fx minimal count
-cortex-m4f f32 minimal count
-rv32im fx minimal count
-386-real fx minimal -
-cortex-m0 fx full -
-cortex-m0 f32 full -
-cortex-m3 fx full -
-cortex-m3 f32 full -
-cortex-m4f fx full -
-cortex-m4f f32 full -
-rv32im fx full -
-386-flat fx full -
-wasm fx minimal -
-wasm fx full -
-'
-printf '%s' "$images" | sed '/^$/d' | xargs -P "${JOBS:-2}" -L 1 sh "$here/size_image.sh" "$work"
+. firmware/targets/targets.sh
+
+# Prints all images as "TARGET ARITHMETIC FEATURES count|-", those first that take longest.
+images() {
+    for target in $(target_names); do
+        target_read "$target"
+        for image in $sizes; do
+            case $image in
+            */count) echo "$target $image" ;;
+            *) echo "$target $image/-" ;;
+            esac
+        done
+    done | tr / ' ' | tac | sort -s -r -k 4
+}
+images | xargs -P "${JOBS:-2}" -L 1 sh "$here/size_image.sh" "$work"
 
 {
     echo '# target arithmetic scene features code constants ram stack million_instructions'

@@ -32,7 +32,7 @@ if [ "$counted" = count ]; then
     [ -n "$count" ] || fail 'no instructions were counted'
 fi
 build 320x200
-if [ "$target" = wasm ]; then
+if [ -f "$folder/image.wasm" ]; then
     sizes="$(wc -c < "$folder/image.wasm") - - -"
 else
     deep=$(sh firmware/targets/stack.sh "$target" "$folder")

@@ -3,9 +3,10 @@
 # Runs fig3 and fig4b on every target and writes the table into a page: table.sh PAGE
 #
 # The page's lines between "<!-- targets -->" and "<!-- end of targets -->" are replaced. The
-# reference is what the native program gives in the same run. TARGETS and FLOAT_TARGETS name fewer
-# targets; JOBS run at a time (2), each for TARGET_TIMEOUT seconds at most (600). SIZE and DEPTH are
-# the picture's: 160x100 and 10 in the page, as in the page's table of all scenes.
+# reference is what the native program gives in the same run. TARGETS names fewer targets; JOBS run
+# at a time (2), each for TARGET_TIMEOUT seconds at most (600). SIZE and DEPTH are the picture's:
+# 160x100 and 10 in the page, as in the page's table of all scenes.
+# Floating point is held to a tolerance elsewhere, and is here for what it costs.
 # Exit status: 0 every hash is the native one, 1 one is not, and the page is as it was.
 set -eu
 
@@ -22,57 +23,36 @@ mkdir -p "$work"
 table=$work/table.md
 failed=0
 
-TARGETS=${TARGETS:-gcc clang gcc-m32 unsigned-char wasm powerpc cortex-m4f cortex-m3 rv32im cortex-m0 \
-    qemu-486 qemu-486-real 386-flat 386-real}
-# Floating point: held to a tolerance elsewhere; here for what it costs. In software it takes too long
-# for a table: tests/targets/size.sh measures it on a smaller picture.
-FLOAT_TARGETS=${FLOAT_TARGETS-cortex-m4f}
+. firmware/targets/targets.sh
+TARGETS=${TARGETS:-$(target_names)}
+for target in $TARGETS; do
+    target_read "$target" || exit 1
+done
 
 native_hash() {
     "$SUPERFRAME" render "$1" --arith "$2" --size $SIZE --depth $DEPTH --quiet -o "$work/$1-$2.png" \
         --stats - | sed -n 's/.*"trace_hash": "\([0-9a-f]*\)".*/\1/p'
 }
 
-# All runs as "TARGET ARITHMETIC SCENE FOLDER", the longest ones first: they are at the lists' ends.
+# ships ARITHMETIC: prints the targets that ship it.
+ships() {
+    for target in $TARGETS; do
+        target_read "$target" && case " $arithmetics " in *" $1 "*) echo "$target" ;; esac
+    done
+}
+
+# All runs as "TARGET ARITHMETIC SCENE FOLDER", those first that take longest.
 runs() {
-    {
-        for target in $FLOAT_TARGETS; do
-            echo "$target f32"
+    for arithmetic in f32 fx; do
+        for target in $(ships $arithmetic); do
+            for scene in fig4b fig3; do
+                echo "$target $arithmetic $scene $work/$target-$arithmetic-$scene"
+            done
         done
-        for target in $TARGETS; do
-            echo "$target fx"
-        done
-    } | awk -v work="$work" '
-        { line[NR] = $0 }
-        END {
-            for (i = NR; i > 0; i--) {
-                split(line[i], part, " ")
-                print line[i], "fig3", work "/" part[1] "-" part[2] "-fig3"
-                print line[i], "fig4b", work "/" part[1] "-" part[2] "-fig4b"
-            }
-        }'
+    done | tac
 }
 
-# What a row says; the name, then what it is.
-describe() {
-    case $1 in
-    gcc) echo 'gcc, x86-64' ;;
-    clang) echo 'clang, x86-64' ;;
-    gcc-m32) echo 'gcc -m32' ;;
-    unsigned-char) echo 'gcc -funsigned-char' ;;
-    powerpc) echo 'PowerPC, big-endian (qemu-user)' ;;
-    cortex-m0) echo 'Cortex-M0 (QEMU microbit)' ;;
-    cortex-m3) echo 'Cortex-M3 (QEMU mps2-an385)' ;;
-    cortex-m4f) echo 'Cortex-M4F (QEMU mps2-an386)' ;;
-    rv32im) echo 'RV32IM (QEMU virt)' ;;
-    386-flat) echo '386, protected mode (PC-98 floppy on Unicorn)' ;;
-    386-real) echo '386, real mode (PC-98 floppy on Unicorn)' ;;
-    qemu-486) echo '486, protected mode (the same floppy on QEMU isapc)' ;;
-    qemu-486-real) echo '486, real mode (the same floppy on QEMU isapc)' ;;
-    wasm) echo 'WebAssembly (node)' ;;
-    esac
-}
-
+# add_row TARGET ARITHMETIC
 add_row() {
     cells=
     for scene in fig3 fig4b; do
@@ -85,7 +65,8 @@ add_row() {
         [ "$count" = - ] || count=$(awk -v n="$count" 'BEGIN { printf "%.3f", n / 1e9 }')
         cells="$cells | \`$hash\` | $count"
     done
-    echo "| $(describe "$1") | $2$cells |" >> "$table"
+    target_read "$1"
+    echo "| $title | $2$cells |" >> "$table"
 }
 
 for scene in fig3 fig4b; do
@@ -99,11 +80,10 @@ runs | xargs -P "${JOBS:-2}" -L 1 sh "$here/measure.sh" || exit 1
     echo "|---|---|---|---|---|---|"
     echo "| superframe render | fx | \`$(cat "$work/native-fx-fig3")\` | - | \`$(cat "$work/native-fx-fig4b")\` | - |"
 } > "$table"
-for target in $TARGETS; do
-    add_row "$target" fx
-done
-for target in $FLOAT_TARGETS; do
-    add_row "$target" f32
+for arithmetic in fx f32; do
+    for target in $(ships $arithmetic); do
+        add_row "$target" $arithmetic
+    done
 done
 [ $failed -eq 0 ]
 

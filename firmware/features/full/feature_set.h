@@ -3,11 +3,13 @@
 #ifndef SUPERFRAME_FEATURE_SET_H
 #define SUPERFRAME_FEATURE_SET_H
 
+#include "board_ports.h"
+
 /* `superframe compile --minimal` writes such a file with what one scene requires. The compiler then
  * drops the rest. Each constant is used in plain conditions and array sizes, never by #if. */
 enum {
     FEATURE_DEPTH = 255,         /* the largest depth level; the ray stack has room for it */
-    FEATURE_WIDTH = 640,         /* the widest picture: a row is kept while it is sent */
+    FEATURE_WIDTH = BOARD_WIDTH, /* the widest picture: a row is kept while it is sent */
     FEATURE_PRIMITIVE_WORDS = 2, /* 32 primitives a word */
     FEATURE_BOX = 1,             /* named by scenes that hold one; no code depends on it */
     FEATURE_BALL = 1,

@@ -2,7 +2,7 @@
 /* One frame of the scene that a target was built for. */
 #include "frame.h"
 
-#include "board_driver.h"
+#include "board_ports.h"
 #include "image.h"
 #include "port_records.h"
 #include "scene.h"
@@ -18,7 +18,7 @@ void frame_draw(void) {
     uint8_t drawings = TARGET_SCENE.show == SHOW_EXPOSURES ? EXPOSURES : 1;
     for (uint8_t i = 0; i < drawings; i++) {
         const struct drawing drawing = {
-            .base = BOARD_BASE, .last = TARGET_SCENE.height, .exposure = i};
+            .base = BOARD_FACTORY_BASE, .last = TARGET_SCENE.height, .exposure = i};
         TARGET_IMAGE.draw(&TARGET_SCENE, &drawing);
     }
     port_records_flush();

@@ -1,13 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /* The picture on a PC-9801: rows, progress on the text screen, Esc, and whether a board is there.
  */
-#include "board_driver.h"
+#include "board_ports.h"
 #include "image.h"
 #include "machine.h"
 #include "outp.h"
 #include "scene.h"
 
-enum { RED = 0x8, GREEN = 0xA, BLUE = 0xC };
 enum { TITLE_ROW = 0, PROGRESS_ROW = 1, MESSAGE_ROW = 2 };
 
 /* The build names them: -DTARGET_IMAGE=image_fx -DTARGET_SCENE=scene_fig3
@@ -34,9 +33,9 @@ static void look_for_board(struct run *run) {
     if (run->answer != ANSWER_UNKNOWN || drawn == 3 * 0xFF) {
         return;
     }
-    bool is_same = inp(BOARD_BASE + RED) == run->last[0] &&
-                   inp(BOARD_BASE + GREEN) == run->last[1] &&
-                   inp(BOARD_BASE + BLUE) == run->last[2];
+    bool is_same = inp(BOARD_FACTORY_BASE + BOARD_RED) == run->last[0] &&
+                   inp(BOARD_FACTORY_BASE + BOARD_GREEN) == run->last[1] &&
+                   inp(BOARD_FACTORY_BASE + BOARD_BLUE) == run->last[2];
     run->answer = is_same ? ANSWER_RIGHT : ANSWER_WRONG;
     if (!is_same) {
         (void)text_put(MESSAGE_ROW, 0,
@@ -48,7 +47,7 @@ static void look_for_board(struct run *run) {
  */
 static void note_last_dot(struct run *run, const uint8_t *rgb) {
     uint16_t width = TARGET_SCENE.width;
-    bool is_full = width == BOARD_WIDTH || (2 * width == BOARD_WIDTH && TARGET_SCENE.height <= 200);
+    bool is_full = width * board_dots_a_pixel(width, TARGET_SCENE.height) == BOARD_WIDTH;
     for (uint8_t i = 0; i < 3; i++) {
         run->last[i] = is_full ? rgb[3 * (width - 1) + i] : 0;
     }
@@ -77,8 +76,10 @@ void pc98_main(void) {
     struct scene scene = TARGET_SCENE;
     struct estimate estimate;
     struct run run = {.scene = &scene};
-    const struct drawing drawing = {
-        .base = BOARD_BASE, .last = TARGET_SCENE.height, .source = next_row, .context = &run};
+    const struct drawing drawing = {.base = BOARD_FACTORY_BASE,
+                                    .last = TARGET_SCENE.height,
+                                    .source = next_row,
+                                    .context = &run};
     text_clear();
     (void)text_put(TITLE_ROW, 0, "superframe: " TARGET_TITLE "; Esc ends it");
     if (FEATURE_ESTIMATE && scene.estimates) {

@@ -189,9 +189,9 @@ static void all_runs_that_credits_allow_are_run_before_a_reply_is_fetched(void *
     static uint8_t payload[USB_PAYLOAD_MOST];
     struct usb_header header;
     (void)state;
-    memset(payload, USB_OP_READ_BYTE | USB_OFFSET_RED, USB_READ_MOST);
+    memset(payload, USB_OP_READ_BYTE | BOARD_RED, USB_READ_MOST);
     for (unsigned i = USB_READ_MOST; i < sizeof payload; i += 2) {
-        payload[i] = USB_OP_WRITE_BYTE | USB_OFFSET_RED;
+        payload[i] = USB_OP_WRITE_BYTE | BOARD_RED;
     }
     greet(5);
     for (unsigned i = 1; i <= USB_CREDITS_MOST; i++) {

@@ -90,9 +90,9 @@ static void read_both(unsigned offset, unsigned width) {
 }
 
 static void pixel_both(unsigned x, const uint8_t rgb[3]) {
-    write_both(USB_OFFSET_X, x, BUS_WORD);
+    write_both(BOARD_X, x, BUS_WORD);
     for (unsigned i = 0; i < 3; i++) {
-        write_both(USB_OFFSET_RED + 2 * i, rgb[i], BUS_BYTE);
+        write_both(BOARD_RED + 2 * i, rgb[i], BUS_BYTE);
     }
 }
 
@@ -112,12 +112,12 @@ static void any_accesses_come_out_as_they_went_in(void **state) {
             } else if (kind == 1) {
                 read_both(noise % 15, 1 + (noise >> 8) % 2);
             } else if (kind == 2) { /* a pixel that breaks off */
-                write_both(USB_OFFSET_X, noise & 0x3FF, BUS_WORD);
-                write_both(USB_OFFSET_RED, noise >> 16 & 0xFF, BUS_BYTE);
+                write_both(BOARD_X, noise & 0x3FF, BUS_WORD);
+                write_both(BOARD_RED, noise >> 16 & 0xFF, BUS_BYTE);
             } else if (kind == 3) {
                 x = noise % 700;
             } else if (kind == 4) {
-                write_both(USB_OFFSET_Y, memory.y + noise % 3, BUS_WORD);
+                write_both(BOARD_Y, memory.y + noise % 3, BUS_WORD);
             } else {
                 rgb[noise % 3] = (uint8_t)(kind < 8 ? noise >> 8 : 0xFF * (noise >> 8 & 1));
                 pixel_both(x++, rgb);
@@ -134,11 +134,11 @@ static void any_accesses_come_out_as_they_went_in(void **state) {
 static size_t cost_of_line(void (*colour)(unsigned x, uint8_t rgb[3])) {
     static const uint8_t grey[3] = {0x80, 0x80, 0x80};
     start();
-    write_both(USB_OFFSET_Y, 0, BUS_WORD);
+    write_both(BOARD_Y, 0, BUS_WORD);
     for (unsigned x = 0; x < 640; x++) {
         pixel_both(x, grey);
     }
-    write_both(USB_OFFSET_Y, 1, BUS_WORD);
+    write_both(BOARD_Y, 1, BUS_WORD);
     usb_encoder_flush(&encoder);
     run_payload(NULL);
     encoder.used = 0;

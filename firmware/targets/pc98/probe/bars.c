@@ -25,15 +25,15 @@ static uint32_t colour_at(uint16_t x, uint16_t y) {
     static const uint32_t bars[8] = {0xFFFFFF, 0xFFFF00, 0x00FFFF, 0x00FF00,
                                      0xFF00FF, 0xFF0000, 0x0000FF, 0x000000};
     static const uint32_t ramps[4] = {0x010000, 0x000100, 0x000001, 0x010101};
-    if (y < SCREEN_HEIGHT / 2) {
+    if (y < BOARD_HEIGHT / 2) {
         return bars[x / BAR_DOTS];
     }
-    return ramps[(y - SCREEN_HEIGHT / 2) / RAMP_LINES] * (2U * x / 5);
+    return ramps[(y - BOARD_HEIGHT / 2) / RAMP_LINES] * (2U * x / 5);
 }
 
 void bars_draw(void) {
-    for (uint16_t y = 0; y < SCREEN_HEIGHT; y++) {
-        for (uint16_t x = 0; x < SCREEN_WIDTH; x++) {
+    for (uint16_t y = 0; y < BOARD_HEIGHT; y++) {
+        for (uint16_t x = 0; x < BOARD_WIDTH; x++) {
             dot_write(x, y, colour_at(x, y));
         }
     }

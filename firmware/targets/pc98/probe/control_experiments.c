@@ -6,15 +6,7 @@
 
 /* Indices whose data the initialisation has set, the status, and one that the initialisation leaves
  * alone. That one is a 6845's cursor address, which every chip of that family gives back. */
-enum {
-    INDEX_1B = 0x1B,
-    INDEX_1E = 0x1E,
-    INDEX_STATUS = 0x1F,
-    INDEX_CURSOR_HIGH = 0x0E,
-    DATA_1B = 0x01,
-    DATA_1E = 0x8C,
-    STATUS_BLANK = 0x02
-};
+enum { INDEX_1B = 0x1B, INDEX_1E = 0x1E, INDEX_CURSOR_HIGH = 0x0E, DATA_1B = 0x01, DATA_1E = 0x8C };
 
 uint32_t control_1_read(void) {
     return inpw(CONTROL_1);
@@ -36,16 +28,16 @@ uint32_t index_by_word(void) {
     return inp(CONTROL_2);
 }
 
-/* Tells by a bit each which registers have kept the initialisation's data: all registers but 1Fh,
+/* Tells by a bit each which registers have kept the initialisation's data: all registers but
  * the status. */
 uint32_t registers_kept(void) {
-    static const uint8_t set[14][2] = {{0x00, 0x6B}, {0x01, 0x50}, {0x02, 0x5B}, {0x03, 0x0E},
-                                       {0x04, 0x1A}, {0x05, 0x02}, {0x06, 0x19}, {0x07, 0x19},
-                                       {0x08, 0x80}, {0x09, 0x0F}, {0x0C, 0xFF}, {0x0D, 0xFF},
-                                       {0x1B, 0x01}, {0x1E, 0x8C}};
+#define PAIR(index, data) {index, data},
+    static const uint8_t set[][2] = {BOARD_INITIALISATION(PAIR)};
     uint32_t kept = 0;
     for (uint8_t i = 0; i < sizeof set / sizeof set[0]; i++) {
-        kept = kept << 1 | (controller_read(set[i][0]) == set[i][1] ? 1 : 0);
+        if (set[i][0] != BOARD_STATUS_INDEX) {
+            kept = kept << 1 | (controller_read(set[i][0]) == set[i][1] ? 1 : 0);
+        }
     }
     return kept;
 }
@@ -77,7 +69,7 @@ uint32_t index_width(void) {
 uint32_t status_bits(void) {
     uint8_t any = 0x00;
     uint8_t all = 0xFF;
-    outp(CONTROL_1, INDEX_STATUS);
+    outp(CONTROL_1, BOARD_STATUS_INDEX);
     for (uint32_t i = 0; i < 65536; i++) {
         uint8_t status = inp(CONTROL_2);
         any |= status;
@@ -91,7 +83,7 @@ uint32_t status_bits(void) {
 static uint32_t reads_until(uint8_t wanted) {
     enum { READS_MOST = 400000 };
     for (uint32_t reads = 1; reads <= READS_MOST; reads++) {
-        if ((inp(CONTROL_2) & STATUS_BLANK) == wanted) {
+        if ((inp(CONTROL_2) & BOARD_STATUS_BLANK) == wanted) {
             return reads;
         }
     }
@@ -101,12 +93,12 @@ static uint32_t reads_until(uint8_t wanted) {
 /* Counts the reads from the first one in a blanking to the first one in the next. Returns 0 if the
  * blanking never changes. */
 uint32_t frame_accesses(void) {
-    outp(CONTROL_1, INDEX_STATUS);
-    if (reads_until(0) == 0 || reads_until(STATUS_BLANK) == 0) {
+    outp(CONTROL_1, BOARD_STATUS_INDEX);
+    if (reads_until(0) == 0 || reads_until(BOARD_STATUS_BLANK) == 0) {
         return 0;
     }
     uint32_t blank = reads_until(0);
-    uint32_t shown = reads_until(STATUS_BLANK);
+    uint32_t shown = reads_until(BOARD_STATUS_BLANK);
     return blank == 0 || shown == 0 ? 0 : blank + shown;
 }
 

@@ -8,8 +8,8 @@
  * for what follows. */
 uint32_t memory_at_first(void) {
     uint32_t lit = 0;
-    for (uint16_t y = 0; y < SCREEN_HEIGHT; y += 8) {
-        for (uint16_t x = 0; x < SCREEN_WIDTH; x += 8) {
+    for (uint16_t y = 0; y < BOARD_HEIGHT; y += 8) {
+        for (uint16_t x = 0; x < BOARD_WIDTH; x += 8) {
             lit += primaries_lit(dot_read(x, y));
         }
     }
@@ -158,7 +158,7 @@ static uint32_t outside(uint16_t x, uint16_t y) {
 }
 
 uint32_t right_of_screen(void) {
-    return outside(SCREEN_WIDTH + 8, 8);
+    return outside(BOARD_WIDTH + 8, 8);
 }
 
 uint32_t far_right_of_screen(void) {

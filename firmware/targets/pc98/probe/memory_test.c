@@ -7,13 +7,13 @@
 /* Returns a colour that is different for dots that differ in one bit of X or Y. The primaries of a
  * dot are different too. So a stuck or crossed line of the address shows. */
 static uint32_t pattern(uint16_t x, uint16_t y) {
-    uint32_t mixed = ((uint32_t)y * SCREEN_WIDTH + x + 1) * UINT32_C(0x9E3779B1);
+    uint32_t mixed = ((uint32_t)y * BOARD_WIDTH + x + 1) * UINT32_C(0x9E3779B1);
     return mixed >> 8;
 }
 
 static void write_all(uint32_t inverted) {
-    for (uint16_t y = 0; y < SCREEN_HEIGHT; y++) {
-        for (uint16_t x = 0; x < SCREEN_WIDTH; x++) {
+    for (uint16_t y = 0; y < BOARD_HEIGHT; y++) {
+        for (uint16_t x = 0; x < BOARD_WIDTH; x++) {
             dot_write(x, y, pattern(x, y) ^ inverted);
         }
     }
@@ -26,8 +26,8 @@ struct tally {
 };
 
 static void read_all(uint32_t inverted, struct tally *tally) {
-    for (uint16_t y = 0; y < SCREEN_HEIGHT; y++) {
-        for (uint16_t x = 0; x < SCREEN_WIDTH; x++) {
+    for (uint16_t y = 0; y < BOARD_HEIGHT; y++) {
+        for (uint16_t x = 0; x < BOARD_WIDTH; x++) {
             if (dot_read(x, y) == (pattern(x, y) ^ inverted)) {
                 continue;
             }

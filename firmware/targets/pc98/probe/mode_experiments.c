@@ -11,7 +11,7 @@ enum { MODE_STEP = 0x40, MODE_STEAL = 0x80 };
 static uint32_t steps_since(void) {
     uint32_t steps = 0xFF;
     outp(RED, MARKER);
-    outp(MODE, MODE_BOTH);
+    outp(MODE, BOARD_MODE_BOTH);
     for (uint16_t i = 0; i < 16; i++) {
         dot_select(BENCH_X + i, BENCH_Y);
         if (inp(RED) == MARKER) {
@@ -23,7 +23,7 @@ static uint32_t steps_since(void) {
 }
 
 static void stepping_begin(void) {
-    outp(MODE, MODE_STEP | MODE_BOTH);
+    outp(MODE, MODE_STEP | BOARD_MODE_BOTH);
     dot_select(BENCH_X, BENCH_Y);
 }
 
@@ -50,8 +50,8 @@ uint32_t steps_after_reads(void) {
 
 /* Checks whether the odd port of mode is taken for the mode: X then steps. */
 uint32_t steps_after_odd_mode(void) {
-    outp(MODE, MODE_BOTH);
-    outp(MODE + 1, MODE_STEP | MODE_BOTH);
+    outp(MODE, BOARD_MODE_BOTH);
+    outp(MODE + 1, MODE_STEP | BOARD_MODE_BOTH);
     dot_select(BENCH_X, BENCH_Y);
     outp(BLUE, 0);
     return steps_since();
@@ -60,10 +60,10 @@ uint32_t steps_after_odd_mode(void) {
 /* Writes and reads a dot with the bit set. Returns the dot's colour, then how many of its primaries
  * differ without the bit. */
 static uint32_t with_mode_bit(uint8_t bit) {
-    outp(MODE, bit | MODE_BOTH);
+    outp(MODE, bit | BOARD_MODE_BOTH);
     dot_write(BENCH_X, BENCH_Y, BENCH_COLOUR);
     uint32_t with = dot_read(BENCH_X, BENCH_Y);
-    outp(MODE, MODE_BOTH);
+    outp(MODE, BOARD_MODE_BOTH);
     uint32_t differs = primaries_lit(dot_read(BENCH_X, BENCH_Y) ^ with);
     dot_write(BENCH_X, BENCH_Y, 0);
     return with << 8 | differs;
@@ -95,10 +95,10 @@ uint32_t mode_bit_80(void) {
 uint32_t steal(void) {
     volatile uint8_t *plane = (volatile uint8_t *)(UINT32_C(0xA8000) + 80 * BENCH_Y + BENCH_X / 8);
     dot_write(BENCH_X, BENCH_Y, BENCH_COLOUR);
-    outp(MODE, MODE_STEAL | MODE_BOTH);
+    outp(MODE, MODE_STEAL | BOARD_MODE_BOTH);
     *plane = 0xFF;
     uint32_t kept = *plane;
-    outp(MODE, MODE_BOTH);
+    outp(MODE, BOARD_MODE_BOTH);
     uint32_t rgb = dot_read(BENCH_X, BENCH_Y);
     *plane = 0x00;
     dot_write(BENCH_X, BENCH_Y, 0);

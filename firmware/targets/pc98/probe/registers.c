@@ -29,9 +29,9 @@ uint8_t primaries_lit(uint32_t rgb) {
 
 /* Goes over the whole screen, as dot_find() does: Y is set once a row. */
 void screen_clear(void) {
-    for (uint16_t y = 0; y < SCREEN_HEIGHT; y++) {
+    for (uint16_t y = 0; y < BOARD_HEIGHT; y++) {
         outpw(Y_AXIS, y);
-        for (uint16_t x = 0; x < SCREEN_WIDTH; x++) {
+        for (uint16_t x = 0; x < BOARD_WIDTH; x++) {
             outpw(X_AXIS, x);
             outp(RED, 0);
             outp(GREEN, 0);
@@ -41,9 +41,9 @@ void screen_clear(void) {
 }
 
 uint32_t dot_find(void) {
-    for (uint16_t y = 0; y < SCREEN_HEIGHT; y++) {
+    for (uint16_t y = 0; y < BOARD_HEIGHT; y++) {
         outpw(Y_AXIS, y);
-        for (uint16_t x = 0; x < SCREEN_WIDTH; x++) {
+        for (uint16_t x = 0; x < BOARD_WIDTH; x++) {
             outpw(X_AXIS, x);
             if (inp(RED) == MARKER) {
                 outp(RED, 0);

@@ -6,22 +6,21 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "board_ports.h"
+
 /* Ports, at the base from the factory. */
 enum {
-    CONTROL_1 = 0x00D0,
-    CONTROL_2 = 0x00D2,
-    X_AXIS = 0x00D4,
-    Y_AXIS = 0x00D6,
-    RED = 0x00D8,
-    GREEN = 0x00DA,
-    BLUE = 0x00DC,
-    MODE = 0x00DE
+    CONTROL_1 = BOARD_FACTORY_BASE + BOARD_CONTROL_1,
+    CONTROL_2 = BOARD_FACTORY_BASE + BOARD_CONTROL_2,
+    X_AXIS = BOARD_FACTORY_BASE + BOARD_X,
+    Y_AXIS = BOARD_FACTORY_BASE + BOARD_Y,
+    RED = BOARD_FACTORY_BASE + BOARD_RED,
+    GREEN = BOARD_FACTORY_BASE + BOARD_GREEN,
+    BLUE = BOARD_FACTORY_BASE + BOARD_BLUE,
+    MODE = BOARD_FACTORY_BASE + BOARD_MODE
 };
 
-enum { SCREEN_WIDTH = 640, SCREEN_HEIGHT = 400 };
-
 enum {
-    MODE_BOTH = 0x01,
     MARKER = 0xA5,     /* a primary that is nowhere else on the screen while a place is sought */
     NOWHERE = 0xFFFFFF /* what dot_find() says of a marker that is on no dot of the screen */
 };
