@@ -178,9 +178,9 @@ all: $(BUILD)/superframe ## Build the program (the default)
 
 $(foreach name,$(CONFIGURATIONS),$(eval $(call configuration,$(name))))
 
-# Of objects with one name, from different folders, all are kept.
-$(BUILD)/release/library.a $(BUILD)/sanitized/library.a: $(BUILD)/%/library.a: $(addprefix $(BUILD)/%/,$(LIBRARY)) $(BUILD)/sources
-$(BUILD)/%.a:
+$(BUILD)/release/library.a $(BUILD)/sanitized/library.a: $(BUILD)/%/library.a: $(addprefix $(BUILD)/%/,$(LIBRARY))
+# By q, objects with one name, from different folders, are all kept.
+$(BUILD)/%.a: $(BUILD)/sources
 	$(call say,AR)
 	@rm -f $@
 	$(Q)$(AR) qcs $@ $(filter %.o,$^)
@@ -206,8 +206,6 @@ $(BUILD)/builtin_scenes.c: host/scene/embed.sh $(wildcard firmware/scenes/*.scen
 $(LISTS:%=$(BUILD)/lists/%.c): $(BUILD)/lists/%.c: host/base/list.sh FORCE
 	$(call renew,sh $< $* $(LIST_$*))
 
-FORCE:
-
 # ---- The library --------------------------------------------------------------------------------
 
 PREFIX  ?= /usr/local
@@ -222,10 +220,10 @@ LIBRARIES := $(addprefix $(BUILD)/library/,libsuperframe.a $(SONAME) libsuperfra
 
 library: $(LIBRARIES) ## Build libsuperframe, static and shared, and its test kit
 
-$(filter-out %-testing.a,$(LIBRARIES)): $(BOARD_SOURCES:%.c=$(BUILD)/library/%.o) $(BUILD)/sources
+$(filter-out %-testing.a,$(LIBRARIES)): $(BOARD_SOURCES:%.c=$(BUILD)/library/%.o)
 $(filter %-testing.a,$(LIBRARIES)): $(TESTKIT_SOURCES:%.c=$(BUILD)/library/%.o)
 SHARED := -shared -Wl,-soname,$(SONAME) -Wl,-z,defs -lpng -lxxhash -ldeflate
-$(BUILD)/library/$(SONAME):
+$(BUILD)/library/$(SONAME): $(BUILD)/sources
 	$(call link,$(SHARED))
 
 # What is installed, as FILE:FOLDER:MODE.
@@ -266,8 +264,7 @@ MAKEFILES_READ := $(MAKEFILE_LIST)
 OUT       = $(BUILD)/out/$(notdir $(basename $(SCENE)))
 # image_for TARGET,FILE: the firmware on a target, and from its folder the file to run.
 image_for = sh firmware/targets/build.sh $(1) fx $(SCENE) - - minimal $(BUILD)/targets/$@ && cp $(BUILD)/targets/$@/$(2) $(OUT)$(suffix $(2))
-# Without these packages, scripts leave out what takes them.
-optional  = SETUP='$(SETUP)' sh setup.sh $(1) || true
+install_if_possible = SETUP='$(SETUP)' sh setup.sh $(1) || true
 
 run:             RUN = $(BUILD)/superframe render $(SCENE) -o $(OUT).png ## Render fig3 (or SCENE=...) to build/out/fig3.png
 paper:           RUN = $(BUILD)/superframe paper --jobs 2 -o $(BUILD)/paper ## Make every figure of the paper, and measure its claims, in build/paper [paper]
@@ -278,7 +275,7 @@ targets:         RUN = sh tests/targets/check_portability.sh && sh tests/targets
 size:            RUN = sh tests/targets/size.sh docs/size.txt ## Measure code, memory, stack and instructions against docs/size.txt [quick targets]
 size-keep:       RUN = sh tests/targets/size.sh --keep docs/size.txt ## Keep the figures of `make size` in docs/size.txt [quick targets]
 minimal-table:   RUN = sh tests/targets/minimal.sh docs/minimal.md ## Full against minimal images of every scene; write the table in docs/minimal.md [quick]
-bench:           RUN = $(call optional,pov paper); sh tests/bench/bench.sh $(BUILD) $(STAGES) ## Measure what renders cost, alone and against POV-Ray (BENCH=all, STAGES=...)
+bench:           RUN = $(call install_if_possible,pov paper); sh tests/bench/bench.sh $(BUILD) $(STAGES) ## Measure what renders cost, alone and against POV-Ray (BENCH=all, STAGES=...)
 bench-keep:      RUN = cp $(BUILD)/bench/bench.md docs/ && cp $(wildcard $(addprefix $(BUILD)/bench/,settings.tsv bench.json rays.png ratio.png)) docs/bench/ ## Keep the page, the JSON and the plots of the last `make bench` in docs/
 bench-check:     RUN = sh tests/bench/instructions.sh $(BUILD) check docs/bench/instructions.txt ## Hold instructions a ray against docs/bench/instructions.txt (at most 2 % more) [count]
 bench-instructions-keep: RUN = sh tests/bench/instructions.sh $(BUILD) keep docs/bench/instructions.txt ## Keep the instructions a ray in docs/bench/instructions.txt [count]
@@ -293,12 +290,12 @@ cost-check:      RUN = sh tests/cost/check.sh $(BUILD) docs/measure.md ## Hold t
 cost-instructions: RUN = sh tests/cost/instructions.sh $(or $(COST_TARGETS),m0 m3 m4f i386 i387 x86_64) ## Count the instructions of operations (COST_TARGETS="m3 ..."; needs qemu-user, gcc-arm-none-eabi)
 fuzz:            RUN = sh tests/check_fuzz.sh $(or $(SECONDS),600) $(FUZZER) ## Fuzz each reader of foreign bytes for SECONDS=600, or FUZZER=scene alone [test]
 relations:       RUN = $(RELATIONS) $(BUILD)/relations SEEDS=$(or $(SEEDS),0:300) SECONDS=$(or $(SECONDS),3600) $(RELATION:%=RELATION=%) ## Hold relations on generated scenes (SEEDS=A:B, RELATION=name, SECONDS=limit)
-pov:             RUN = $(call optional,pov); sh tests/pov/check.sh $(BUILD) && sh tests/pov/generated.sh $(BUILD) $(or $(GENERATED),100) ## Hold exported scenes against POV-Ray: pictures and ray counts
+pov:             RUN = $(call install_if_possible,pov); sh tests/pov/check.sh $(BUILD) && sh tests/pov/generated.sh $(BUILD) $(or $(GENERATED),100) ## Hold exported scenes against POV-Ray: pictures and ray counts
 adapter:         RUN = sh tests/check_adapter.sh $(ADAPTER_OBJECTS) ## Compile the adapter's device logic for a Cortex-M0+, with its size
 
 GOALS := $(shell sed -n 's/^\([a-z-]*\): *RUN = .*/\1/p' Makefile)
 .SECONDEXPANSION:
-$(GOALS): $$(filter $(BUILD)/superframe $(TOOLS),$$(RUN)) | setup
+$(GOALS): $$(filter $(BUILD)/superframe $(TOOLS) $(ADAPTER_OBJECTS),$$(RUN)) | setup
 	@mkdir -p $(BUILD)/out
 	$(RUN)
 pc98 wasm targets size size-keep minimal-table bench bench-check bench-instructions-keep cost-check pov: $(BUILD)/superframe
@@ -307,7 +304,6 @@ bench: $(filter $(TOOL)/bench/%,$(TOOLS))
 cost-check: $(TOOL)/cost/predict
 pov: $(TOOL)/pov/pov_check $(RELATIONS)
 fuzz: $(FUZZERS)
-adapter: $(ADAPTER_OBJECTS)
 # Pictures in f128, and converged ones, take minutes: they are kept for as long as the images that made them.
 PICTURES_MADE := $(BUILD)/accuracy/made_by $(BUILD)/converged/made_by
 accuracy accuracy-tails accuracy-asked: $(PICTURES_MADE)

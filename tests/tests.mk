@@ -29,13 +29,11 @@ COVERED_PROGRAMS := $(patsubst %,$(BUILD)/coverage/tests/%,$(filter unit/hal/% u
 
 # A program stands where its object does. What it needs besides is an archive, and these objects. The test
 # kit is no part of the program: its own suites alone are linked with it. The image that counts its
-# operations has a written table, and is linked into nothing else.
-# tests/mutants/run.sh puts another one in its place.
-sanitized_LIBRARY = $(BUILD)/sanitized/library.a
+# operations has a written table, and is linked into nothing else. tests/mutants/run.sh says what is TESTED.
 PROGRAMS := $(TEST_PROGRAMS) $(REAL_TEST_PROGRAMS) $(TOOLS) $(FUZZERS) $(COVERED_PROGRAMS)
 $(PROGRAMS): %: %.o
 	$(call link,$(if $(filter $(FUZZERS),$@),-fsanitize=fuzzer) $(if $(filter %_test,$@),-lcmocka) $(LIBS))
-$(TEST_PROGRAMS) $(USB_TEST_PROGRAMS): $(sanitized_LIBRARY)
+$(TEST_PROGRAMS) $(USB_TEST_PROGRAMS): $(BUILD)/$(or $(TESTED),sanitized)/library.a
 $(patsubst %,$(BUILD)/sanitized/tests/unit/emulator/%_test,testkit testkit_writes): $(TESTKIT_SOURCES:%.c=$(BUILD)/sanitized/%.o)
 $(TOOLS): $(BUILD)/release/library.a
 $(RELATIONS): $(patsubst %.c,$(BUILD)/release/%.o,$(wildcard tests/relations/*.c))
@@ -57,7 +55,6 @@ FLAGS_tests/usb  := -D_DEFAULT_SOURCE $(if $(USB_FLAVOURS),$(call headers_of,umo
 $(BUILD)/superframe_without: $(addprefix $(BUILD)/release/,host/command/main.o lists_without/usb_backends.o \
     lists_without/arithmetics.o library.a)
 	$(call link,$(filter-out $(USB_LIBS) -lquadmath,$(LIBS)))
-
 $(LISTS:%=$(BUILD)/lists_without/%.c): $(BUILD)/lists_without/%.c: host/base/list.sh FORCE
 	$(call renew,sh $< $* $(filter-out f128 bulk hid,$(LIST_$*)))
 
@@ -79,8 +76,7 @@ $(eval $(call objects,adapter,-ffreestanding -mcpu=cortex-m0plus -mthumb -Os $(I
 # Undefined behaviour in root and reciprocal, which Eva takes as given, ends the trial.
 PROOFS := $(BUILD)/proofs/root_exhaustive $(BUILD)/proofs/exponential_exhaustive
 $(PROOFS): $(BUILD)/proofs/%: tests/proofs/%.c $(wildcard firmware/real/fixed*.h) | setup
-	$(call link,$(WARNINGS) -O3 -Ifirmware/real/fx $(INCLUDE_tests) $(if $(filter root%,$*),-fsanitize=undefined \
-	    -fno-sanitize-recover=all) -lquadmath -lpthread)
+	$(call link,$(WARNINGS) -O3 -Ifirmware/real/fx $(INCLUDE_tests) $(if $(filter root%,$*),-fsanitize=undefined -fno-sanitize-recover=all) -lquadmath -lpthread)
 
 # ---- Tests --------------------------------------------------------------------------------------
 
@@ -159,8 +155,8 @@ lint-style: | setup # [lint]
 
 lint-cppcheck: | setup # [lint]
 	cppcheck --quiet --std=c99 --enable=warning,performance,portability --error-exitcode=1 \
-	    --suppressions-list=tests/cppcheck_suppressions.txt $(INCLUDE_host) -Ifirmware/real/fx \
-	    -Ifirmware/features/full -Iemulator/testing hal emulator host firmware
+	    --suppressions-list=tests/cppcheck_suppressions.txt $(INCLUDE_host) -Ifirmware/real/fx -Ifirmware/features/full \
+	    -Iemulator/testing hal emulator host firmware
 
 # tidy ARITHMETICS,SOURCES,INCLUDES: reads what is compiled for each arithmetic.
 tidy = @printf '%s\n' $(1) | xargs -P 2 -I % clang-tidy --quiet --checks=-clang-analyzer-core.DivideZero $(2) -- \

@@ -86,9 +86,7 @@ make_targets() {
         set -- "$@" "build/$target"
         shift
     done
-    # shellcheck disable=SC2016 # for make
-    [ $built = sanitized ] || set -- 'CFLAGS_sanitized=-O1 -Wno-maybe-uninitialized' \
-        'sanitized_LIBRARY=$(BUILD)/release/library.a' "$@"
+    [ $built = sanitized ] || set -- 'CFLAGS_sanitized=-O1 -Wno-maybe-uninitialized' TESTED=release "$@"
     (cd "$tree" && timeout -k 10 1800 make -j2 -s CC="$CC" SETUP=no BUILD=build "$@") > "$work/make.log" 2>&1
 }
 
