@@ -9,8 +9,8 @@ BUILD   ?= build
 SCENE   ?= fig3
 # Nothing is installed to install something.
 SETUP   ?= $(if $(filter install uninstall,$(MAKECMDGOALS)),no,yes)
-# Scripts find these in their environment.
-export BUILD CC
+# Scripts find it in their environment. CC is another one for some targets, and is given where it is asked for.
+export BUILD
 
 WARNINGS := -std=c99 -pedantic -Wall -Wextra -Wconversion -Wshadow -Werror
 OPTIMISE ?= -O2
@@ -263,13 +263,13 @@ MAKEFILES_READ := $(MAKEFILE_LIST)
 # `build`. A goal needs the programs that its command names; what scripts need besides stands below.
 OUT       = $(BUILD)/out/$(notdir $(basename $(SCENE)))
 # image_for TARGET,FILE: the firmware on a target, and from its folder the file to run.
-image_for = sh firmware/targets/build.sh $(1) fx $(SCENE) - - minimal $(BUILD)/targets/$@ && cp $(BUILD)/targets/$@/$(2) $(OUT)$(suffix $(2))
-install_if_possible = SETUP='$(SETUP)' sh setup.sh $(1) || true
+image_for = CC='$(CC)' sh firmware/targets/build.sh $(1) fx $(SCENE) - - minimal $(BUILD)/targets/$@ && cp $(BUILD)/targets/$@/$(2) $(OUT)$(suffix $(2))
+install_if_possible = CC='$(CC)' SETUP='$(SETUP)' sh setup.sh $(1) || true
 
 run:             RUN = $(BUILD)/superframe render $(SCENE) -o $(OUT).png ## Render fig3 (or SCENE=...) to build/out/fig3.png
 paper:           RUN = $(BUILD)/superframe paper --jobs 2 -o $(BUILD)/paper ## Make every figure of the paper, and measure its claims, in build/paper [paper]
 pc98:            RUN = $(call image_for,386-flat,disk.hdm) ## Make a PC-98 floppy of fig3 (or SCENE=...): build/out/fig3.hdm [pc98]
-pc98-probe:      RUN = sh firmware/targets/build_probe.sh $(BUILD)/targets/probe && cp $(BUILD)/targets/probe/disk.hdm $(BUILD)/out/probe.hdm ## Make a PC-98 floppy that asks a real board what is not known: build/out/probe.hdm [pc98]
+pc98-probe:      RUN = CC='$(CC)' sh firmware/targets/build_probe.sh $(BUILD)/targets/probe && cp $(BUILD)/targets/probe/disk.hdm $(BUILD)/out/probe.hdm ## Make a PC-98 floppy that asks a real board what is not known: build/out/probe.hdm [pc98]
 wasm:            RUN = $(call image_for,wasm,image.wasm) ## Make a WebAssembly module of fig3 (or SCENE=...): build/out/fig3.wasm [quick]
 targets:         RUN = sh tests/targets/check_portability.sh && sh tests/targets/table.sh docs/targets.md ## Run fig3 and fig4b on every target; write the table in docs/targets.md [quick targets]
 size:            RUN = sh tests/targets/size.sh docs/size.txt ## Measure code, memory, stack and instructions against docs/size.txt [quick targets]
@@ -316,7 +316,7 @@ $(PICTURES_MADE): $(ARITHMETICS:%=$(BUILD)/release/arithmetic_%.o) $(TOOL)/accur
 # takes milliseconds, and nothing is rebuilt for it. What goals name in brackets is installed in one go,
 # before anything is compiled.
 setup: ## Install what the build lacks (SETUP=no only lists it)
-	@SETUP='$(SETUP)' sh setup.sh build $(if $(findstring /tests/,$(MAKECMDGOALS)),test) \
+	@CC='$(CC)' SETUP='$(SETUP)' sh setup.sh build $(if $(findstring /tests/,$(MAKECMDGOALS)),test) \
 	    $(sort $(foreach goal,$(MAKECMDGOALS),$(shell sed -n 's|^$(goal):.* \[\([a-z0-9 ]*\)\]$$|\1|p' $(MAKEFILES_READ))))
 
 clean: ## Remove everything that was built

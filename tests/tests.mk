@@ -123,7 +123,7 @@ test-kernel: setup ## Draw over USB and HID through the real Linux USB stack, as
 # Besides the suites, whatever tells by its exit status: release/x,1,2 is build/release/x 1 2.
 MUTANT_PROGRAMS ?= tests/check_hashes.sh tests/check_manual.sh $(RELATIONS:$(BUILD)/%=%),build/relations,SEEDS=0:60
 mutants: | setup ## Break the source in small ways and see whether the tests notice (SEED= COUNT= SECONDS= FILES=) [test usb]
-	@LIMIT='$(SECONDS)' sh tests/mutants/run.sh $(BUILD) $(MUTANT_PROGRAMS) \
+	@CC='$(CC)' LIMIT='$(SECONDS)' sh tests/mutants/run.sh $(BUILD) $(MUTANT_PROGRAMS) \
 	    $(patsubst $(BUILD)/%,%,$(TEST_PROGRAMS) $(REAL_TEST_PROGRAMS) $(USB_TEST_PROGRAMS))
 
 # What the processor's own ports need is no test's to run: hal/ports_linux.c.
