@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: MIT
 # Builds, runs and tests superframe; everything that it makes goes under build/.
-# `make help` lists the targets, `make V=1` shows whole commands.
+# `make help` lists the goals, `make V=1` shows whole commands.
 
 # make's own default, cc, may be any compiler.
-ifeq ($(origin CC),default)
-CC      := gcc
-endif
+CC      := $(if $(filter default,$(origin CC)),gcc,$(CC))
 OBJCOPY ?= objcopy
 BUILD   ?= build
 SCENE   ?= fig3
 # Nothing is installed to install something.
 SETUP   ?= $(if $(filter install uninstall,$(MAKECMDGOALS)),no,yes)
+# Scripts find it in their environment. CC is another one for some targets, and is given where it is asked for.
+export BUILD
 
 WARNINGS := -std=c99 -pedantic -Wall -Wextra -Wconversion -Wshadow -Werror
 OPTIMISE ?= -O2
@@ -22,335 +22,313 @@ POSIX    := -D_POSIX_C_SOURCE=200809L -D_FILE_OFFSET_BITS=64
 
 # ---- What this machine has ----------------------------------------------------------------------
 
-has_package = $(shell pkg-config --exists '$(1)' 2>/dev/null && echo yes)
+# Of packages: those that are there, where their headers are, how they are linked.
+there      = $(foreach package,$(1),$(if $(shell pkg-config --exists '$(package)' 2>/dev/null && echo yes),$(package)))
+headers_of = $(if $(1),$(subst -I,-isystem ,$(shell pkg-config --cflags-only-I $(1))))
+libs_of    = $(if $(1),$(shell pkg-config --libs $(1)))
 
 # f128 takes libquadmath and a compiler with its numbers; QUADMATH=no leaves it out.
-ifndef QUADMATH
-QUADMATH := $(shell printf 'extern __float128 sqrtq(__float128);\n%s\n' \
-    'int main(int n, char **s) { return s && sqrtq(n) > 9; }' | \
-    $(CC) -x c - -o /dev/null -lquadmath 2>/dev/null && echo yes || echo no)
-endif
-ARITHMETICS := fx f32 f64 $(if $(filter yes,$(QUADMATH)),f128)
+QUADMATH ?= $(shell echo 'extern __float128 sqrtq(__float128); int main(int n, char **s) { return s && sqrtq(n) > 9; }' | \
+    $(CC) -x c - -o /dev/null -lquadmath 2>/dev/null && echo yes)
+F128 := $(if $(filter yes,$(QUADMATH)),f128)
+ARITHMETICS := fx f32 f64 $(F128)
 # For `superframe measure` alone: what fx is measured against.
 EXAMPLES    := q16 q16_epsilon
-# The folder of an arithmetic, below firmware/real/.
-real = $(if $(wildcard firmware/real/$(1)/real.h),$(1),lab/$(1))
-# Where gcc keeps quadmath.h: clang links gcc's library but does not look among its headers.
-COMPILER_HEADERS = $(dir $(shell $(CC) -print-file-name=include/quadmath.h))
 
 # The ways to an adapter: USB_LIBUSB=no and USB_HIDAPI=no leave one out, USB_HIDAPI=hidapi-libusb
 # takes the other flavour.
-USB_LIBUSB ?= libusb-1.0
-USB_HIDAPI ?= hidapi-hidraw
-USB_PACKAGES := $(foreach package,$(USB_LIBUSB) $(USB_HIDAPI),$(if $(call has_package,$(package)),$(package)))
-USB_CFLAGS := $(if $(USB_PACKAGES),$(subst -I,-isystem ,$(shell pkg-config --cflags-only-I $(USB_PACKAGES))))
-USB_LIBS   := $(if $(USB_PACKAGES),$(shell pkg-config --libs $(USB_PACKAGES)))
+USB_PACKAGES := $(call there,$(or $(USB_LIBUSB),libusb-1.0) $(or $(USB_HIDAPI),hidapi-hidraw))
+USB_LIBS     := $(call libs_of,$(USB_PACKAGES))
+DRIVERS      := $(if $(filter libusb%,$(USB_PACKAGES)),bulk) $(if $(filter hidapi%,$(USB_PACKAGES)),hid)
 
 # The CPU of `superframe boot`, loaded when a floppy is booted; BOOT_UNICORN=no leaves it out.
-BOOT_UNICORN ?= unicorn
-BOOT_PACKAGE := $(if $(call has_package,$(BOOT_UNICORN)),$(BOOT_UNICORN))
+PROCESSORS := $(if $(call there,$(or $(BOOT_UNICORN),unicorn)),unicorn)
 
-LIBS := -lpng -lxxhash -ldeflate $(if $(filter yes,$(QUADMATH)),-lquadmath) -lm -lpthread \
-        $(USB_LIBS) $(if $(BOOT_PACKAGE),-ldl)
+LIBS := -lpng -lxxhash -ldeflate $(F128:f128=-lquadmath) -lm -lpthread $(USB_LIBS) $(PROCESSORS:unicorn=-ldl)
 
 # Streams of rays, for the arithmetics that CPUs have in vectors; fx as it suits vectors, with the
 # same bits. Of the sets of instructions that are compiled for, one is taken at run time.
 STREAM_REALS := f32 f64 fx
-IS_X86_64    := $(filter x86_64%,$(shell $(CC) -dumpmachine))
-STREAM_SETS  := plain $(if $(IS_X86_64),avx2 avx512)
+VECTOR_SETS  := $(if $(filter x86_64%,$(shell $(CC) -dumpmachine)),avx2 avx512)
+ENGINES      := $(foreach real,$(STREAM_REALS),$(patsubst %,$(real)_%,plain $(VECTOR_SETS)))
 
 # ---- Sources ------------------------------------------------------------------------------------
 
-HAL_SOURCES      := $(wildcard hal/*.c hal/cable/*.c)
 FIRMWARE_SOURCES := $(wildcard firmware/*.c)
-ADAPTER_SOURCES  := $(wildcard firmware/adapter/*.c)
-TESTKIT_SOURCES  := $(wildcard emulator/testing/*.c)
-EMULATOR_SOURCES := $(filter-out $(TESTKIT_SOURCES),$(wildcard emulator/*/*.c))
-STREAM_SOURCES   := $(wildcard host/stream/*.c) firmware/solids.c
 # Compiled once for each arithmetic beside the firmware.
 PER_ARITHMETIC_SOURCES := $(wildcard host/render/per_arithmetic/*.c)
-DRIVERS  := $(if $(filter libusb%,$(USB_PACKAGES)),bulk) $(if $(filter hidapi%,$(USB_PACKAGES)),hid)
-LEFT_OUT := $(patsubst %,adapter/driver_%,$(filter-out $(DRIVERS),bulk hid)) \
-            $(if $(BOOT_PACKAGE),,boot/cpu_unicorn boot/unicorn_library) \
-            $(if $(IS_X86_64),,render/instruction_sets_x86_64)
-HOST_SOURCES := $(filter-out $(STREAM_SOURCES) $(LEFT_OUT:%=host/%.c) host/command/main.c, \
-                $(wildcard host/*/*.c host/lab/*/*.c))
-SCENE_FILES  := $(wildcard firmware/scenes/*.scene)
+STREAM_SOURCES   := $(wildcard host/stream/*.c) firmware/solids.c
+# Both ends of the cable, and the board.
+TESTKIT_SOURCES  := $(wildcard emulator/testing/*.c)
+BOARD_SOURCES    := $(wildcard hal/*.c hal/cable/*.c firmware/adapter/*.c) \
+                    $(filter-out $(TESTKIT_SOURCES),$(wildcard emulator/*/*.c))
+LEFT_OUT         := $(patsubst %,adapter/driver_%,$(filter-out $(DRIVERS),bulk hid)) \
+                    $(if $(PROCESSORS),,boot/cpu_unicorn boot/unicorn_library) \
+                    $(if $(VECTOR_SETS),,render/instruction_sets_x86_64)
+HOST_SOURCES     := $(filter-out $(STREAM_SOURCES) $(patsubst %,host/%.c,$(LEFT_OUT) command/main), \
+                    $(wildcard host/*/*.c host/lab/*/*.c))
 # What this build has of several kinds: header, type, names. host/base/list.sh makes C of a list.
 LISTS := commands arithmetics stream_engines instruction_sets usb_backends processors
 LIST_commands         := command/command.h command render scenes check compile export tree replay \
                          compare measure paper devices adapter trace boot completion manual help
 LIST_arithmetics      := render/arithmetic.h arithmetic $(ARITHMETICS)
-LIST_stream_engines   := render/engine.h stream_engine $(foreach real,$(STREAM_REALS),$(STREAM_SETS:%=$(real)_%))
-LIST_instruction_sets := render/engine.h instruction_set $(filter-out plain,$(STREAM_SETS))
+LIST_stream_engines   := render/engine.h stream_engine $(ENGINES)
+LIST_instruction_sets := render/engine.h instruction_set $(VECTOR_SETS)
 LIST_usb_backends     := adapter/drivers.h usb_backend $(DRIVERS)
-LIST_processors       := boot/cpu.h processor $(if $(BOOT_PACKAGE),unicorn)
+LIST_processors       := boot/cpu.h processor $(PROCESSORS)
+# The objects that a program takes what it calls from.
+LIBRARY := $(patsubst %.c,%.o,$(BOARD_SOURCES) $(HOST_SOURCES)) builtin_scenes.o $(LISTS:%=lists/%.o) \
+           $(patsubst %,arithmetic_%.o,$(ARITHMETICS) $(EXAMPLES)) $(ENGINES:%=stream_engine_%.o)
 
 INCLUDE_hal      := -Ihal -Ihal/cable
 INCLUDE_firmware := $(INCLUDE_hal) -Ifirmware
 INCLUDE_emulator := $(INCLUDE_hal) $(patsubst %,-Iemulator/%,board picture trace bus)
-INCLUDE_host     := $(INCLUDE_emulator) -Ifirmware -Ifirmware/adapter -Ihost $(USB_CFLAGS)
-INCLUDE_tests    := $(INCLUDE_host) -Iemulator/testing -Itests/fixtures -idirafter $(COMPILER_HEADERS)
+INCLUDE_host     := $(INCLUDE_emulator) -Ifirmware -Ifirmware/adapter -Ihost $(call headers_of,$(USB_PACKAGES))
+# Where gcc keeps quadmath.h: clang links gcc's library but does not look among its headers.
+INCLUDE_tests    := $(INCLUDE_host) -Iemulator/testing -Itests/fixtures -idirafter $(dir $(shell $(CC) -print-file-name=include/quadmath.h))
+include_of        = $(INCLUDE_$(firstword $(subst /, ,$(1))))
 
 # ---- How a thing is made ------------------------------------------------------------------------
 
 # A configuration is one build of everything: release for use, library for others' programs,
 # sanitized for the tests, fuzzed for the fuzzers, coverage for the count of branches.
-CONFIGURATIONS := release sanitized fuzzed
+CONFIGURATIONS := release library sanitized fuzzed coverage
 CFLAGS_release   := $(OPTIMISE) $(DEBUG)
 CFLAGS_library   := $(OPTIMISE) $(DEBUG) -fPIC
-CFLAGS_coverage  := -O0 -g --coverage
-CFLAGS_sanitized := -O1 $(DEBUG) -fsanitize=address,undefined -fno-sanitize-recover=all \
-                    -fno-omit-frame-pointer
+CFLAGS_sanitized := -O1 $(DEBUG) -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
 CFLAGS_fuzzed    := $(CFLAGS_sanitized) -fsanitize=fuzzer-no-link,float-cast-overflow
-LDFLAGS_sanitized := -fsanitize=address,undefined
-LDFLAGS_fuzzed    := -fsanitize=fuzzer,address,undefined
+CFLAGS_coverage  := -O0 -g --coverage
 
 # say WORD: names what is made, where the command itself is not shown.
 say = @$(if $(V),:,printf '  %-4s %s\n' '$(1)' '$(@:$(BUILD)/%=%)')
 Q  := $(if $(V),,@)
 
 # compile FLAGS: an object of its source; what its folder needs besides stands in FLAGS_folder. What is
-# compiled once for each arithmetic is named when it is put together.
+# compiled for each arithmetic is named when it is put together.
 define compile
 @mkdir -p $(@D)
-$(if $(findstring firmware/,$@)$(findstring stream/,$@)$(findstring arithmetic/,$@),,$(call say,CC))
+$(if $(findstring /arithmetic_,$@)$(findstring /stream_engine_,$@),,$(call say,CC))
 $(Q)$(CC) $(WARNINGS) $(1) $(FLAGS_$(patsubst %/,%,$(dir $<))) -MMD -MP -c -o $@ $<
 endef
 
-# link FLAGS,LIBRARIES: a program of the objects and sources before it.
+# link MORE: a program of the objects and sources before it, and of what they call of archives.
 define link
 @mkdir -p $(@D)
 $(call say,LD)
-$(Q)$(CC) $(1) -o $@ $(filter %.c %.o %.a,$^) $(2)
+$(Q)$(CC) $(CFLAGS_$(firstword $(subst /, ,$(@:$(BUILD)/%=%)))) -Wl,--as-needed -o $@ $(filter %.c %.o,$^) $(filter %.a,$^) $(1)
 endef
 
-# combine SYMBOLS: one object of several, of which only those symbols leave.
+# combine SYMBOL: one object of several, of which only that symbol leaves.
 define combine
 $(call say,JOIN)
 $(Q)$(CC) -r -nostdlib -o $@ $(filter %.o,$^)
-$(Q)$(if $(1),$(OBJCOPY) $(1:%=--keep-global-symbol=%) $@)
+$(Q)$(if $(1),$(OBJCOPY) --keep-global-symbol=$(1) $@)
 endef
 
-# objects CONFIGURATION: whatever lies in the project, by the top folder's include path.
+# renew COMMAND: what the command prints, in a file that keeps its time where nothing changes.
+define renew
+@mkdir -p $(@D)
+@{ $(1); } > $@.new
+@cmp -s $@.new $@ && rm $@.new || mv $@.new $@
+endef
+
+# objects FOLDER,FLAGS[,WHERE]: what is compiled into a folder, of any source below WHERE.
 define objects
-$$(BUILD)/$(1)/%.o: %.c $$(BUILD)/flags | setup
-	$$(call compile,$$(POSIX) $$(CFLAGS_$(1)) $$(INCLUDE_$$(firstword $$(subst /, ,$$<))))
+$$(BUILD)/$(1)/%.o: $(3)%.c $$(BUILD)/flags | setup
+	$$(call compile,$(2))
 
-$$(BUILD)/$(1)/%.o: $$(BUILD)/%.c $$(BUILD)/flags
-	$$(call compile,$$(CFLAGS_$(1)) $$(INCLUDE_host))
 endef
 
-# image CONFIGURATION,ARITHMETIC: the firmware, chosen by the include path; one symbol leaves it.
-define image
-$(1)_$(2)_FIRMWARE := $$(FIRMWARE_SOURCES:%.c=$$(BUILD)/$(1)/$(2)/%.o)
+# joined CONFIGURATION,NAME,SOURCES,FLAGS: an object of what is compiled in a folder of its own, NAME. The
+# symbol of that name alone leaves it.
+define joined
+$(call objects,$(1)/$(2),$$(FLOATING) $$(CFLAGS_$(1)) -Ifirmware/features/full $(4))
+$$(BUILD)/$(1)/$(2).o: $(patsubst %.c,$$(BUILD)/$(1)/$(2)/%.o,$(3)) $$(BUILD)/sources
+	$$(call combine,$(2))
 
-$$(BUILD)/$(1)/$(2)/%.o: %.c $$(BUILD)/flags | setup
-	$$(call compile,$$(if $$(filter firmware%,$$<),-ffreestanding) $$(FLOATING) $$(CFLAGS_$(1)) \
-	    -Ifirmware/real/$$(call real,$(2)) -Ifirmware/features/full $$(INCLUDE_$$(firstword $$(subst /, ,$$<))))
-
-$$(BUILD)/$(1)/image_$(2).o: $$($(1)_$(2)_FIRMWARE) \
-    $$(PER_ARITHMETIC_SOURCES:%.c=$$(BUILD)/$(1)/$(2)/%.o) $$(BUILD)/sources
-	$$(call combine,arithmetic_$(2))
-
-# The firmware without what the host adds to it: tests/check_symbols.sh reads this.
-$$(BUILD)/$(1)/firmware_$(2).o: $$($(1)_$(2)_FIRMWARE) $$(BUILD)/sources
-	$$(call combine)
 endef
 
-# Nothing here changes a result: no trap is waited for, no errno is read, no infinity is made in a
-# lane that counts (strict/real.h), and no sign of a zero is asked for.
-# No operand is to be skipped: in lanes, & is what && is elsewhere.
-STREAM_FLAGS := -O3 -fno-trapping-math -fno-math-errno -ffinite-math-only -fno-signed-zeros \
-                -Wno-bitwise-instead-of-logical
-# Two of gcc's passes make branches in loops that are to be vectors: they thread jumps through
-# choices that hang together, and, in some files, look for partial redundancies. A third calls memcpy
-# for loops that are too short for it.
+# Nothing here changes a result: no trap is waited for, no errno is read, no infinity is made in a lane that
+# counts (strict/real.h), and no sign of a zero is asked for. In lanes, & is what && is elsewhere.
+STREAM_FLAGS := -O3 -fno-trapping-math -fno-math-errno -ffinite-math-only -fno-signed-zeros -Wno-bitwise-instead-of-logical
+# Two of gcc's passes make branches in loops that are to be vectors: they thread jumps through choices that
+# hang together, and, in some files, look for partial redundancies. A third calls memcpy for short loops.
 ifeq ($(findstring clang,$(shell $(CC) --version)),)
 STREAM_FLAGS += -fno-thread-jumps -fno-tree-loop-distribute-patterns
-STREAM_FLAGS_search_solids   := -fno-tree-pre
-STREAM_FLAGS_search_quadrics := -fno-tree-pre
-STREAM_FLAGS_boundaries      := -fno-tree-pre
+$(foreach file,search_solids search_quadrics boundaries,$(eval STREAM_FLAGS_$(file) := -fno-tree-pre))
 endif
-FLAGS_avx2   := -march=x86-64-v3
-FLAGS_avx512 := -march=x86-64-v4 -mprefer-vector-width=512
+STREAM_FLAGS_avx2   := -march=x86-64-v3
+STREAM_FLAGS_avx512 := -march=x86-64-v4 -mprefer-vector-width=512
 
-# stream CONFIGURATION,ARITHMETIC,SET: one engine.
-define stream
-$$(BUILD)/$(1)/stream/$(2)_$(3)/%.o: %.c $$(BUILD)/flags | setup
-	$$(call compile,$$(FLOATING) $$(CFLAGS_$(1)) $$(STREAM_FLAGS) $$(STREAM_FLAGS_$$(*F)) $$(FLAGS_$(3)) \
-	    -Ifirmware/real/$(2:fx=fx_vector) -Ihost/stream/sets/$(3) -Ifirmware/features/full $$(INCLUDE_host))
-
-$$(BUILD)/$(1)/stream_$(2)_$(3).o: $$(STREAM_SOURCES:%.c=$$(BUILD)/$(1)/stream/$(2)_$(3)/%.o) $$(BUILD)/sources
-	$$(call combine,stream_engine_$(2)_$(3))
-endef
-
-define whole
-$(1)_HAL      := $$(patsubst %.c,$$(BUILD)/$(1)/%.o,$$(HAL_SOURCES) $$(ADAPTER_SOURCES))
-$(1)_EMULATOR := $$(EMULATOR_SOURCES:%.c=$$(BUILD)/$(1)/%.o)
-$(1)_HOST     := $$(HOST_SOURCES:%.c=$$(BUILD)/$(1)/%.o)
-$(1)_IMAGES   := $$(patsubst %,$$(BUILD)/$(1)/image_%.o,$$(ARITHMETICS) $$(EXAMPLES)) \
-                 $$(foreach real,$$(STREAM_REALS),$$(STREAM_SETS:%=$$(BUILD)/$(1)/stream_$$(real)_%.o)) \
-                 $$(LISTS:%=$$(BUILD)/$(1)/lists/%.o) $$(BUILD)/$(1)/builtin_scenes.o
-$(1)_LIBRARY  := $$($(1)_IMAGES) $$($(1)_HAL) $$($(1)_EMULATOR) $$($(1)_HOST)
-
-$$(foreach arithmetic,$$(ARITHMETICS) $$(EXAMPLES),$$(eval $$(call image,$(1),$$(arithmetic))))
-$$(foreach real,$$(STREAM_REALS),$$(foreach set,$$(STREAM_SETS),$$(eval $$(call stream,$(1),$$(real),$$(set)))))
-
-$$(BUILD)/$(1)/superframe: $$(BUILD)/$(1)/host/command/main.o $$($(1)_LIBRARY) $$(BUILD)/sources
-	$$(call link,$$(LDFLAGS_$(1)),$$(LIBS))
-endef
-
-# tool PROGRAM,SOURCES: a program of the tests, with all of the project in it.
-define tool
-$$(BUILD)/$(1): $$(patsubst %.c,$$(BUILD)/release/%.o,$(2)) $$(release_LIBRARY) $$(BUILD)/sources
-	$$(call link,,$$(LIBS))
+# configuration NAME: every object, compiled for it. The include path chooses arithmetic and instructions.
+define configuration
+$(call objects,$(1),$$(POSIX) $$(CFLAGS_$(1)) $$(call include_of,$$<))
+$(call objects,$(1),$$(CFLAGS_$(1)) $$(INCLUDE_host),$$(BUILD)/)
+$(foreach real,$(ARITHMETICS) $(EXAMPLES) count,$(call joined,$(1),arithmetic_$(real),$(FIRMWARE_SOURCES) $(PER_ARITHMETIC_SOURCES),\
+    $$(if $$(filter firmware%,$$<),-ffreestanding) $(patsubst %,-I%,$(wildcard firmware/real/$(real) firmware/real/lab/$(real))) $$(call include_of,$$<)))
+$(foreach real,$(STREAM_REALS),$(foreach set,plain $(VECTOR_SETS),$(call joined,$(1),stream_engine_$(real)_$(set),$(STREAM_SOURCES),\
+    $$(STREAM_FLAGS) $$(STREAM_FLAGS_$$(*F)) $$(STREAM_FLAGS_$(set)) -Ifirmware/real/$(real:fx=fx_vector) -Ihost/stream/sets/$(set) $$(INCLUDE_host))))
 endef
 
 all: $(BUILD)/superframe ## Build the program (the default)
-
-$(BUILD)/superframe: $(BUILD)/release/superframe
-	@cp $< $@.new && mv -f $@.new $@
 
 .DELETE_ON_ERROR:
 # Objects are kept; .SECONDARY would leave out one that is missing where what needs it is newer.
 .PRECIOUS: %.o %.c
 
-$(foreach configuration,$(CONFIGURATIONS),$(eval $(call whole,$(configuration))))
-$(foreach configuration,$(CONFIGURATIONS) library coverage,$(eval $(call objects,$(configuration))))
+$(foreach name,$(CONFIGURATIONS),$(eval $(call configuration,$(name))))
+
+$(BUILD)/release/library.a $(BUILD)/sanitized/library.a: $(BUILD)/%/library.a: $(addprefix $(BUILD)/%/,$(LIBRARY))
+# By q, objects with one name, from different folders, are all kept.
+$(BUILD)/%.a: $(BUILD)/sources
+	$(call say,AR)
+	@rm -f $@
+	$(Q)$(AR) qcs $@ $(filter %.o,$^)
+
+$(patsubst %,$(BUILD)/%/superframe,release sanitized coverage): %/superframe: %/host/command/main.o %/library.a
+	$(call link,$(LIBS))
+
+$(BUILD)/superframe: $(BUILD)/release/superframe
+	@cp $< $@.new && mv -f $@.new $@
 
 # Compiler and flags of the last build: when they change, everything is compiled again.
 $(BUILD)/flags: FORCE | setup
-	@mkdir -p $(@D)
-	@echo '$(subst ','\'',$(CC) $(WARNINGS) $(FLOATING) $(CFLAGS_library) $(CFLAGS_fuzzed) $(STREAM_FLAGS))' > $@.new
-	@cmp -s $@.new $@ && rm $@.new || mv $@.new $@
+	$(call renew,echo '$(subst ','\'',$(CC) $(WARNINGS) $(FLOATING) $(CFLAGS_library) $(CFLAGS_fuzzed) $(STREAM_FLAGS))')
 
 # The list of sources: when a file goes away, what was linked from it is linked again.
 $(BUILD)/sources: FORCE
-	@mkdir -p $(@D)
-	@echo $(HAL_SOURCES) $(EMULATOR_SOURCES) $(FIRMWARE_SOURCES) $(HOST_SOURCES) > $@.new
-	@cmp -s $@.new $@ && rm $@.new || mv $@.new $@
+	$(call renew,echo $(BOARD_SOURCES) $(FIRMWARE_SOURCES) $(HOST_SOURCES))
 
 # The built-in scenes' texts, as byte arrays, and the lists.
-$(BUILD)/builtin_scenes.c: host/scene/embed.sh $(SCENE_FILES)
-	@mkdir -p $(@D)
-	@sh $< $(SCENE_FILES) > $@.new && mv $@.new $@
+$(BUILD)/builtin_scenes.c: host/scene/embed.sh $(wildcard firmware/scenes/*.scene) FORCE
+	$(call renew,sh $< $(filter %.scene,$^))
 
 $(LISTS:%=$(BUILD)/lists/%.c): $(BUILD)/lists/%.c: host/base/list.sh FORCE
-	@mkdir -p $(@D)
-	@sh $< $* $(LIST_$*) > $@.new
-	@cmp -s $@.new $@ && rm $@.new || mv $@.new $@
-
-FORCE:
+	$(call renew,sh $< $* $(LIST_$*))
 
 # ---- The library --------------------------------------------------------------------------------
 
 PREFIX  ?= /usr/local
 LIBDIR  ?= $(PREFIX)/lib
-DESTDIR ?=
 INSTALL ?= install
 VERSION := $(shell sed -n 's/^.define SUPERFRAME_VERSION "\(.*\)"/\1/p' host/command/command.h)
 SONAME  := libsuperframe.so.$(firstword $(subst ., ,$(VERSION)))
 # What a program that uses the library may include: all but the emulator's own.
 PUBLIC_HEADERS := emulator/testing/testing.h $(filter-out %_internal.h, \
-                  $(wildcard hal/*.h hal/cable/*.h firmware/adapter/*.h emulator/board/*.h) \
-                  $(wildcard emulator/picture/*.h emulator/trace/*.h emulator/bus/*.h))
-LIBRARIES := $(addprefix $(BUILD)/library/,libsuperframe.a libsuperframe-testing.a $(SONAME))
-LIBRARY_OBJECTS := $(patsubst %.c,$(BUILD)/library/%.o,$(HAL_SOURCES) $(ADAPTER_SOURCES) $(EMULATOR_SOURCES))
-
-$(BUILD)/library/libsuperframe.a: $(LIBRARY_OBJECTS) $(BUILD)/sources
-$(BUILD)/library/libsuperframe-testing.a: $(TESTKIT_SOURCES:%.c=$(BUILD)/library/%.o)
-$(BUILD)/library/%.a:
-	$(call say,AR)
-	@rm -f $@
-	$(Q)$(AR) rcs $@ $(filter %.o,$^)
-
-$(BUILD)/library/$(SONAME): $(LIBRARY_OBJECTS) $(BUILD)/sources
-	$(call link,-shared -Wl$(comma)-soname$(comma)$(SONAME) -Wl$(comma)-z$(comma)defs,-lpng -lxxhash -ldeflate)
-comma := ,
+                  $(wildcard hal/*.h hal/cable/*.h firmware/adapter/*.h $(patsubst %,emulator/%/*.h,board picture trace bus)))
+LIBRARIES := $(addprefix $(BUILD)/library/,libsuperframe.a $(SONAME) libsuperframe-testing.a)
 
 library: $(LIBRARIES) ## Build libsuperframe, static and shared, and its test kit
 
+$(filter-out %-testing.a,$(LIBRARIES)): $(BOARD_SOURCES:%.c=$(BUILD)/library/%.o)
+$(filter %-testing.a,$(LIBRARIES)): $(TESTKIT_SOURCES:%.c=$(BUILD)/library/%.o)
+SHARED := -shared -Wl,-soname,$(SONAME) -Wl,-z,defs -lpng -lxxhash -ldeflate
+$(BUILD)/library/$(SONAME): $(BUILD)/sources
+	$(call link,$(SHARED))
+
 # What is installed, as FILE:FOLDER:MODE.
-BIN := $(PREFIX)/bin
-INSTALLED := $(BUILD)/superframe:$(BIN):755 \
+PC_FILES    := $(BUILD)/superframe.pc $(BUILD)/superframe-testing.pc
+COMPLETIONS := $(addprefix $(BUILD)/completion/,bash/superframe zsh/_superframe fish/superframe.fish)
+INSTALLED   := $(BUILD)/superframe:$(PREFIX)/bin:755 \
     $(foreach library,$(LIBRARIES),$(library):$(LIBDIR):$(if $(filter %.a,$(library)),644,755)) \
     $(PUBLIC_HEADERS:%=%:$(PREFIX)/include/superframe:644) \
-    $(patsubst %,$(BUILD)/%.pc:$(LIBDIR)/pkgconfig:644,superframe superframe-testing) \
+    $(PC_FILES:%=%:$(LIBDIR)/pkgconfig:644) \
     host/adapter/70-superframe.rules:$(PREFIX)/lib/udev/rules.d:644 \
-    $(patsubst %,%:$(PREFIX)/share/man/man1:644,$(BUILD)/superframe.1 $(wildcard docs/*.1)) \
-    $(patsubst %,%:$(PREFIX)/share/man/man3:644,$(wildcard docs/*.3)) \
-    $(BUILD)/completion/superframe:$(PREFIX)/share/bash-completion/completions:644 \
-    $(BUILD)/completion/_superframe:$(PREFIX)/share/zsh/site-functions:644 \
-    $(BUILD)/completion/superframe.fish:$(PREFIX)/share/fish/vendor_completions.d:644
-COMPLETIONS := $(addprefix $(BUILD)/completion/,superframe _superframe superframe.fish)
+    $(foreach page,$(BUILD)/superframe.1 $(wildcard docs/*.[13]),$(page):$(PREFIX)/share/man/man$(subst .,,$(suffix $(page))):644) \
+    $(join $(COMPLETIONS),$(patsubst %,:$(PREFIX)/share/%:644,bash-completion/completions zsh/site-functions fish/vendor_completions.d))
+each_installed = for entry in $(INSTALLED); do file=$${entry%%:*}; mode=$${entry\#\#*:}; \
+    folder='$(DESTDIR)'$${entry\#*:}; folder=$${folder%:*}; $(1); done
 
-$(BUILD)/completion/superframe: SHELL_NAME := bash
-$(BUILD)/completion/_superframe: SHELL_NAME := zsh
-$(BUILD)/completion/superframe.fish: SHELL_NAME := fish
 $(COMPLETIONS): $(BUILD)/superframe
-	@mkdir -p $(@D)
-	@$< completion $(SHELL_NAME) > $@
+	$(call renew,$< completion $(notdir $(@D)))
 
-$(BUILD)/%.pc: emulator/testing/%.pc.in FORCE
-	@mkdir -p $(@D)
-	@sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@LIBDIR@|$(LIBDIR)|' -e 's|@VERSION@|$(VERSION)|' $< > $@
+$(PC_FILES): $(BUILD)/%.pc: emulator/testing/%.pc.in FORCE
+	$(call renew,sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@LIBDIR@|$(LIBDIR)|' -e 's|@VERSION@|$(VERSION)|' $<)
 
 $(BUILD)/superframe.1: docs/superframe.roff $(BUILD)/superframe
-	@{ $(BUILD)/superframe manual && cat $<; } > $@
+	$(call renew,{ $(BUILD)/superframe manual && cat $<; })
 
-install: $(BUILD)/superframe $(BUILD)/superframe.1 $(COMPLETIONS) $(LIBRARIES) $(BUILD)/superframe.pc $(BUILD)/superframe-testing.pc ## Install command, library, test kit and man pages (PREFIX=/usr/local LIBDIR= DESTDIR=)
-	@set -e; for entry in $(INSTALLED); do \
-	    file=$${entry%%:*}; mode=$${entry##*:}; folder='$(DESTDIR)'$${entry#*:}; folder=$${folder%:*}; \
-	    $(INSTALL) -d "$$folder"; $(INSTALL) -m $$mode $$file "$$folder"; done
+install: $(BUILD)/superframe $(BUILD)/superframe.1 $(COMPLETIONS) $(LIBRARIES) $(PC_FILES) ## Install command, library, test kit and man pages (PREFIX=/usr/local LIBDIR= DESTDIR=)
+	@set -e; $(call each_installed,$(INSTALL) -d "$$folder"; $(INSTALL) -m $$mode $$file "$$folder")
 	@ln -sf $(SONAME) '$(DESTDIR)$(LIBDIR)/libsuperframe.so'
 
 uninstall: ## Remove what `make install` put there
-	@for entry in $(INSTALLED); do \
-	    folder='$(DESTDIR)'$${entry#*:}; file=$${entry%%:*}; rm -f "$${folder%:*}/$${file##*/}"; done
+	@$(call each_installed,rm -f "$$folder/$${file##*/}")
 	@rm -f '$(DESTDIR)$(LIBDIR)/libsuperframe.so'
 	@rmdir '$(DESTDIR)$(PREFIX)/include/superframe' 2> /dev/null || true
 
-# ---- Running ------------------------------------------------------------------------------------
-
-run: $(BUILD)/superframe ## Render fig3 (or SCENE=...) to build/out/fig3.png
-	@mkdir -p $(BUILD)/out
-	$(BUILD)/superframe render $(SCENE) -o $(BUILD)/out/$(notdir $(basename $(SCENE))).png
-	@echo "The picture is $(BUILD)/out/$(notdir $(basename $(SCENE))).png"
-
-paper: $(BUILD)/superframe ## Make every figure of the paper, and measure its claims, in build/paper
-	$(BUILD)/superframe paper -o $(BUILD)/paper --jobs 2
-	@echo "The page is $(BUILD)/paper/index.html"
-
-include firmware/targets/targets.mk
-include tests/measures.mk
 include tests/tests.mk
+MAKEFILES_READ := $(MAKEFILE_LIST)
+
+# ---- Goals of one command -----------------------------------------------------------------------
+
+# A row is a goal, its command, what it is for, and in brackets the groups of setup.sh that it takes besides
+# `build`. A goal needs the programs that its command names; what scripts need besides stands below.
+OUT       = $(BUILD)/out/$(notdir $(basename $(SCENE)))
+# image_for TARGET,FILE: the firmware on a target, and from its folder the file to run.
+image_for = CC='$(CC)' sh firmware/targets/build.sh $(1) fx $(SCENE) - - minimal $(BUILD)/targets/$@ && cp $(BUILD)/targets/$@/$(2) $(OUT)$(suffix $(2))
+install_if_possible = CC='$(CC)' SETUP='$(SETUP)' sh setup.sh $(1) || true
+
+run:             RUN = $(BUILD)/superframe render $(SCENE) -o $(OUT).png ## Render fig3 (or SCENE=...) to build/out/fig3.png
+paper:           RUN = $(BUILD)/superframe paper --jobs 2 -o $(BUILD)/paper ## Make every figure of the paper, and measure its claims, in build/paper [paper]
+pc98:            RUN = $(call image_for,386-flat,disk.hdm) ## Make a PC-98 floppy of fig3 (or SCENE=...): build/out/fig3.hdm [pc98]
+pc98-probe:      RUN = CC='$(CC)' sh firmware/targets/build_probe.sh $(BUILD)/targets/probe && cp $(BUILD)/targets/probe/disk.hdm $(BUILD)/out/probe.hdm ## Make a PC-98 floppy that asks a real board what is not known: build/out/probe.hdm [pc98]
+wasm:            RUN = $(call image_for,wasm,image.wasm) ## Make a WebAssembly module of fig3 (or SCENE=...): build/out/fig3.wasm [quick]
+targets:         RUN = sh tests/targets/check_portability.sh && sh tests/targets/table.sh docs/targets.md ## Run fig3 and fig4b on every target; write the table in docs/targets.md [quick targets]
+size:            RUN = sh tests/targets/size.sh docs/size.txt ## Measure code, memory, stack and instructions against docs/size.txt [quick targets]
+size-keep:       RUN = sh tests/targets/size.sh --keep docs/size.txt ## Keep the figures of `make size` in docs/size.txt [quick targets]
+minimal-table:   RUN = sh tests/targets/minimal.sh docs/minimal.md ## Full against minimal images of every scene; write the table in docs/minimal.md [quick]
+bench:           RUN = $(call install_if_possible,pov paper); sh tests/bench/bench.sh $(BUILD) $(STAGES) ## Measure what renders cost, alone and against POV-Ray (BENCH=all, STAGES=...)
+bench-keep:      RUN = cp $(BUILD)/bench/bench.md docs/ && cp $(wildcard $(addprefix $(BUILD)/bench/,settings.tsv bench.json rays.png ratio.png)) docs/bench/ ## Keep the page, the JSON and the plots of the last `make bench` in docs/
+bench-check:     RUN = sh tests/bench/instructions.sh $(BUILD) check docs/bench/instructions.txt ## Hold instructions a ray against docs/bench/instructions.txt (at most 2 % more) [count]
+bench-instructions-keep: RUN = sh tests/bench/instructions.sh $(BUILD) keep docs/bench/instructions.txt ## Keep the instructions a ray in docs/bench/instructions.txt [count]
+bench-ports:     RUN = $(TOOL)/bench/ports_bench ## Measure what a port write costs, in nanoseconds
+usb-table:       RUN = sh tests/bench/usb_bytes.sh $(BUILD)/superframe $(TOOL)/bench/usb_bytes > $(BUILD)/usb-bytes.md && cp $(BUILD)/usb-bytes.md docs/ ## Write docs/usb-bytes.md: what each scene costs on the cable
+accuracy:        RUN = $(TOOL)/accuracy/accuracy $(BUILD)/accuracy $(SCENES) ## Whole frames of every built-in scene against f128 (SCENES=... for some)
+accuracy-tails:  RUN = $(TOOL)/accuracy/tails $(BUILD)/converged $(or $(CONVERGED_SIZE),640x400) $(SCENES) ## What cut branches count as: fig3, fig4a, fig5 by arithmetic, threshold and tail (CONVERGED_SIZE=640x400, SCENES=... for some)
+accuracy-asked:  RUN = $(TOOL)/accuracy/asked $(BUILD)/converged $(or $(CONVERGED_SIZE),640x400) $(SCENES) ## What --error reaches on every built-in scene, and what it takes (CONVERGED_SIZE=640x400, SCENES=... for some)
+measure:         RUN = $(BUILD)/superframe measure --size 80x50 --jobs 2 -o $(BUILD)/measure ## Measure speed against accuracy: report and plots in build/measure [paper]
+cost-operations: RUN = $(TOOL)/cost/operations ## Count the operations of rays, boundaries and tests
+cost-check:      RUN = sh tests/cost/check.sh $(BUILD) docs/measure.md ## Hold the predicted instructions against those that qemu counts; write the table in docs/measure.md [quick]
+cost-instructions: RUN = sh tests/cost/instructions.sh $(or $(COST_TARGETS),m0 m3 m4f i386 i387 x86_64) ## Count the instructions of operations (COST_TARGETS="m3 ..."; needs qemu-user, gcc-arm-none-eabi)
+fuzz:            RUN = sh tests/check_fuzz.sh $(or $(SECONDS),600) $(FUZZER) ## Fuzz each reader of foreign bytes for SECONDS=600, or FUZZER=scene alone [test]
+relations:       RUN = $(RELATIONS) $(BUILD)/relations SEEDS=$(or $(SEEDS),0:300) SECONDS=$(or $(SECONDS),3600) $(RELATION:%=RELATION=%) ## Hold relations on generated scenes (SEEDS=A:B, RELATION=name, SECONDS=limit)
+pov:             RUN = $(call install_if_possible,pov); sh tests/pov/check.sh $(BUILD) && sh tests/pov/generated.sh $(BUILD) $(or $(GENERATED),100) ## Hold exported scenes against POV-Ray: pictures and ray counts
+adapter:         RUN = sh tests/check_adapter.sh $(ADAPTER_OBJECTS) ## Compile the adapter's device logic for a Cortex-M0+, with its size
+
+GOALS := $(shell sed -n 's/^\([a-z-]*\): *RUN = .*/\1/p' Makefile)
+.SECONDEXPANSION:
+$(GOALS): $$(filter $(BUILD)/superframe $(TOOLS) $(ADAPTER_OBJECTS),$$(RUN)) | setup
+	@mkdir -p $(BUILD)/out
+	$(RUN)
+pc98 wasm targets size size-keep minimal-table bench bench-check bench-instructions-keep cost-check pov: $(BUILD)/superframe
+targets size size-keep minimal-table cost-check cost-instructions: $(BUILD)/targets/count.so
+bench: $(filter $(TOOL)/bench/%,$(TOOLS))
+cost-check: $(TOOL)/cost/predict
+pov: $(TOOL)/pov/pov_check $(RELATIONS)
+fuzz: $(FUZZERS)
+# Pictures in f128, and converged ones, take minutes: they are kept for as long as the images that made them.
+PICTURES_MADE := $(BUILD)/accuracy/made_by $(BUILD)/converged/made_by
+accuracy accuracy-tails accuracy-asked: $(PICTURES_MADE)
+$(PICTURES_MADE): $(ARITHMETICS:%=$(BUILD)/release/arithmetic_%.o) $(TOOL)/accuracy/frame.o
+	@rm -rf $(@D) && mkdir -p $(@D) && touch $@
 
 # ---- The machine --------------------------------------------------------------------------------
 
-# The groups of setup.sh that a goal needs besides `build`, as goal=group,group.
-SETUP_GROUPS := test=test,quick,usb quick=test test-kernel=test,usb,kernel fuzz=test mutants=test,usb \
-    lint=lint lint-style=lint lint-cppcheck=lint lint-tidy=lint prove=prove coverage=test,coverage \
-    paper=paper measure=paper bench-check=count bench-instructions-keep=count cost-check=quick \
-    pc98=pc98 pc98-probe=pc98 wasm=quick targets=quick,targets size=quick,targets \
-    size-keep=quick,targets minimal-table=quick
-groups_of = $(subst $(comma), ,$(patsubst $(1)=%,%,$(filter $(1)=%,$(SETUP_GROUPS))))
-
 # Whatever is compiled waits for it by an order-only prerequisite: it is looked at each time, which
-# takes milliseconds, and nothing is rebuilt for it. All is installed in one go, before anything is
-# compiled.
+# takes milliseconds, and nothing is rebuilt for it. What goals name in brackets is installed in one go,
+# before anything is compiled.
 setup: ## Install what the build lacks (SETUP=no only lists it)
-	@CC='$(CC)' SETUP='$(SETUP)' sh setup.sh build \
-	    $(sort $(foreach goal,$(MAKECMDGOALS),$(call groups_of,$(goal))) $(if $(findstring /tests/,$(MAKECMDGOALS)),test))
+	@CC='$(CC)' SETUP='$(SETUP)' sh setup.sh build $(if $(findstring /tests/,$(MAKECMDGOALS)),test) \
+	    $(sort $(foreach goal,$(MAKECMDGOALS),$(shell sed -n 's|^$(goal):.* \[\([a-z0-9 ]*\)\]$$|\1|p' $(MAKEFILES_READ))))
 
 clean: ## Remove everything that was built
 	rm -rf $(BUILD)
 
+help: ## List the goals, in brackets what setup.sh installs for one besides what the build takes
+	@sed -n 's/^\([a-z0-9-]*\):.*## \(.*\)/  \1\t\2/p' $(MAKEFILES_READ) | expand -t 27
+
 # Whatever `make help` lists is no file.
-.PHONY: $(shell sed -n 's/^\([a-z0-9-]*\):.*## .*/\1/p' $(MAKEFILE_LIST)) FORCE run-tests fresh-prefix \
-        lint-style lint-cppcheck lint-tidy
+.PHONY: $(shell sed -n 's/^\([a-z0-9-]*\):.*## .*/\1/p' $(MAKEFILES_READ)) FORCE run-tests fresh-prefix lint-style lint-cppcheck lint-tidy
 
-help: ## List the targets
-	@sed -n 's/^\([a-zA-Z0-9_-]*\):.*## \(.*\)/  \1\t\2/p' $(MAKEFILE_LIST) | expand -t 22
-
--include $(shell find $(addprefix $(BUILD)/,$(CONFIGURATIONS) library coverage adapter) -name '*.d' 2>/dev/null)
+-include $(shell find $(addprefix $(BUILD)/,$(CONFIGURATIONS) adapter) -name '*.d' 2>/dev/null)

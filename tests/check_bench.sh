@@ -137,7 +137,7 @@ expect 'a torn line' 1 'found.txt:3: no row of eight columns' growth "$folder/ke
 bench() {
     env "$1" sh $bench/bench.sh "$BUILD" renders
 }
-[ -x "$BUILD/release/bench/timed" ] && [ -x "$BUILD/superframe" ] || wrong "$BUILD: make bench has built nothing"
+[ -x "$BUILD/release/tests/bench/timed" ] && [ -x "$BUILD/superframe" ] || wrong "$BUILD: make bench has built nothing"
 expect 'no folder' 2 'usage' sh $bench/bench.sh
 expect 'an empty folder' 2 'holds no bench' sh $bench/bench.sh "$folder"
 expect 'an unknown stage' 2 'no stage "rendering"; allowed are' sh $bench/bench.sh "$BUILD" rendering
@@ -150,8 +150,8 @@ expect 'instructions without what' 2 usage sh $bench/instructions.sh "$BUILD"
 expect 'nothing kept' 2 'none.txt cannot be read' sh $bench/instructions.sh "$BUILD" check "$folder/none.txt"
 
 # A program that knows its scenes and renders none.
-mkdir -p "$folder/broken/release"
-ln -s "$(cd "$BUILD" && pwd)/release/bench" "$folder/broken/release/bench"
+mkdir -p "$folder/broken/release/tests"
+ln -s "$(cd "$BUILD" && pwd)/release/tests/bench" "$folder/broken/release/tests/bench"
 printf '#!/bin/sh\n[ "$1" = scenes ] && "%s" scenes && exit 0\necho no >&2\nexit 1\n' \
     "$(cd "$BUILD" && pwd)/superframe" > "$folder/broken/superframe"
 chmod +x "$folder/broken/superframe"
@@ -167,7 +167,7 @@ expect 'no povray' 0 'there is no povray' env "PATH=$folder/bin" sh $bench/bench
 
 # ---- The tools ------------------------------------------------------------------------------
 
-timed=$BUILD/release/bench/timed
+timed=$BUILD/release/tests/bench/timed
 expect 'a run' 0 '^[0-9.]* [0-9.]* [0-9.]* [0-9]*$' "$timed" 2 true
 expect 'a run that fails' 1 'exit status 1' "$timed" 1 false
 expect 'a program that is not there' 1 'No such file' "$timed" 1 "$folder/none"
@@ -177,7 +177,7 @@ is 'the mean of runs' "$("$timed" 2 sleep 0.05 | awk '{ print ($1 >= 0.05 && $1 
 is 'user CPU' "$("$timed" 1 awk 'BEGIN { for (i = 0; i < 3000000; i++) n += i }' |
     awk '{ print ($2 > 0.01 && $2 > $3 && $4 > 500) }')" 1
 
-psnr=$BUILD/release/bench/psnr
+psnr=$BUILD/release/tests/bench/psnr
 "$BUILD/superframe" render figA --size 8x6 --depth 0 --quiet -o "$folder/a.png" || wrong 'no picture'
 is 'the same picture' "$("$psnr" "$folder/a.png" "$folder/a.png")" 999.000
 expect 'no picture' 2 'cannot be read' "$psnr" "$folder/a.png" "$folder/none.png"

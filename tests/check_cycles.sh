@@ -53,9 +53,9 @@ found=$BUILD/cycles-found.txt
     # shellcheck disable=SC2046 # names without blanks
     circles $(objects_of '' host emulator hal firmware/adapter)
     # shellcheck disable=SC2046
-    circles $(objects_of fx/ firmware host/render/per_arithmetic)
+    circles $(objects_of arithmetic_fx/ firmware host/render/per_arithmetic)
     # shellcheck disable=SC2046
-    circles $(objects_of stream/f32_plain/ firmware host/stream)
+    circles $(objects_of stream_engine_f32_plain/ firmware host/stream)
 } > "$found"
 if [ -s "$found" ]; then
     echo 'check_cycles: these files need each other:'

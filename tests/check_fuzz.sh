@@ -15,15 +15,15 @@ export BUILD FUZZ_FOUND
 seconds=${1:-15}
 
 if [ $# -lt 2 ]; then
-    ls "$BUILD"/fuzzed/*_fuzz > /dev/null || exit 2
-    for program in "$BUILD"/fuzzed/*_fuzz; do
+    ls "$BUILD"/fuzzed/tests/fuzz/*_fuzz > /dev/null || exit 2
+    for program in "$BUILD"/fuzzed/tests/fuzz/*_fuzz; do
         basename "$program" _fuzz
     done | xargs -P 2 -n 1 sh tests/check_fuzz.sh "$seconds" || exit 1
     exit 0
 fi
 
 name=$2
-program=$BUILD/fuzzed/${name}_fuzz
+program=$BUILD/fuzzed/tests/fuzz/${name}_fuzz
 corpus=tests/fuzz/${name}_corpus
 folder=$BUILD/fuzz/$name
 log=$folder/log

@@ -14,7 +14,7 @@ wrong() {
 
 sources=$(find hal firmware emulator host tests docs/examples -name '*.[ch]' | sort)
 others=$(find hal firmware emulator host tests -name '*.sh' | sort)
-for file in $sources $others Makefile tests/tests.mk tests/measures.mk setup.sh .ci/run; do
+for file in $sources $others Makefile tests/*.mk setup.sh .ci/run; do
     head -n 3 "$file" | grep -q 'SPDX-License-Identifier: MIT' ||
         wrong "$file: no SPDX line among the first three"
     lines=$(wc -l < "$file")

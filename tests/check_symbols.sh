@@ -7,7 +7,7 @@
 # 1. the undefined symbols are the four ports, the square root in f32 and f64, and what a compiler
 #    calls by itself for copies and 64-bit arithmetic: no libc, no heap, no stdio, no libm;
 # 2. there is no writable data: .data and .bss are empty;
-# 3. beside the objects, image_ARITHMETIC.o shows one symbol only.
+# 3. beside the objects, arithmetic_*.o and stream_engine_*.o show the symbol of their name only.
 # Exit status: 0 all hold, 1 one does not.
 set -u
 cd "$(dirname "$0")/.." || exit 1
@@ -58,12 +58,11 @@ for object in "$@"; do
     echo "$object: $(echo $symbols)"
 done
 
-for image in "$release"/image_*.o; do
-    [ -f "$image" ] || continue
-    arithmetic=$(basename "$image" .o)
-    shown=$(nm -g --defined-only "$image" | awk '{ print $NF }')
-    [ "$shown" = "arithmetic_${arithmetic#image_}" ] ||
-        wrong "$image: shows $(echo $shown); allowed is: arithmetic_${arithmetic#image_} alone"
+for joined in "$release"/arithmetic_*.o "$release"/stream_engine_*.o; do
+    [ -f "$joined" ] || continue
+    name=$(basename "$joined" .o)
+    shown=$(nm -g --defined-only "$joined" | awk '{ print $NF }')
+    [ "$shown" = "$name" ] || wrong "$joined: shows $(echo $shown); allowed is: $name alone"
 done
 
 [ $failures -eq 0 ]

@@ -3,7 +3,7 @@
 # Holds the encoder to what it promises of the paper's figures: at most 3.2 bytes a pixel for fig3 in
 # full colour, less than 1 in the eight colours of the dither.
 #
-# Exit status: 0 it holds, 1 it does not. $BUILD has the program and usb_bytes.
+# Exit status: 0 it holds, 1 it does not. $BUILD has both programs.
 set -u
 cd "$(dirname "$0")/.." || exit 1
 BUILD=${BUILD:-build}
@@ -15,7 +15,7 @@ hold() {
     most=$1
     shift
     "$BUILD/superframe" render "$@" --quiet --bus trace:"$trace" || exit 1
-    row=$("$BUILD/usb_bytes" "$*" "$trace") || exit 1
+    row=$("$BUILD/release/tests/bench/usb_bytes" "$*" "$trace") || exit 1
     echo "$row"
     echo "$row" | awk -F'|' -v most="$most" '{ exit !($5 > 0 && $5 <= most) }' || {
         echo "check_usb_bytes: $*: more than $most bytes a pixel"

@@ -3,11 +3,11 @@
 # Without libquadmath the program is built all the same: it draws, says of --arith f128 that this build
 # has none, and lists those that it has.
 #
-# $BUILD/superframe_without_f128 is made by make. Exit status: 0 it holds, 1 not.
+# $BUILD/superframe_without is made by make. Exit status: 0 it holds, 1 not.
 set -u
 cd "$(dirname "$0")/.." || exit 1
 BUILD=${BUILD:-build}
-program=$BUILD/superframe_without_f128
+program=$BUILD/superframe_without
 out=$BUILD/without-f128.txt
 failures=0
 

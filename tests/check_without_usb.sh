@@ -3,11 +3,11 @@
 # Without libusb and hidapi the program is built all the same: it draws, and says of --bus usb and hid
 # what is missing.
 #
-# $BUILD/superframe_without_usb is made by make. Exit status: 0 it holds, 1 not.
+# $BUILD/superframe_without is made by make. Exit status: 0 it holds, 1 not.
 set -u
 cd "$(dirname "$0")/.." || exit 1
 BUILD=${BUILD:-build}
-program=$BUILD/superframe_without_usb
+program=$BUILD/superframe_without
 out=$BUILD/without-usb.txt
 
 # refuse TEXT WORDS...: exit status 1, and the text is said.

@@ -91,8 +91,8 @@ for program in "$@"; do
         tail -n 200 "$log" | cut -c 1-500
         echo "----"
     fi
-    printf '%-34s %5d passed %3d failed %5d s  %s\n' \
-        "$(basename "$program")" "$passed" "$failed" "$seconds" "$note"
+    name=${program#"$BUILD"/sanitized/}
+    printf '%-46s %5d passed %3d failed %5d s  %s\n' "${name#tests/}" "$passed" "$failed" "$seconds" "$note"
     total_passed=$((total_passed + passed))
     total_failed=$((total_failed + failed))
 done

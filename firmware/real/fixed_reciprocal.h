@@ -13,7 +13,7 @@ struct fixed_slope {
 };
 
 /* Returns the integer nearest to 2^62 / m, for 2^31 <= m < 2^32. The result lies in (2^30, 2^31].
- * (A half cannot occur: a half would need an odd divisor of 2^63.) tests/real/root_exhaustive.c
+ * (A half cannot occur: a half would need an odd divisor of 2^63.) tests/proofs/root_exhaustive.c
  * tries every m.
  *
  * With e = 1 - q m / 2^48 for an estimate q of 2^48 / m: 1/m = q / 2^48 (1 + e + e^2 + ...). */

@@ -18,9 +18,10 @@ static void find_odd(const real_length where[restrict LANES], real_length origin
 static void set_odd_on_face(const struct pattern_face face, const uint32_t surface[restrict LANES],
                             const real_unit normal[restrict LANES], bool is_behind,
                             uint32_t odd[restrict LANES]) {
+    const uint32_t from_below = is_behind ? face.odd_above : face.odd_below;
+    const uint32_t from_above = is_behind ? face.odd_below : face.odd_above;
     for (int i = 0; i < LANES; i++) {
-        bool is_above = unit_is_negative(normal[i]) == is_behind;
-        uint32_t there = is_above ? face.odd_above : face.odd_below;
+        uint32_t there = unit_is_negative(normal[i]) ? from_below : from_above;
         odd[i] = surface[i] == face.surface ? there : odd[i];
     }
 }

@@ -16,7 +16,7 @@ stages='renders frame jobs pairs equal page'
 build=$1
 shift
 superframe=$build/superframe
-tools=$build/release/bench
+tools=$build/release/tests/bench
 out=$build/bench
 
 # shellcheck source=tests/bench/settings.sh

@@ -34,7 +34,7 @@ echo "$rows" | while read -r code arithmetic scene label; do
     [ -n "$code" ] || continue
     sh tests/cost/whole.sh "$build/superframe" "$scene" 8x5 "$code" "$arithmetic" > "$work/counted.txt"
     counted=$(sed -n 's/.*instructions //p' "$work/counted.txt")
-    predicted=$("$build/release/predict" "$scene" "$code" "$arithmetic" < "$work/counted.txt")
+    predicted=$("$build/release/tests/cost/predict" "$scene" "$code" "$arithmetic" < "$work/counted.txt")
     awk -v counted="$counted" -v predicted="$predicted" -v cells="$label | $arithmetic | $scene" 'BEGIN {
         off = 100 * (predicted / counted - 1)
         printf "| %s | %.2f | %.2f | %+.0f %% |\n", cells, predicted / 1e6, counted / 1e6, off

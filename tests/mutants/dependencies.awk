@@ -7,15 +7,11 @@
         if ($i ~ /\.o:$/) {
             object = substr($i, 1, length($i) - 3)
             sub(/^build\//, "", object)
-            if (object ~ /^[a-z]+\/stream\/[^\/]*\//) {
+            if (object ~ /^[a-z]+\/(arithmetic|stream_engine)_[^\/]*\/(firmware|host)\//) {
                 split(object, parts, "/")
-                object = parts[1] "/stream_" parts[3] ".o"
-            } else if (object ~ /^[a-z]+\/[^\/]*\/(firmware|host)\//) {
-                split(object, parts, "/")
-                object = parts[1] "/image_" parts[2] ".o"
-            } else {
-                object = object ".o"
+                object = parts[1] "/" parts[2]
             }
+            object = object ".o"
         } else if ($i ~ /^(hal|firmware|emulator|host)\/.*\.[ch]$/) {
             file = $i
             while (sub(/[^\/]+\/\.\.\//, "", file)) {

@@ -86,9 +86,7 @@ make_targets() {
         set -- "$@" "build/$target"
         shift
     done
-    # shellcheck disable=SC2016 # for make
-    [ $built = sanitized ] || set -- 'CFLAGS_sanitized=-O1 -Wno-maybe-uninitialized' LDFLAGS_sanitized= \
-        'sanitized_HAL=$(release_HAL)' 'sanitized_LIBRARY=$(release_LIBRARY)' "$@"
+    [ $built = sanitized ] || set -- 'CFLAGS_sanitized=-O1 -Wno-maybe-uninitialized' TESTED=release "$@"
     (cd "$tree" && timeout -k 10 1800 make -j2 -s CC="$CC" SETUP=no BUILD=build "$@") > "$work/make.log" 2>&1
 }
 
@@ -100,10 +98,9 @@ objects_of() {
         sed 's/\.d$/.o/')
 }
 
-# Prints the objects of a list, and those that they are linked into: images and streams.
-with_images() {
-    sed -n -e 'p' -e 's|^\([a-z]*\)/stream/\([a-z0-9_]*\)/.*|\1/stream_\2.o|p' \
-        -e 's#^\([a-z]*\)/\([a-z0-9_]*\)/\(firmware\|host\)/.*#\1/image_\2.o#p' "$1" | sort -u
+# Prints the objects of a list, and those that they are joined to: arithmetics and stream engines.
+with_joined() {
+    sed -n -e 'p' -e 's#^\([a-z]*/[a-z0-9_]*\)/\(firmware\|host\)/.*#\1.o#p' "$1" | sort -u
 }
 
 # Notes which file makes a difference to which program, by what their objects need of each other.
@@ -112,8 +109,8 @@ find_sight() {
         cd "$tree/build" || exit 2
         find release sanitized -name '*.d' -exec cat {} + |
             awk -f "$source/$here/dependencies.awk" > "$work/files_of"
-        find release sanitized -name '*.o' ! -path '*/stream/*' ! -path '*/*/firmware/*' \
-            ! -path '*/*/host/*' -exec nm -A -g -P {} + > "$work/symbols"
+        find release sanitized -name '*.o' ! -path '*/arithmetic_*/firmware/*' \
+            ! -path '*/arithmetic_*/host/*' ! -path '*/stream_engine_*/*' -exec nm -A -g -P {} + > "$work/symbols"
         find sanitized/tests -name '*.o' -exec grep -lF SUPERFRAME {} + |
             sed 's/\.o$//' > "$work/runners"
     )
@@ -141,7 +138,7 @@ save() {
         [ -e "$tree/build/$object" ] || continue
         mkdir -p "$work/saved/${object%/*}" && mv "$tree/build/$object" "$work/saved/$object"
     done < "$work/affected"
-    printf '%s\n' "$superframe" > "$work/linked"
+    printf '%s\n' "$superframe" $built/library.a > "$work/linked"
 }
 
 # Compares the mutant's code with the original's, as released and without what is for debuggers.
@@ -263,13 +260,13 @@ listed_reason() {
 
 # Sets `outcome` for the drawn mutant, with the copy as it was before and after.
 try_mutant() {
-    objects_of "$file" | grep -v '^sanitized/tests/' | sed 's|^sanitized/|release/|' | sort -u > "$work/compared"
+    objects_of "$file" | grep -vE '^sanitized/(.*/)?tests/' | sed 's|^sanitized/|release/|' | sort -u > "$work/compared"
     outcome=broken
     [ -s "$work/compared" ] || return
     # shellcheck disable=SC2046 # paths without spaces
     make_targets $(cat "$work/compared") || return
     objects_of "$file" > "$work/objects"
-    with_images "$work/objects" > "$work/affected"
+    with_joined "$work/objects" > "$work/affected"
     save "$file"
     # A mutant may leave something unused, or && beside ||.
     { printf "%s" "$lenient" && cat "$work/mutant"; } > "$tree/$file"

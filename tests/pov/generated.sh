@@ -23,7 +23,7 @@ out=$build/pov/generated
 size=96x60
 mkdir -p "$out"
 # About one scene in twelve can be exported: docs/pov-export.md says what can't.
-"$build/release/relations/relations" "$out" "SEEDS=0:$((20 * wanted))" WRITE=yes > /dev/null || exit 1
+"$build/release/tests/relations/relations" "$out" "SEEDS=0:$((20 * wanted))" WRITE=yes > /dev/null || exit 1
 
 seed=0
 checked=0

@@ -4,7 +4,7 @@
 /* tests/proofs/ranges.sh has Eva read it; it is never run. An interval stands for all of its values
  * at once, so that an alarm that is not raised is a proof for all of them. There are two mains,
  * because the second takes what the first proves as given. What the contracts of root and
- * reciprocal promise is proved by trial: tests/real/root_exhaustive.c. */
+ * reciprocal promise is proved by trial: tests/proofs/root_exhaustive.c. */
 
 #include "__fc_builtin.h"
 

@@ -3,7 +3,7 @@
 # Holds all relations on a fixed range of seeds, and checks what the program refuses.
 # Exit status: 0 all hold, 1 one does not.
 set -u
-relations=$BUILD/release/relations/relations
+relations=$BUILD/release/tests/relations/relations
 out=$BUILD/relations
 failures=0
 
