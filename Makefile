@@ -241,10 +241,8 @@ each_installed = for entry in $(INSTALLED); do file=$${entry%%:*}; mode=$${entry
 
 $(COMPLETIONS): $(BUILD)/superframe
 	$(call renew,$< completion $(notdir $(@D)))
-
 $(PC_FILES): $(BUILD)/%.pc: emulator/testing/%.pc.in FORCE
 	$(call renew,sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@LIBDIR@|$(LIBDIR)|' -e 's|@VERSION@|$(VERSION)|' $<)
-
 $(BUILD)/superframe.1: docs/superframe.roff $(BUILD)/superframe
 	$(call renew,{ $(BUILD)/superframe manual && cat $<; })
 

@@ -9,6 +9,7 @@
 
 #include "base/json.h"
 #include "base/output.h"
+#include "board_ports.h"
 #include "command/command.h"
 #include "picture/ciede2000.h"
 #include "picture/compare.h"
@@ -153,7 +154,7 @@ static unsigned dots_a_pixel(const struct compared *all) {
     const struct signatures *signatures = &all->signatures[0];
     const struct png_image *image = &all->image[0];
     bool is_screen = image->width == BOARD_WIDTH && image->height == BOARD_HEIGHT;
-    return is_screen ? render_dots(signatures->width, signatures->height) : 1;
+    return is_screen ? board_dots_a_pixel(signatures->width, signatures->height) : 1;
 }
 
 static int measure_signatures(struct compared *all) {

@@ -12,6 +12,7 @@
 #include "base/stopwatch.h"
 #include "board/camera.h"
 #include "board/session.h"
+#include "board_ports.h"
 #include "command/command.h"
 #include "options/bus.h"
 #include "ports_linux.h"
@@ -121,7 +122,7 @@ static void explain_adapter(const void *context) {
     const struct compiled_scene *compiled = run->compiled;
     adapter_bus_explain(&run->adapter, run->own->has_rows ? run->own->first_row : 0,
                         run->own->has_rows ? run->own->last_row : compiled->height,
-                        render_dots(compiled->width, compiled->height));
+                        board_dots_a_pixel(compiled->width, compiled->height));
 }
 
 /* Begins the session with what --bus asks for at the end of the buses. */

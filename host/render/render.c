@@ -302,10 +302,6 @@ static void learn(struct renderer *renderer, struct scene *scene) {
     totals->leaked_rays += counts.leaked_rays;
 }
 
-unsigned render_dots(unsigned width, unsigned height) {
-    return board_dots_a_pixel(width, height);
-}
-
 bool render(const struct render_job *job, struct render_totals *totals, struct scene_error *error) {
     struct renderer renderer;
     struct scene *scene = job->arithmetic->load(job->scene, error);

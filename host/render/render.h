@@ -46,10 +46,6 @@ struct render_job {
 
 enum { RENDER_EXPOSURES = 8 };
 
-/* Returns how many dots of the screen the firmware draws along each side of a pixel. The number is
- * 2 where a picture of that size fits twice, else 1. */
-unsigned render_dots(unsigned width, unsigned height);
-
 /* Renders a job. A scene that is shown by exposures is computed once and drawn eight times. After a
  * stop, the rows computed by then are drawn so. The render ends early if it is stopped or the bus
  * fails, as bus_bound_status() says. totals->rows says how far the render came. Returns false with

@@ -6,6 +6,7 @@
 #include "base/complain.h"
 #include "base/interrupt.h"
 #include "board/port_chain.h"
+#include "board_ports.h"
 #include "lab/measure/measure.h"
 #include "scene/load.h"
 
@@ -80,7 +81,7 @@ int measure_shoot(struct measure *measure, const char *operand, struct measure_p
     const struct scene_overrides overrides = overrides_of(measure, point);
     struct compiled_scene *compiled = load_compiled_scene(operand, &overrides, &error);
     *rgb = NULL;
-    *dots = render_dots(point->width, point->height);
+    *dots = board_dots_a_pixel(point->width, point->height);
     if (compiled == NULL) {
         return bad_input("%s", error.text);
     }

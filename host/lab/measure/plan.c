@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/complain.h"
+#include "board_ports.h"
 #include "lab/measure/measure.h"
 #include "scene/load.h"
 
@@ -31,7 +32,8 @@ static int add(struct measure *measure, const struct measure_point *point) {
 
 /* Tells whether the board shows a point: a dithered pixel has 2 x 2 dots. */
 static bool can_be_shown(const struct measure_point *point) {
-    return strcmp(point->colour, "dither") != 0 || render_dots(point->width, point->height) == 2;
+    return strcmp(point->colour, "dither") != 0 ||
+           board_dots_a_pixel(point->width, point->height) == 2;
 }
 
 /* Adds a point beside the grid, where the board shows it. */

@@ -10,6 +10,7 @@
 #include "base/complain.h"
 #include "base/interrupt.h"
 #include "base/stopwatch.h"
+#include "board_ports.h"
 #include "scene/load.h"
 
 const uint8_t *paper_pixel(const struct paper_photo *photo, unsigned x, unsigned y) {
@@ -187,7 +188,7 @@ static int shoot(struct paper *paper, const struct compiled_scene *compiled,
     if (status == STATUS_DONE) {
         photo->width = compiled->width;
         photo->height = compiled->height;
-        photo->dots = render_dots(photo->width, photo->height);
+        photo->dots = board_dots_a_pixel(photo->width, photo->height);
         port_chain_picture(studio.chain);
         if (has_camera) {
             camera_develop(studio.camera);
