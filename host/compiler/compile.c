@@ -64,8 +64,11 @@ static double bounds_half(const struct bounds *bounds) {
 static bool fail_without_size(struct compiler *compiler, double reach) {
     const struct scene_description *from = compiler->description;
     for (size_t i = 0; i < from->node_count && reach < REACH_LEAST; i++) {
+        if (from->nodes[i].kind != SOLID_POLYHEDRON) {
+            continue;
+        }
         struct bounds bounds = solid_bounds(from, (int)i, &affine_identity);
-        if (from->nodes[i].kind == SOLID_POLYHEDRON && !bounds_are_finite(&bounds)) {
+        if (!bounds_are_finite(&bounds)) {
             return compile_fail(compiler, from->nodes[i].line,
                                 "a polyhedron without an end, and nothing else that has a size: "
                                 "add the planes that close it");

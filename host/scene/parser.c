@@ -133,7 +133,9 @@ static void check_member_end(struct parser *parser, struct scene_value *value) {
         }
         parser->is_astray = true;
     }
-    if (parser->is_astray) {
+    if (parser->is_astray && value->count > 0) {
+        value->is_partial = true;
+    } else if (parser->is_astray) {
         value->kind = VALUE_REFUSED;
     }
 }
@@ -213,11 +215,12 @@ static void check_type(struct parser *parser, const struct token *token,
 /* Reads the elements of a list or an array up to its end. */
 static void parse_elements(struct parser *parser, struct scene_value *list) {
     const char close = parser->bracket->close;
+    struct scene_value element = {.kind = VALUE_REFUSED};
     bool is_first = true;
     for (;; is_first = false) {
         if (!is_at_end(parser)) {
             const struct token token = parser->next;
-            struct scene_value element = {.kind = VALUE_REFUSED};
+            element = (struct scene_value){.kind = VALUE_REFUSED};
             parse_value(parser, &element);
             element.at = token.at;
             if (list->kind == VALUE_ARRAY) {
@@ -245,7 +248,7 @@ static void parse_elements(struct parser *parser, struct scene_value *list) {
         if (token_is(&parser->next, ',')) {
             parser_advance(parser);
         } else if (token_is(&parser->next, ';')) {
-            if (parser->values[parser->value_count - 1].kind != VALUE_GROUP) {
+            if (element.kind != VALUE_GROUP) {
                 parser->is_astray = true; /* the list was never closed */
                 return;
             }
