@@ -55,14 +55,14 @@ struct scene_key {
 
 /* The type of a key, and where its value goes: member `into` of a struct. */
 #define KEY_AT(key, type_, where, into)                                                            \
-    .name = key, .type = type_, .offset = offsetof(struct where, into)
+    .name = (key), .type = (type_), .offset = offsetof(struct where, into)
 #define NUMBER_KEY(key, where, into, limits)                                                       \
     KEY_AT(key, KEY_NUMBER, where, into), .range = &(limits)
 #define NUMBERS_KEY(key, where, into, number, limits)                                              \
     KEY_AT(key, KEY_NUMBERS, where, into), .count = (number), .range = &(limits)
 #define THREE_KEY(key, where, into, limits)                                                        \
     KEY_AT(key, KEY_THREE, where, into), .count = 3, .range = &(limits)
-#define OTHER_KEY(key, reader)              .name = key, .type = KEY_OTHER, .read = (reader)
+#define OTHER_KEY(key, reader)              .name = (key), .type = KEY_OTHER, .read = (reader)
 #define WHOLE_KEY(key, where, into, limits) KEY_AT(key, KEY_WHOLE, where, into), .range = &(limits)
 
 /* All keys of one sort of group. */

@@ -14,14 +14,15 @@ const struct scene_keys scene_part_keys = SCENE_KEYS("part", part_rows, NULL);
 static void read_part(struct scene_reader *reader, const struct scene_value *group) {
     const struct scene_scope scope = {reader, group, scene_part_keys.what};
     struct scene_part part = {NULL, -1};
-    const bool is_good = scene_read_keys(&scope, &scene_part_keys, &part);
-    if (group->kind != VALUE_GROUP) {
+    (void)scene_read_keys(&scope, &scene_part_keys, &part);
+    if (part.name == NULL || *part.name == '\0') {
         reader->knows_parts = false;
+    }
+    if (group->kind != VALUE_GROUP) {
         return;
     }
     const struct scene_value *solid = scene_find_group(group, "solid");
-    reader->knows_parts = reader->knows_parts && part.name != NULL && *part.name != '\0';
-    if (is_good && *part.name == '\0') {
+    if (part.name != NULL && *part.name == '\0') {
         (void)scene_fail(reader, scene_place_of(group, "name"),
                          "'name' of the part is empty: it needs a name to be used by");
     }

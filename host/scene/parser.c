@@ -56,8 +56,12 @@ static void find_way(struct parser *parser, struct scene_value *value) {
  * wait for it, and takes it. Otherwise it is taken for the right one. Returns false where no
  * bracket is open. */
 static bool close_bracket(struct parser *parser, struct scene_value *value) {
-    const struct bracket *bracket = parser->bracket, *waiting = bracket;
+    const struct bracket *bracket = parser->bracket, *waiting = bracket->outer;
     const struct token *next = &parser->next;
+    if (token_is(next, bracket->close)) {
+        parser_advance(parser);
+        return true;
+    }
     if (next->kind == TOKEN_END) {
         if (bracket->open != '\0' && !parser->is_unclosed && !parser->scanner.is_cut) {
             (void)scene_fail(parser->reader, bracket->at,
@@ -68,22 +72,23 @@ static bool close_bracket(struct parser *parser, struct scene_value *value) {
         value->is_partial = value->is_partial || bracket->open != '\0';
         return true;
     }
-    while (waiting != NULL && waiting->close != *next->start) {
-        waiting = waiting->outer;
-    }
+    value->is_partial = true;
     if (bracket->open == '\0') {
         (void)scene_fail(parser->reader, next->at, "'%c' closes nothing: no bracket is open",
                          *next->start);
-    } else if (waiting != bracket) {
-        (void)scene_fail(parser->reader, next->at,
-                         "'%c' cannot close the '%c' of line %u: '%c' is wanted first",
-                         *next->start, bracket->open, bracket->at.line, bracket->close);
+        parser_advance(parser);
+        return false;
     }
-    value->is_partial = value->is_partial || waiting != bracket;
-    if (waiting == bracket || waiting == NULL) {
+    (void)scene_fail(parser->reader, next->at,
+                     "'%c' cannot close the '%c' of line %u: '%c' is wanted first", *next->start,
+                     bracket->open, bracket->at.line, bracket->close);
+    while (waiting != NULL && waiting->close != *next->start) {
+        waiting = waiting->outer;
+    }
+    if (waiting == NULL) {
         parser_advance(parser);
     }
-    return bracket->open != '\0';
+    return true;
 }
 
 /* Tells whether the next token ends a bracket, this one or an outer one. */

@@ -22,9 +22,9 @@ struct placement {
 static const struct placement placement_defaults = {.scale = {1, 1, 1}};
 
 #define LEAF_ROW(kind, meaning_)                                                                   \
-    { .name = kind, .type = KEY_GROUP, .meaning = (meaning_) }
+    { .name = (kind), .type = KEY_GROUP, .meaning = (meaning_) }
 #define NODE_ROW(kind, least, meaning_)                                                            \
-    { .name = kind, .type = KEY_LIST, .range = &(least), .meaning = (meaning_) }
+    { .name = (kind), .type = KEY_LIST, .range = &(least), .meaning = (meaning_) }
 
 /* The kinds by enum solid_kind, then what may stand beside any kind. */
 static const struct scene_key solid_rows[] = {
