@@ -33,7 +33,8 @@ struct render_counts {
  * differs more than anything else that is known of the branch by then. */
 enum estimate_way { WAY_DOWN, WAY_UP, WAYS, WAY_ANY = WAYS };
 
-/* What branches are worth that one threshold cuts; intensities in steps of 2^-16 level. */
+/* The estimated radiance of the branches that one threshold cuts; intensities in steps of 2^-16
+ * level. */
 struct estimate_level {
     int32_t mean[WAYS + 1][3]; /* of one way, or of any; red, green, blue */
 
@@ -74,9 +75,9 @@ struct drawing {
 struct image {
     const char *name; /* of the arithmetic */
 
-    /* Learns from a few hundred pixels what branches are worth that the scene's threshold and depth
-     * level cut. The result goes where the scene's estimate points to before rows are rendered. An
-     * image without that feature leaves it as it is. */
+    /* Learns from a few hundred pixels the radiance of the branches that the scene's threshold and
+     * depth level cut. The result goes where the scene's estimate points to before rows are
+     * rendered. An image without that feature leaves it as it is. */
     void (*learn)(const struct scene *scene, struct estimate *estimate,
                   struct render_counts *counts);
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What a branch that is cut is worth: learned from a few hundred pixels. */
+/* The estimated radiance of cut branches, learned from a few hundred pixels. */
 #include "learn.h"
 
 #include "camera.h"
@@ -26,7 +26,7 @@ enum { SPREAD_DEVIATIONS = 3, DEVIATION_LEAST = 74 };
 enum { BUDGET_PART = 8, EXHAUSTED_PART = 8 };
 
 /* A way's mean is learned as if this part of all that was cut had gone that way, too. So a way that
- * few branches went is worth what any way is. */
+ * few branches went has nearly the mean of all. */
 enum { SHARED_PART = 64 };
 
 /* Pixels begin so many levels above the typical one: few branches are cut there, and kept. */
