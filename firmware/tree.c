@@ -25,7 +25,7 @@ static void follow_kept(struct tree *tree) {
     }
 }
 
-/* Returns the sum of the squares of the weights that are cut, in steps of 2^-52. */
+/* Returns the sum of the squares of the pruned weights, in steps of 2^-52. */
 static int64_t squares_of(const struct kept_branches *kept) {
     int64_t sum = kept->losses.squares;
     for (uint16_t i = 0; i < kept->count; i++) {
@@ -76,8 +76,8 @@ static int64_t squares_below(int64_t squares, uint8_t steps) {
     return squares;
 }
 
-/* Returns how far down no more than `most` is left of squares that were cut at `from`, but at most
- * STEPS_MOST farther. */
+/* Returns how far down no more than `most` is left of squares that were pruned at `from`, but at
+ * most STEPS_MOST farther. */
 static uint8_t steps_to_leave(uint8_t from, int64_t squares, int64_t most) {
     uint8_t steps = from;
     while (squares > most && steps < from + STEPS_MOST && steps + 1 < STEPS_ALL) {
