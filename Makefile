@@ -283,7 +283,7 @@ bench-instructions-keep: RUN = sh tests/bench/instructions.sh $(BUILD) keep docs
 bench-ports:     RUN = $(TOOL)/bench/ports_bench ## Measure what a port write costs, in nanoseconds
 usb-table:       RUN = sh tests/bench/usb_bytes.sh $(BUILD)/superframe $(TOOL)/bench/usb_bytes > $(BUILD)/usb-bytes.md && cp $(BUILD)/usb-bytes.md docs/ ## Write docs/usb-bytes.md: what each scene costs on the cable
 accuracy:        RUN = $(TOOL)/accuracy/accuracy $(BUILD)/accuracy $(SCENES) ## Whole frames of every built-in scene against f128 (SCENES=... for some)
-accuracy-tails:  RUN = $(TOOL)/accuracy/tails $(BUILD)/converged $(or $(CONVERGED_SIZE),640x400) $(SCENES) ## What cut branches count as: fig3, fig4a, fig5 by arithmetic, threshold and tail (CONVERGED_SIZE=640x400, SCENES=... for some)
+accuracy-tails:  RUN = $(TOOL)/accuracy/tails $(BUILD)/converged $(or $(CONVERGED_SIZE),640x400) $(SCENES) ## What pruned branches count as: fig3, fig4a, fig5 by arithmetic, threshold and tail (CONVERGED_SIZE=640x400, SCENES=... for some)
 accuracy-asked:  RUN = $(TOOL)/accuracy/asked $(BUILD)/converged $(or $(CONVERGED_SIZE),640x400) $(SCENES) ## What --error reaches on every built-in scene, and what it takes (CONVERGED_SIZE=640x400, SCENES=... for some)
 measure:         RUN = $(BUILD)/superframe measure --size 80x50 --jobs 2 -o $(BUILD)/measure ## Measure speed against accuracy: report and plots in build/measure [paper]
 cost-operations: RUN = $(TOOL)/cost/operations ## Count the operations of rays, boundaries and tests

@@ -40,7 +40,7 @@ static enum estimate_way way_of(const struct scene *scene, const struct directio
     return unit_is_negative(direction_dot(*direction, scene->camera.up)) ? WAY_DOWN : WAY_UP;
 }
 
-/* Adds what the scene's estimate says of a branch that is cut; nothing without an estimate. */
+/* Adds the estimated radiance of a pruned branch; adds nothing without an estimate. */
 static void cut_radiance(struct tree *tree, struct energies weight, enum estimate_way way) {
     const struct estimate *estimate = tree->scene->estimate;
     if (FEATURE_ESTIMATE && estimate) {
@@ -101,20 +101,22 @@ static uint8_t levels_above(const struct training *training, int32_t weight) {
     return count;
 }
 
-/* Returns the way that a branch, or the one it grew from, was going when a level cut it. */
+/* Returns the way, up or down, that a branch or its ancestor was going when a level pruned the
+ * branch. */
 static enum estimate_way way_at(const struct branch *branch, uint8_t level) {
     return branch->noted.ups >> level & 1 ? WAY_UP : WAY_DOWN;
 }
 
-/* Adds a branch that ends beyond the cut, unseen, to the rest of all the levels that cut the
- * branch. These levels miss what the branch is worth. */
+/* Adds a pruned branch that ends unseen to the rest of all the levels that pruned the branch. These
+ * levels miss the branch's radiance. */
 static void learn_rest(struct training *training, const struct branch *branch) {
     for (uint8_t i = 0; i < branch->beyond; i++) {
         add_weight(training->level[i].rest[way_at(branch, i)], branch->weight);
     }
 }
 
-/* Adds a part that is seen beyond the cut to the radiance of all the levels that cut the branch. */
+/* Adds a part that a pruned branch shows to the radiance of all the levels that pruned the branch.
+ */
 static void learn_radiance(struct training *training, const struct branch *branch,
                            struct colours part) {
     const int32_t steps[3] = {colour_steps(part.red), colour_steps(part.green),
@@ -163,7 +165,7 @@ static void cut(struct tree *tree, const struct branch *branch, enum branch_end 
     }
 }
 
-/* Tells whether somebody wants more of a branch that is cut than its weight and way. */
+/* Tells whether the caller needs more of a pruned branch than its weight and direction. */
 static bool cut_is_noticed(const struct tree *tree) {
     return (FEATURE_OBSERVER && tree->observer) || (FEATURE_KEPT > 0 && tree->kept) ||
            (FEATURE_ESTIMATE && tree->training);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The growing of a tree of rays: its state, one branch followed to its end, and what is cut. */
+/* The growing of a tree of rays: its state, one branch followed to its end, and the pruned
+ * branches. */
 #ifndef SUPERFRAME_GROWTH_H
 #define SUPERFRAME_GROWTH_H
 
@@ -23,7 +24,7 @@ struct losses {
     int64_t depth;
 };
 
-/* Branches that the threshold cut, kept because a lower threshold may let them through. */
+/* Branches that the threshold pruned, kept because a lower threshold may let them through. */
 struct kept_branches {
     struct losses losses; /* what could not be kept, or is not to be */
     uint16_t count;
@@ -32,12 +33,13 @@ struct kept_branches {
 
 enum { TRAINING_LEVELS = FEATURE_KEPT > 0 ? ESTIMATE_LEVELS : 1 };
 
-/* What one pixel teaches of the branches that a threshold cuts, by the way that they were going. */
+/* What one pixel teaches of the branches that a threshold prunes, by the way that they were going.
+ */
 struct training_level {
     int64_t radiance[WAYS][3]; /* in steps of 2^-16 level */
-    int64_t weight[WAYS][3];   /* of what was cut, in steps of 2^-30 */
+    int64_t weight[WAYS][3];   /* of what was pruned, in steps of 2^-30 */
     int64_t rest[WAYS][3];     /* of that, what ended beyond the cut without having been seen */
-    int64_t squares;           /* of the largest weights that were cut, in steps of 2^-52 */
+    int64_t squares;           /* of the largest weights that were pruned, in steps of 2^-52 */
 };
 
 struct training {
@@ -53,7 +55,7 @@ struct tree {
     const struct scene *scene;
     struct render_counts *counts;
     const struct tree_observer *observer;
-    struct kept_branches *kept; /* NULL: what is cut is cut */
+    struct kept_branches *kept; /* NULL: pruned branches are dropped */
     struct training *training;  /* NULL: nothing is learned */
     struct colours sum;
     real_energy threshold;

@@ -24,21 +24,22 @@ struct render_counts {
     uint32_t exhausted_pixels;
 
     /* Of scenes with an accuracy asked for: the worst pixel's, not sums. */
-    uint32_t estimated_error;  /* in steps of 2^-16 level: what was cut, times its spread */
+    uint32_t estimated_error;  /* in steps of 2^-16 level: what was pruned, times its spread */
     uint16_t worst_x, worst_y; /* that pixel, where rows are rendered */
-    uint32_t proved_error;     /* in levels: what was cut, at its brightest, to the depth level */
+    uint32_t proved_error; /* in levels: what was pruned, at its brightest, to the depth level */
 };
 
-/* The way that a branch was going when it was cut. What is above and what is below the objects
+/* The way that a branch was going when it was pruned. What is above and what is below the objects
  * differs more than anything else that is known of the branch by then. */
 enum estimate_way { WAY_DOWN, WAY_UP, WAYS, WAY_ANY = WAYS };
 
-/* What branches are worth that one threshold cuts; intensities in steps of 2^-16 level. */
+/* The estimated radiance of the branches that one threshold prunes; intensities in steps of 2^-16
+ * level. */
 struct estimate_level {
     int32_t mean[WAYS + 1][3]; /* of one way, or of any; red, green, blue */
 
-    /* Three standard deviations: of a pixel, over the root of the sum of the squares of
-     * the weights that are cut. */
+    /* Three standard deviations: of a pixel, over the root of the sum of the squares of the pruned
+     * weights. */
     int32_t spread;
 
     /* The sum of those squares, in steps of 2^-52, at which a pixel is as accurate as was asked
@@ -48,7 +49,7 @@ struct estimate_level {
 
 enum { ESTIMATE_LEVELS = 20 };
 
-/* Without an accuracy asked for, learning follows a cut branch so many events beyond the scene's
+/* Without an accuracy asked for, learning follows a pruned branch so many events beyond the scene's
  * depth level, up to level 255. An image needs room for these events. */
 enum { ESTIMATE_EVENTS = 16 };
 
@@ -74,9 +75,9 @@ struct drawing {
 struct image {
     const char *name; /* of the arithmetic */
 
-    /* Learns from a few hundred pixels what branches are worth that the scene's threshold and depth
-     * level cut. The result goes where the scene's estimate points to before rows are rendered. An
-     * image without that feature leaves it as it is. */
+    /* Learns from a few hundred pixels the radiance of the branches that the scene's threshold and
+     * depth level prune. The result goes where the scene's estimate points to before rows are
+     * rendered. An image without that feature leaves it as it is. */
     void (*learn)(const struct scene *scene, struct estimate *estimate,
                   struct render_counts *counts);
 

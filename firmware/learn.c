@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What a branch that is cut is worth: learned from a few hundred pixels. */
+/* The estimated radiance of pruned branches, learned from a few hundred pixels. */
 #include "learn.h"
 
 #include "camera.h"
@@ -8,7 +8,8 @@
 /* The pixels looked at: a grid over the whole picture. */
 enum { COLUMNS = 32, ROWS = 20 };
 
-/* Without an accuracy asked for, what is cut is followed down to this part of the threshold. */
+/* Without an accuracy asked for, pruned branches are followed down to this part of the threshold.
+ */
 enum { LESS_WEIGHT_BITS = 5 };
 
 /* With an accuracy asked for: the levels of the first look, and those that each next look adds. A
@@ -21,15 +22,15 @@ enum { FIRST_LEVELS = 7, MORE_LEVELS = 3, LEVELS_BELOW = 4 };
 enum { SPREAD_DEVIATIONS = 3, DEVIATION_LEAST = 74 };
 
 /* A pixel that is looked at has 1 / BUDGET_PART of the budget of rays. Light is trapped where more
- * than 1 / EXHAUSTED_PART of the pixels in which something is cut use that budget up. Then more
+ * than 1 / EXHAUSTED_PART of the pixels in which something is pruned use that budget up. Then more
  * levels would teach nothing. */
 enum { BUDGET_PART = 8, EXHAUSTED_PART = 8 };
 
-/* A way's mean is learned as if this part of all that was cut had gone that way, too. So a way that
- * few branches went is worth what any way is. */
+/* A way's mean is learned as if this part of all that was pruned had gone that way, too. So a way
+ * that few branches went has nearly the mean of all. */
 enum { SHARED_PART = 64 };
 
-/* Pixels begin so many levels above the typical one: few branches are cut there, and kept. */
+/* Pixels begin so many levels above the typical one: few branches are pruned there, and kept. */
 enum { LEVELS_ABOVE = 8 };
 
 /* Sums over pixels, of one level and one primary. */
@@ -45,7 +46,7 @@ struct level_sum {
 struct level_sums {
     struct level_sum of[3]; /* red, green, blue */
     int64_t squares;        /* in steps of 2^-52 */
-    uint16_t pixels;        /* where something is cut */
+    uint16_t pixels;        /* where something is pruned */
 };
 
 struct sums {

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* What a branch that is cut is worth: learned from a few hundred pixels. */
+/* The estimated radiance of pruned branches, learned from a few hundred pixels. */
 #ifndef SUPERFRAME_LEARN_H
 #define SUPERFRAME_LEARN_H
 
 #include "image.h"
 
-/* Learns what cut branches are worth, as image.h says of learn(). */
+/* Learns the radiance of pruned branches, as image.h says of learn(). */
 void learn_estimate(const struct scene *scene, struct estimate *estimate,
                     struct render_counts *counts);
 

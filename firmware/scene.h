@@ -102,7 +102,7 @@ struct camera {
 
 struct scene {
     SCENE_FIELDS_BEFORE(SCENE_MEMBER)
-    const struct estimate *estimate; /* what a cut branch counts as; NULL: black */
+    const struct estimate *estimate; /* what a pruned branch counts as; NULL: black */
     SCENE_FIELDS_AMID(SCENE_MEMBER)
     uint32_t error; /* the accuracy asked for, in steps of 2^-16 level; 0: none */
     SCENE_FIELDS_AFTER(SCENE_MEMBER)

@@ -140,7 +140,7 @@
     F(SET, inside)  /* the primitives that the eye is strictly inside of */                        \
     F(BYTE, object) /* and the object there */
 
-/* Lists the scene's own members that stand before the estimate of cut branches. */
+/* Lists the scene's own members that stand before the estimate of pruned branches. */
 #define SCENE_FIELDS_BEFORE(F)                                                                     \
     F(WORD, width)                                                                                 \
     F(WORD, height)                                                                                \

@@ -25,7 +25,7 @@ static void follow_kept(struct tree *tree) {
     }
 }
 
-/* Returns the sum of the squares of the weights that are cut, in steps of 2^-52. */
+/* Returns the sum of the squares of the pruned weights, in steps of 2^-52. */
 static int64_t squares_of(const struct kept_branches *kept) {
     int64_t sum = kept->losses.squares;
     for (uint16_t i = 0; i < kept->count; i++) {
@@ -76,8 +76,8 @@ static int64_t squares_below(int64_t squares, uint8_t steps) {
     return squares;
 }
 
-/* Returns how far down no more than `most` is left of squares that were cut at `from`, but at most
- * STEPS_MOST farther. */
+/* Returns how far down no more than `most` is left of squares that were pruned at `from`, but at
+ * most STEPS_MOST farther. */
 static uint8_t steps_to_leave(uint8_t from, int64_t squares, int64_t most) {
     uint8_t steps = from;
     while (squares > most && steps < from + STEPS_MOST && steps + 1 < STEPS_ALL) {
@@ -211,7 +211,7 @@ static bool must_begin_again(const struct tree *tree, uint8_t steps) {
 }
 
 /* Tells whether the pixel is as accurate as was asked for. After the last way half as many squares
- * again will do, for to begin again takes more than they are worth. */
+ * again will do, because the gain does not repay the rays of another beginning. */
 static bool is_accurate(const struct tree *tree, uint8_t steps, bool is_last) {
     int64_t most = squares_most(tree, steps);
     return squares_of(tree->kept) <= most + (is_last ? most >> 1 : 0);
@@ -260,8 +260,8 @@ static int64_t weighed(int64_t weight, int32_t mean) {
     return (weight * mean) >> 30;
 }
 
-/* Returns half of what the paths that the depth level ended are worth if they go on. The half is
- * that of the channel where it is most. */
+/* Returns half of the estimated radiance beyond the depth level, of the channel where that half is
+ * largest. */
 static int64_t open_half(const struct losses *losses, const struct estimate_level *level) {
     int64_t most = 0;
     for (uint8_t i = 0; i < 3; i++) {
@@ -271,9 +271,10 @@ static int64_t open_half(const struct losses *losses, const struct estimate_leve
     return most;
 }
 
-/* Returns what the losses are worth. Where the depth level ends a path, a picture of that level has
- * nothing. A picture without an end has the mean there. Half the mean is taken if that is within
- * the error asked for of both pictures. Otherwise the picture of that level is meant. */
+/* Returns the estimated radiance of the losses. Where the depth level ends a path, a picture of
+ * that level has no more light. A picture without a depth limit has the mean there. Half the mean
+ * is added if that half is within the error asked for of both pictures. Otherwise nothing is added,
+ * as in the picture of that level. */
 static struct colours worth_of(const struct losses *losses, const struct estimate_level *level,
                                bool counts_open) {
     int32_t radiance[3];

@@ -29,14 +29,14 @@ struct branch {
     uint8_t kind;           /* enum branch_kind */
     uint8_t beyond; /* the levels that cut it, of a training pass: 0 is what is seen anyway */
 
-    /* No observer looks on at a training pass: both members have one place. */
+    /* A training pass has no observer, so both members share storage. */
     union {
         uint32_t parent; /* for an observer: the node where it began; 0: the eye */
         uint32_t ups;    /* of a training pass, bit i: the way that level i cut was going up */
     } noted;
 };
 
-/* Somebody who looks on while a tree is grown. Both members may be called many times a pixel. A
+/* The observer of a tree while the tree is grown. Both members may be called many times a pixel. A
  * pixel that begins again comes to a node 1 again: what was reported before is void. */
 struct tree_observer {
     void *context;

@@ -95,7 +95,7 @@ static inline struct energies energies_scaled(struct energies a, real_energy sha
     return energies_product(a, same);
 }
 
-/* Returns the largest of the three shares, the one that is held against the threshold. */
+/* Returns the largest of the three shares, the one that is compared with the threshold. */
 static inline real_energy energies_largest(struct energies a) {
     real_energy most = energy_less(a.red, a.green) ? a.green : a.red;
     return energy_less(most, a.blue) ? a.blue : most;

@@ -50,11 +50,11 @@ static inline void bus_pass_on(struct bus *bus, struct bus *inner, uint16_t port
     bus->status = inner->status;
 }
 
-/* Reads through the bus: 0..FFh (width 1) or 0..FFFFh (width 2). Once the bus has failed, FFh or
- * FFFFh. */
+/* Reads through the bus: 0..FFh (width 1) or 0..FFFFh (width 2). Returns FFh or FFFFh once the bus
+ * has failed. */
 uint16_t bus_read(struct bus *bus, uint16_t port, unsigned width);
 
-/* Hands on whatever the bus has buffered and returns its status. */
+/* Sends whatever the bus has buffered and returns its status. */
 enum bus_status bus_flush(struct bus *bus);
 
 /* Records a failure; the first one wins, and BUS_OK changes nothing. */

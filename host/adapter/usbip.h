@@ -39,7 +39,8 @@ struct usbip_client {
     uint8_t input[48 + USBIP_TRANSFER_MOST];
 };
 
-/* Begins with a client that has come. is_busy: another client has the device. */
+/* Initialises the connection of a client that has just connected. is_busy says that another client
+ * has the device. */
 void usbip_client_init(struct usbip_client *client, struct usb_device *device, bool is_busy,
                        void (*send)(void *context, const uint8_t *bytes, size_t count),
                        void *context);

@@ -5,8 +5,8 @@
 #include <inttypes.h>
 #include <math.h>
 
-/* Returns the number of bytes of the UTF-8 character that the text begins with; 0: it begins with
- * none. */
+/* Returns the number of bytes of the UTF-8 character that the text begins with; 0: the text begins
+ * with none. */
 static size_t utf8_length(const char *text) {
     /* Kinds of characters by their first byte, with the range of the second one (RFC 3629).
      * Surrogates, what is beyond 10FFFF, and what fewer bytes could say are left out. */

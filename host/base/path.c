@@ -62,7 +62,7 @@ char *path_follow_links(const char *path) {
     return NULL;
 }
 
-/* Appends the parts of a path that are not there yet to the folder that is. */
+/* Appends the parts of a path that do not exist yet to the folder that does. */
 static char *append_parts(char *folder, char *parts) {
     for (char *part = strtok(parts, "/"); part != NULL && folder != NULL;
          part = strtok(NULL, "/")) {

@@ -23,7 +23,7 @@ struct shown_picture board_picture(const struct board *board, const struct nativ
                                    enum picture_kind kind, uint8_t rgb[PICTURE_BYTES]);
 
 /* Shows a picture of the board, as board_picture() returns it, and commits the sink. A screen that
- * is black because the board was not set up is told of on standard error. False, with the reason
+ * is black because the board was not set up is reported on standard error. False, with the reason
  * printed, on failure. */
 bool board_picture_finish(struct picture_sink *sink, const struct board *board,
                           const struct native_screen *native, enum picture_kind kind,

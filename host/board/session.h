@@ -66,8 +66,7 @@ bool session_divert_picture(struct session *session);
 struct shown_picture session_picture(struct session *session);
 
 /* Puts the picture into its place, where one is asked for. A screen that is black because the board
- * was not set up is told of on standard error. False, with the reason printed, on
- * failure. */
+ * was not set up is reported on standard error. False, with the reason printed, on failure. */
 bool session_commit_picture(struct session *session);
 
 /* Returns STATUS_NOT_HELD where --strict is asked for and does not hold; STATUS_DONE otherwise.

@@ -106,7 +106,7 @@ static int tell_arithmetics(struct json *json, const struct compiled_scene *comp
     return status;
 }
 
-/* Tells for each step of the compiler what its tables were held against, and what did not agree.
+/* Reports for each step of the compiler what its tables were compared with, and what did not agree.
  * json: NULL for words. Returns STATUS_NOT_HELD where something did not. */
 static int tell_validations(struct json *json, const struct validations *validations) {
     int status = STATUS_DONE;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The list of sub-commands: found, misspelled, told of. */
+/* The list of sub-commands: finds one by name, suggests one for a misspelled name, lists all. */
 #include <string.h>
 
 #include "base/nearest.h"

@@ -193,7 +193,7 @@ static void tell_material(struct compiler *compiler, size_t index) {
     }
 }
 
-/* Tells of all that is marked. Parts of one object that are dead for the same reason are told
+/* Reports all that is marked. Parts of one object that are dead for the same reason are reported
  * once. */
 static void tell_marks(struct compiler *compiler) {
     const struct compile_dead *dead = compiler->dead;

@@ -37,7 +37,8 @@ static void emit_surfaces(FILE *out, const uint16_t surface[6]) {
             surface[4], surface[5]);
 }
 
-/* Writes as many words of a set as the scene needs; an image that has more fills them with 0. */
+/* Writes as many words of a set as the scene needs; an image with larger sets fills the rest with
+ * 0. */
 static void emit_set(FILE *out, const struct compiled_set *set, int words) {
     fprintf(out, "{{");
     for (int i = 0; i < words; i++) {

@@ -183,7 +183,7 @@ static bool is_closed(const struct search *search, int object) {
     return true;
 }
 
-/* Returns why no ray meets an object, wherever rays go; NULL if a ray may meet the object. */
+/* Returns the reason why no ray can meet an object; NULL if a ray may meet the object. */
 static const char *find_cover(const struct search *search, int object) {
     for (int i = 1; i < search->scene->object_count; i++) {
         if (i > object && (are_one_solid(search->scene, i, object) ||

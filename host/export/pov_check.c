@@ -49,7 +49,7 @@ static bool check_scene(const struct scene_description *description, struct scen
     }
     if (description->estimates || description->error > 0) {
         return refuse(error, description, 0,
-                      "an estimate of what cut branches are worth: POV-Ray counts them as black; "
+                      "an estimate for pruned branches: POV-Ray counts them as black; "
                       "allowed is: a threshold, and tail black");
     }
     return true;

@@ -107,7 +107,7 @@ const struct option_group group_scene = {
         {MODEL_ENTRY, .help = "how light is reflected and refracted (the scene's)"},
         {COLOUR_ENTRY, .allowed = "full, bits:1..bits:8, dither or exposures",
          .help = "how colours are shown (the scene's)"},
-        {TAIL_ENTRY, .help = "what a cut branch counts as (black; estimate with --error)"},
+        {TAIL_ENTRY, .help = "what a pruned branch counts as (black; estimate with --error)"},
         {HIGHLIGHT_ENTRY}, {SEED_ENTRY}, {SET_ENTRY})};
 
 const struct option_group group_measured = {

@@ -67,7 +67,7 @@ static bool take(const struct option_entry *entry, const char *value, struct opt
                           entry->name, value, allowed);
 }
 
-/* Checks what any command's options exclude. */
+/* Checks for options that exclude each other in every command. */
 static bool check_together(const struct options *options, struct options_error *error) {
     if (options->overrides.has_error && options->overrides.has_threshold) {
         return options_refuse(error,

@@ -20,8 +20,9 @@ struct arithmetic {
      * NULL with *error filled where the arithmetic cannot hold the scene, or memory is out. */
     struct scene *(*load)(const struct compiled_scene *compiled, struct scene_error *error);
 
-    /* Learns what the scene's cut branches are worth, if the scene asks for that. To be called
-     * once, before rows and pixels. The estimate is all 0 where cut branches count as black. */
+    /* Learns the radiance of the scene's pruned branches, if the scene asks for an estimate. To be
+     * called once, before rows and pixels. The estimate is all 0 where pruned branches count as
+     * black. */
     void (*learn)(struct scene *scene, struct estimate *estimate, struct render_counts *counts);
 
     /* Renders one pixel: its intensities are in levels, neither rounded nor clamped. Adds what the

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A bar on a terminal that says how far a render has come. */
+/* A bar on a terminal that shows the progress of a render. */
 #include "render/progress.h"
 
 #include <stdint.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Remarks on what a scene says, and perhaps does not mean: no error, but worth a word. */
+/* Remarks on what a scene says and perhaps does not mean; such remarks are no errors. */
 #ifndef SUPERFRAME_REMARKS_H
 #define SUPERFRAME_REMARKS_H
 

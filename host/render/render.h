@@ -16,7 +16,7 @@ struct render_totals {
     uint64_t exhausted_pixels;                                   /* as in struct render_counts */
     uint32_t estimated_error, proved_error;                      /* the worst pixel's */
     unsigned worst_x, worst_y;                                   /* where estimated_error is */
-    struct estimate estimate;                                    /* of cut branches */
+    struct estimate estimate;                                    /* of pruned branches */
     unsigned rows;                                               /* drawn */
     double seconds;
 };

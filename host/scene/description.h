@@ -143,7 +143,7 @@ struct scene_description {
     int width, height; /* pixels rendered: 1..640, 1..400 */
     int depth;         /* the paper's N, 0..255 */
     double threshold;  /* 0..1 */
-    bool estimates;    /* a cut branch counts as what it is worth on average, not as black */
+    bool estimates;    /* a pruned branch counts as its estimated radiance, not as black */
     double error;      /* the accuracy asked for, in levels; 0: none */
     double background[3];
     double ambient[3]; /* Ia */

@@ -43,7 +43,8 @@ static bool fail_type(const struct scene_scope *scope, const char *key,
                       scope->what, wanted, type_name(value));
 }
 
-/* Returns the number that a value is: a plain one, or one in parentheses; NULL: it is none. */
+/* Returns the number that a value is: a plain one, or one in parentheses; NULL: the value is no
+ * number. */
 static const struct scene_value *number_in(const struct scene_value *value) {
     while (value->kind == VALUE_LIST && value->count == 1) {
         value = value->members;

@@ -81,7 +81,7 @@ struct scene_keys {
  * allow. Returns true if nothing was refused. `scope->what` may say more than `keys->what`. */
 bool scene_read_keys(const struct scene_scope *scope, const struct scene_keys *keys, void *into);
 
-/* Finds the list or the group under a key; NULL: it is missing or was refused. */
+/* Finds the list or the group under a key; NULL: the value is missing or was refused. */
 const struct scene_value *scene_find_group(const struct scene_value *group, const char *key);
 const struct scene_value *scene_find_list(const struct scene_value *group, const char *key);
 

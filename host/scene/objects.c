@@ -103,8 +103,8 @@ static void read_object(struct scene_reader *reader, const struct scene_value *g
         .line = group->at.line, .name = scene_copy(reader, read.name), .solid = index};
 }
 
-/* Checks the number of solids in all objects together, a part's counted at each use. The firmware's
- * work grows with that number. */
+/* Checks the number of solids in all objects together; a part's solids count at each use. The
+ * firmware's work grows with that number. */
 static void check_instances(struct scene_reader *reader, const struct scene_value *list) {
     long sum = 0;
     for (size_t i = 0; i < reader->scene->object_count; i++) {

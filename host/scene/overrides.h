@@ -14,7 +14,7 @@ enum { SCENE_SETS_MOST = 64 };
 struct scene_overrides {
     bool has_depth, has_threshold, has_size, has_model, has_highlight, has_colour, has_seed;
     bool has_estimates, has_error;
-    bool estimates;    /* a cut branch counts as what it is worth on average */
+    bool estimates;    /* a pruned branch counts as its estimated radiance */
     double error;      /* SCENE_ERROR_LEAST..255 levels */
     int depth;         /* 0..255 */
     double threshold;  /* 0..1 */

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Reads a scene's text into a tree: keys, values, brackets, and numbers that are worked out.
+/* Reads a scene's text into a tree: keys, values, brackets, and sums of numbers.
  *
- * What is wrong is recorded and passed over. A refused value is VALUE_REFUSED. Where a token stands
- * in a wrong place, reading goes on behind the next separator of the same bracket. */
+ * An error is recorded, and the parser goes on. A refused value is VALUE_REFUSED. Where a token
+ * stands in a wrong place, reading goes on behind the next separator of the same bracket. */
 #include <stdlib.h>
 #include <string.h>
 

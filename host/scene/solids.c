@@ -135,7 +135,7 @@ static bool read_children(struct scene_reader *reader, const struct scene_value 
     return is_good;
 }
 
-/* Returns the name of a part that is still to be read; NULL: it has none. */
+/* Returns the name of a part that is still to be read; NULL: the part has no name. */
 static const char *part_name(const struct scene_value *part) {
     const struct scene_value *name = part->kind == VALUE_GROUP ? value_member(part, "name") : NULL;
     return name != NULL && name->kind == VALUE_STRING ? name->text : NULL;

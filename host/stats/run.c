@@ -8,7 +8,7 @@
 
 enum { CRC_DIGITS = 8, HASH_DIGITS = 16 };
 
-/* Writes what the estimates of cut branches have learned and reached. */
+/* Writes what the estimates of pruned branches have learned and reached. */
 static void write_estimate(struct json *json, const struct run_stats *stats) {
     static const char *const names[WAYS + 1] = {
         [WAY_DOWN] = "tail_down", [WAY_UP] = "tail_up", [WAY_ANY] = "tail"};

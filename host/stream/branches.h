@@ -14,7 +14,7 @@ struct cut_lanes {
 };
 
 /* Puts the mirrored and the refracted rays that depth and threshold let through into the queue. cut
- * gets the other rays, where the scene has an estimate of what those are worth. */
+ * gets the other rays, where the scene has an estimate of the radiance of those rays. */
 void children_grow(const struct scene *scene, const struct ray_lanes *rays,
                    const struct hit_lanes *hit, const struct boundary_lanes *boundary,
                    struct queue *queue, struct cut_lanes cut[2]);

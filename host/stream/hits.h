@@ -20,7 +20,7 @@ struct hit_lanes {
     struct direction_lanes mirrored;
 };
 
-/* Describes the boundaries that `search` has found in the lanes where hit->is says so. The caller
+/* Describes the boundaries that `search` has found, in the lanes that hit->is selects. The caller
  * has set is, inside_after, the objects and their materials. */
 void hits_describe(const struct search_lanes *search, struct hit_lanes *hit);
 

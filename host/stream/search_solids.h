@@ -50,7 +50,7 @@ static inline struct slabs slabs_of(const struct box *box) {
     return slabs;
 }
 
-/* Compares one lane's crossing with a primitive to the best so far, and keeps the better: what
+/* Compares one lane's crossing with a primitive to the best so far, and keeps the better, as
  * next_crossing() of firmware/ray.c does. */
 static inline void search_consider(struct search_lanes *restrict search, int i, uint32_t index,
                                    struct meeting found, bool leaving, bool chosen) {

@@ -197,7 +197,8 @@ static void absorb(struct stream *stream) {
     }
 }
 
-/* Adds what the cut branches are worth: cut_radiance() of firmware/growth.c. */
+/* Adds the estimated radiance of the pruned branches, as cut_radiance() of firmware/growth.c does.
+ */
 static void add_estimate(struct stream *stream, const struct cut_lanes *cut) {
     const struct estimate_level *level = &stream->scene->estimate->level[0];
     const uint32_t uncounted[LANES] = {0};

@@ -211,7 +211,8 @@ void validate_reach(struct validator *validator, int primitive, const double poi
 void validate_surface_sets(struct validator *validator);
 void validate_eye(struct validator *validator);
 
-/* Checks the path from a crossing to some light, or which primitives the shadow test uses. */
+/* Checks the path from a crossing to some light, or the set of primitives that the shadow test
+ * uses. */
 void validate_shadow(struct validator *validator, const struct sight_line *ray,
                      const struct table_crossing *crossing);
 void validate_shadow_sets(struct validator *validator);

@@ -208,7 +208,7 @@ bool frame_render(const struct frame_settings *settings, struct frame *frame) {
     return render_scene(settings, settings->shown ? DETAIL_SHOWN : DETAIL_EXACT, frame);
 }
 
-/* What cut branches are worth, learned at a threshold where that is quick. */
+/* The radiance of pruned branches, learned at a threshold where that is quick. */
 static bool learn_mean(const struct frame_settings *settings, double mean[3]) {
     struct frame_settings coarse = *settings;
     struct frame frame;

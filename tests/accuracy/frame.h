@@ -17,7 +17,7 @@ struct frame_settings {
     int width, height;
     double threshold; /* without an error asked for */
     double error;     /* levels; 0: none is asked for */
-    bool estimates;   /* what is cut counts as what it is worth on average, not as black */
+    bool estimates;   /* pruned branches count as their estimated radiance, not as black */
     bool shown;       /* levels rounded and clamped, as the screen has them, will do */
 };
 

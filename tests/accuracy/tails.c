@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What a cut branch counts as, threshold by threshold: tails FOLDER WIDTHxHEIGHT [SCENE...]
+/* What a pruned branch counts as, threshold by threshold: tails FOLDER WIDTHxHEIGHT [SCENE...]
  *
  * FOLDER holds the converged pictures of earlier runs; the caller empties it when the renderer has
  * changed. Exit status: 0 the estimate is worth what is asked of it, 1 it is not, 2 bad usage. */

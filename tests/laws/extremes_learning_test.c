@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Extremes of what is learned of cut branches: the deepest levels, light that never ends, lights as
- * bright as they may be. */
+/* Extremes of what is learned of pruned branches: the deepest levels, light that never ends, lights
+ * as bright as they may be. */
 #include "extremes_fixture.h"
 
 enum { PIXELS_LEARNED = 640 };

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What a cut branch counts as: learned, the same in every arithmetic, and worth its rays. */
+/* What a pruned branch counts as: learned, the same in every arithmetic, and worth its rays. */
 #include "scene_fixture.h"
 
 enum { WIDTH = 40, HEIGHT = 25, PIXELS = WIDTH * HEIGHT };
@@ -108,7 +108,7 @@ static double squares(const struct picture *a, const struct picture *b) {
 }
 
 /* The same picture with an `up` that lies in the floor, ahead of the eye that looks down on it:
- * what is cut is told apart by a way that means less. */
+ * pruned branches are told apart by a way that means less. */
 static void render_lying(struct picture *picture, const char *name, double threshold) {
     struct scene_description *description = describe(name, threshold, true);
     struct scene_camera *camera = &description->camera;

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # Every scene draws one picture, to the last port write, in an image with every feature and in one
-# with what the scene requires, whatever cut branches count as and however deep they are followed.
+# with what the scene requires, whatever pruned branches count as and however deep they are followed.
 #
 # Exit status: 0 all hold, 1 one does not.
 set -u

@@ -26,7 +26,7 @@ enum {
     FEATURE_PATTERN_FACES = 1, /* faces in which a pattern's cells end */
     FEATURE_TRANSPARENCY = 1,
     FEATURE_ABSORPTION = 1,
-    FEATURE_ESTIMATE = 1,       /* cut branches count as what they are worth on average */
+    FEATURE_ESTIMATE = 1,       /* pruned branches count as their estimated radiance */
     FEATURE_KEPT = 512,         /* branches kept for an accuracy that is asked for; 0: none is */
     FEATURE_SIMPLE = 1,         /* Table 1 (a) */
     FEATURE_DISPERSION = 1,     /* Table 1 (c): directions by wavelength */

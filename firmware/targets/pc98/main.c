@@ -83,7 +83,7 @@ void pc98_main(void) {
     text_clear();
     (void)text_put(TITLE_ROW, 0, "superframe: " TARGET_TITLE "; Esc ends it");
     if (FEATURE_ESTIMATE && scene.estimates) {
-        /* What cut branches are worth is learned before the first row. */
+        /* The radiance of pruned branches is learned before the first row. */
         struct render_counts counts = {.rays = 0};
         TARGET_IMAGE.learn(&TARGET_SCENE, &estimate, &counts);
         scene.estimate = &estimate;

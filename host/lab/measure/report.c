@@ -222,7 +222,7 @@ static void begin_table(const struct report *report, bool *has_begun, const char
     *has_begun = true;
 }
 
-/* Writes side by side the two ways to count the light of a branch that is cut. */
+/* Writes side by side the two ways to count the light of a pruned branch. */
 static void write_tails(const struct report *report) {
     bool has_any = false;
     for (size_t i = 0; i < report->settings->count; i++) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The points of the grid gathered by setting, and which settings are worth their time. */
+/* The points of the grid gathered by setting, and which settings are on the Pareto front. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -91,7 +91,7 @@ uint32_t mode_bit_80(void) {
 
 /* Lights eight dots of the PC-9801's own blue plane with STEALWR set. The bit may mean that the
  * board takes the writes to that graphics memory. Returns the board's colour of the first of the
- * dots, then what the plane gives back. */
+ * dots, then what a read of the plane gives. */
 uint32_t steal(void) {
     volatile uint8_t *plane = (volatile uint8_t *)(UINT32_C(0xA8000) + 80 * BENCH_Y + BENCH_X / 8);
     dot_write(BENCH_X, BENCH_Y, BENCH_COLOUR);

@@ -233,7 +233,7 @@ static void check_names_what_a_scene_requires(void **state) {
 
 /* ---- Signatures ----------------------------------------------------------------------------- */
 
-/* What is asked of the cut branches: a tail, or an accuracy. */
+/* What is asked of the pruned branches: a tail, or an accuracy. */
 struct tail {
     bool estimates;
     double error;

@@ -80,7 +80,8 @@ static void check_outlets(const struct ray_tree *tree, const struct compiled_sce
     }
 }
 
-/* Fails unless what is seen of a tree is all of the pixel but the estimate of the cut branches. */
+/* Fails unless what is seen of a tree is all of the pixel but the estimate of the pruned branches.
+ */
 static void check_sum(const struct ray_tree *tree, const struct compiled_scene *scene,
                       bool estimates) {
     for (int j = 0; j < 3; j++) {
