@@ -206,9 +206,10 @@ static const struct scene_key scene_rows[] = {
      .meaning = "faces that are nearer than this are one: for numbers that were rounded before "
                 "they came into the file"},
     {NUMBER_KEY("world", read_scene, scene.world, distances), .fallback = "as far as is needed",
-     .meaning = "how far from the scene's middle what has no end goes on, at least: the farther, "
-                "the nearer to its horizon it is seen to end, and the coarser is all else in `fx` "
-                "and `f32`"},
+     .meaning =
+         "how far from the scene's middle what has no end goes on, at least. A larger world puts "
+         "its visible end nearer to the horizon, and makes all else coarser in `fx` and "
+         "`f32`"},
     {KEY_AT("camera", KEY_GROUP, read_scene, scene), .is_required = true, .meaning = "below"},
     {KEY_AT("lights", KEY_LIST, read_scene, scene), .range = &any_number, .fallback = "none",
      .noun = "list of groups", .meaning = "below"},
