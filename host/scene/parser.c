@@ -204,12 +204,12 @@ static void parse_members(struct parser *parser, struct scene_value *group) {
 /* Checks that an array holds values of one type only: numbers, strings or truths. */
 static void check_type(struct parser *parser, const struct token *token,
                        struct scene_value *element) {
-    const struct scene_value *other = parser->values + parser->bracket->first_value;
-    const struct scene_value *end = parser->values + parser->value_count;
-    while (other < end && other->kind == VALUE_REFUSED) {
-        other++;
+    size_t first = parser->bracket->first_value;
+    while (first < parser->value_count && parser->values[first].kind == VALUE_REFUSED) {
+        first++;
     }
-    if (other < end && element->kind != VALUE_REFUSED && element->kind != other->kind) {
+    if (first < parser->value_count && element->kind != VALUE_REFUSED &&
+        element->kind != parser->values[first].kind) {
         (void)scene_fail(parser->reader, token->at,
                          "an array [ ] holds values of one type only: '%.*s' is of another",
                          token_shown(token), token->start);

@@ -49,6 +49,14 @@ static void refuses_what_is_no_scene_at_all(void **state) {
     assert_refused("\na\n\n", 4, 4, "'=' is missing", "'a'");
     assert_refused("\na =\n\n", 6, 4, "the file ends where", "a value");
     assert_refused("a = {b = 1}; a = 2", 18, 1, "duplicate key 'a'", "line 1");
+    /* Whatever the first value of the file is, nothing has been read before it. */
+    static const char *const firsts[] = {"[1, 2]", "[]", "(1, 2)", "()", "{}",
+                                         "[",      "(",  "{",      "-",  "\""};
+    for (size_t i = 0; i < sizeof firsts / sizeof *firsts; i++) {
+        char text[40];
+        (void)snprintf(text, sizeof text, "size = %s", firsts[i]);
+        assert_refused(text, strlen(text), 1, "", "");
+    }
     /* Only what stands in a comment or a string may look like an include. */
     static const char harmless[] = "/*\n@include \"x\"\n*/ title = \"@include\";";
     assert_refused(harmless, strlen(harmless), 1, "lacks 'version'", "");
