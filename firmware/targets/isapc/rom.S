@@ -24,6 +24,9 @@
 start:
     cli
     cld
+    movb    $0xFF, %al                  /* The boot sector allows interrupts, as its disk BIOS */
+    outb    %al, $0x21                  /* needs them. Nothing here serves them: a tick of the */
+    outb    %al, $0xA1                  /* timer before the sector's end led to address 0. */
     xorw    %ax, %ax
     movw    %ax, %ss
     movw    $STACK, %sp
