@@ -234,8 +234,8 @@ static const struct {
     {PAPER_RUN "-o /proc/x", 1, "superframe: /proc/x: cannot be written: "},
     {"ulimit -f 1; " PAPER_RUN "-o x", 1, "cannot be written: File too large"},
     {"$SUPERFRAME paper", 2, "superframe: paper: -o FOLDER is missing"},
-    {"$SUPERFRAME paper -o x --size 321x200", 2, "superframe: --size 321x200"},
-    {"$SUPERFRAME paper -o x --size 32x201", 2, "superframe: --size 32x201"},
+    {"$SUPERFRAME paper -o x --size 321x200", 2, "superframe: --size: \"321x200\" is invalid"},
+    {"$SUPERFRAME paper -o x --size 32x201", 2, "superframe: --size: \"32x201\" is invalid"},
 };
 
 static void failures_leave_nothing(void **state) {
