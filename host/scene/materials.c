@@ -16,12 +16,12 @@ static const struct scene_range cell_sizes = {0, 1e9, "length"};
 static const struct scene_range cauchy_coefficients = {-10, 10, NULL};
 static const struct scene_range glosses = {0, 65535, NULL};
 
-/* Reads `specular`: a number, or a table over the angle of incidence. */
+/* Reads `specular`: a number, perhaps in parentheses, or a table over the angle of incidence. */
 static void read_specular(const struct scene_scope *scope, const struct scene_value *value,
                           void *into) {
     struct scene_material *material = into;
     material->has_specular_table = value_is_sequence(value) && value->count != 1;
-    if (value_is_sequence(value)) {
+    if (material->has_specular_table) {
         (void)scene_read_numbers(scope, "specular", value, &RANGE_SHARE, SPECULAR_STEPS,
                                  material->specular_table);
     } else {
@@ -197,6 +197,7 @@ void scene_read_materials(struct scene_reader *reader, const struct scene_value 
     }
     /* One more, for air. */
     scene->materials = scene_allocate(reader, group->count + 1, sizeof *scene->materials);
+    reader->knows_materials = reader->knows_materials && scene->materials != NULL;
     for (size_t i = 0; scene->materials != NULL && i < group->count; i++) {
         read_material(reader, &group->members[i], &scene->materials[i]);
         scene->material_count = i + 1;
@@ -218,20 +219,35 @@ static int add_air(struct scene_reader *reader, unsigned line) {
     return (int)reader->scene->material_count++;
 }
 
-bool scene_find_material(struct scene_reader *reader, const char *name, struct scene_place at,
-                         int *index) {
+/* Refuses a material that the file does not have. */
+static void refuse_material(struct scene_reader *reader, const char *name, struct scene_place at) {
     const struct scene_description *scene = reader->scene;
     const char **names = calloc(scene->material_count + 1, sizeof *names);
     for (size_t i = 0; names != NULL && i < scene->material_count; i++) {
         names[i] = scene->materials[i].name;
-        if (names[i] != NULL && strcmp(names[i], name) == 0) {
-            *index = (int)i;
-            free(names);
-            return true;
-        }
     }
     const char *nearest = names != NULL ? nearest_word(name, names) : NULL;
     free(names);
+    if (nearest != NULL) {
+        (void)scene_fail(reader, at, "unknown material '%.40s'; did you mean '%.40s'?", name,
+                         nearest);
+    } else {
+        (void)scene_fail(reader, at,
+                         "unknown material '%.40s': it has to be one of 'materials', or 'air'",
+                         name);
+    }
+}
+
+bool scene_find_material(struct scene_reader *reader, const char *name, struct scene_place at,
+                         int *index) {
+    const struct scene_description *scene = reader->scene;
+    for (size_t i = 0; i < scene->material_count; i++) {
+        const char *other = scene->materials[i].name;
+        if (other != NULL && strcmp(other, name) == 0) {
+            *index = (int)i;
+            return true;
+        }
+    }
     if (!reader->knows_materials) {
         return false;
     }
@@ -239,10 +255,6 @@ bool scene_find_material(struct scene_reader *reader, const char *name, struct s
         *index = add_air(reader, at.line);
         return true;
     }
-    if (nearest != NULL) {
-        return scene_fail(reader, at, "unknown material '%.40s'; did you mean '%.40s'?", name,
-                          nearest);
-    }
-    return scene_fail(reader, at,
-                      "unknown material '%.40s': it has to be one of 'materials', or 'air'", name);
+    refuse_material(reader, name, at);
+    return false;
 }

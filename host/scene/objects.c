@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* Reads the named parts of a scene file and the objects that it shows. */
-#include <math.h>
 #include <string.h>
 
 #include "scene/keys.h"

@@ -2,7 +2,6 @@
 /* What is wrong with a scene file: recorded while the file is read, then written in its order. */
 #include <stdarg.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "scene/reader_internal.h"
@@ -85,8 +84,8 @@ void scene_report(const struct scene_reader *reader, const char *text, struct sc
         int length = at.line == 0 ? snprintf(place, sizeof place, "%.200s: ", reader->path)
                                   : snprintf(place, sizeof place, "%.200s:%u:%u: ", reader->path,
                                              at.line, at.column);
-        if (i > 0) {
-            used += (size_t)snprintf(error->text + used, size - used, "\n");
+        if (i > 0 && used + 1 < size) {
+            error->text[used++] = '\n';
         }
         used = append(error->text, used, size, place, (size_t)length);
         used = append(error->text, used, size, sorted[i]->text, strlen(sorted[i]->text));

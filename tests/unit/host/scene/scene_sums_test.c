@@ -179,8 +179,35 @@ static void whole_and_other_numbers_stand_in_one_array(void **state) {
     scene_description_free(read);
 }
 
+/* A number may stand in parentheses where numbers may stand as well. */
+static void a_number_in_parentheses_is_a_number(void **state) {
+    (void)state;
+    static const char *const forms[] = {"0.25", "(0.25)", "((0.25))", "(0.125 + 0.125)", "(1/2)/2"};
+    for (size_t i = 0; i < sizeof forms / sizeof *forms; i++) {
+        char text[600];
+        struct scene_error error = {""};
+        (void)snprintf(text, sizeof text,
+                       "version = 1; threshold = %s; camera = { eye = (0, -8, 0); look_at = (0, 0, "
+                       "0); };\nmaterials = { m = { colour = [9, 9, 9]; specular = %s; ior = 1; "
+                       "absorption = %s; }; };\nobjects = ( { material = \"m\"; solid = { ball = { "
+                       "radius = %s; }; }; } );",
+                       forms[i], forms[i], forms[i], forms[i]);
+        struct scene_description *read = scene_description_read("a", text, strlen(text), &error);
+        assert_string_equal(error.text, "");
+        assert_non_null(read);
+        const double found[] = {read->threshold, read->materials[0].specular,
+                                read->materials[0].absorption[2], read->nodes[0].radius};
+        for (size_t j = 0; j < sizeof found / sizeof *found; j++) {
+            assert_true(found[j] >= 0.25 && found[j] <= 0.25);
+        }
+        assert_false(read->materials[0].has_specular_table);
+        scene_description_free(read);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_number_in_parentheses_is_a_number),
         cmocka_unit_test(numbers_are_worked_out),
         cmocka_unit_test(sums_of_any_shape_are_worked_out),
         cmocka_unit_test(blanks_round_marks_change_nothing),
