@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What the command line says of adapters. */
+/* Holds what the command line says of adapters. */
 #ifndef SUPERFRAME_ADAPTER_OPTIONS_H
 #define SUPERFRAME_ADAPTER_OPTIONS_H
 

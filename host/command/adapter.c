@@ -20,7 +20,7 @@
 
 enum { CLIENTS_MOST = 4, SEND_SECONDS = 10, NAME_SIZE = 256, POLL_MS = 200, PORT_MOST = 65535 };
 
-/* What only adapter is asked for. */
+/* Holds the options that `adapter` alone takes. */
 struct server_options {
     struct options common;
     const char *listen; /* ADDRESS or ADDRESS:PORT */

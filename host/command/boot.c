@@ -13,7 +13,7 @@
 #include "command/command.h"
 #include "stats/run.h"
 
-/* What only boot is asked for. */
+/* Holds the options that `boot` alone takes. */
 struct boot_options {
     struct options common;
     uint64_t instructions_most; /* that the CPU may run */

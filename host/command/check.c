@@ -14,7 +14,7 @@
 #include "scene/load.h"
 #include "validate/validate.h"
 
-/* What only check is asked for. */
+/* Holds the options that `check` alone takes. */
 struct check_options {
     struct options common;
     bool validates; /* holds the tables against the scene after each step of the compiler */

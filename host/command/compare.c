@@ -22,7 +22,7 @@
 
 enum { OPERANDS_MOST = 3 };
 
-/* What only compare is asked for. */
+/* Holds the options that `compare` alone takes. */
 struct compare_options {
     struct options common;
     unsigned within;        /* LSB, 0..255 */

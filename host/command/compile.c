@@ -11,7 +11,7 @@
 
 enum { NAME_SIZE = 128 };
 
-/* What only compile is asked for. */
+/* Holds the options that `compile` alone takes. */
 struct compile_options {
     struct options common;
     bool minimal; /* a feature_set.h instead of the tables */

@@ -8,7 +8,7 @@
 #include "export/pov.h"
 #include "scene/load.h"
 
-/* What only export is asked for. */
+/* Holds the options that `export` alone takes. */
 struct export_options {
     struct options common;
     bool pov; /* source for POV-Ray */

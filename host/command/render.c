@@ -26,7 +26,7 @@
 
 enum { NAME_SIZE = 256 };
 
-/* What only render is asked for. */
+/* Holds the options that `render` alone takes. */
 struct render_options {
     struct options common;
     bool has_rows;

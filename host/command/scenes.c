@@ -9,7 +9,7 @@
 #include "scene/load.h"
 #include "scene/reference.h"
 
-/* What only scenes is asked for. */
+/* Holds the options that `scenes` alone takes. */
 struct scenes_options {
     struct options common;
     const char *printed; /* the scene whose text is printed; NULL: they are listed */

@@ -16,7 +16,7 @@
 #include "trace_compare.h"
 #include "trace_statistics.h"
 
-/* What only trace is asked for. */
+/* Holds the options that `trace` alone takes. */
 struct trace_options {
     struct options common;
     bool lists, counts, judges; /* --list, --statistics, --violations */

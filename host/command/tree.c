@@ -10,7 +10,7 @@
 #include "render/ray_tree.h"
 #include "scene/load.h"
 
-/* What only tree is asked for. */
+/* Holds the options that `tree` alone takes. */
 struct tree_options {
     struct options common;
     bool dot; /* a graph for Graphviz */

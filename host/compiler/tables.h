@@ -32,7 +32,7 @@ enum {
         COMPILED_OBJECTS_MOST + COMPILED_LIGHTS_MOST + 6 * COMPILED_MATERIALS_MOST + 8
 };
 
-/* What has no end goes on to here from the middle, in scaled units. */
+/* Ends what has no end, so far from the middle, in scaled units. */
 #define COMPILED_WORLD 1024.0
 
 struct compiled_set {

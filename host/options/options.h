@@ -22,7 +22,7 @@ enum bus_choice {
     BUS_CHOICE_HID
 };
 
-/* Where the port accesses go. */
+/* Says where the port accesses go. */
 struct bus_options {
     enum bus_choice choice;
     const char *file; /* of trace:FILE */
@@ -30,9 +30,9 @@ struct bus_options {
     struct adapter_options adapter;
 };
 
-/* What the groups fill that several commands take; a member is 0 or NULL where a command takes no
- * such group. Strings point into argv. A command with options of its own has a struct that begins
- * with this one. */
+/* Holds what the groups fill that several commands take. A member is 0 or NULL where a command
+ * takes no such group. Strings point into argv. A command with options of its own has a struct that
+ * begins with this one. */
 struct options {
     char **operands; /* what is no option */
     int operand_count;

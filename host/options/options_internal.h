@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What the files of this folder share: the setters of options whose values no type of the tables
+/* Shares between the files of this folder the setters of options whose values no type of the tables
  * can read. */
 #ifndef SUPERFRAME_OPTIONS_INTERNAL_H
 #define SUPERFRAME_OPTIONS_INTERNAL_H

@@ -97,7 +97,7 @@ static enum value_verdict set_lost(struct options *options, const char *value) {
 #define NUMBER(member, from, to)                                                                   \
     .value = "N", WHOLE_IN(struct options, board.faults.member, from, to)
 
-/* What the list of --faults is made of), as options are. */
+/* Lists what --faults is made of, in rows like those of options. */
 static const struct option_entry fault_entries[] = {
     {.name = "seed", NUMBER(seed, 0, UINT32_MAX)},
     {.name = "lose", NUMBER(lose_one_in, 1, ONE_IN_MOST)},

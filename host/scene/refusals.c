@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What is wrong with a scene file: recorded while the file is read, then written in its order. */
+/* Records what is wrong with a scene file while the file is read, and writes it in its order. */
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>

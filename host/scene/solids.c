@@ -13,7 +13,7 @@ static const struct scene_range one_or_more = {1, INFINITY, NULL};
 static const struct scene_range two_or_more = {2, INFINITY, NULL};
 static const double SCALE_LEAST = 1e-6;
 
-/* What stands beside a solid's kind. */
+/* Holds what stands beside a solid's kind. */
 struct placement {
     double scale[3], rotate[3], translate[3];
     const char *material, *part;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What `superframe measure` has measured, as JSON. */
+/* Prints what `superframe measure` has measured, as JSON. */
 #include "base/complain.h"
 #include "base/json.h"
 #include "lab/measure/measure.h"

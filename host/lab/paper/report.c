@@ -5,7 +5,7 @@
 #include "base/complain.h"
 #include "lab/paper/paper.h"
 
-/* What stands for a letter that means something else in a format; ended by one with no letter. */
+/* Stands for a letter that means something else in a format. The list ends with no letter. */
 struct escape {
     char letter;
     const char *stands;
