@@ -33,9 +33,8 @@ struct kept_branches {
 
 enum { TRAINING_LEVELS = FEATURE_KEPT > 0 ? ESTIMATE_LEVELS : 1 };
 
-/* Holds what one pixel teaches of the branches that a threshold prunes, by the way that they were
- * going.
- */
+/* Holds what one pixel teaches of the branches that a threshold prunes, by the ways of these
+ * branches. */
 struct training_level {
     int64_t radiance[WAYS][3]; /* in steps of 2^-16 level */
     int64_t weight[WAYS][3];   /* of what was pruned, in steps of 2^-30 */

@@ -51,9 +51,8 @@ enum { BOARD_MODE_PC = 0x00, BOARD_MODE_BOTH = 0x01, BOARD_MODE_BOARD = 0x03 };
 /* The index of the controller's status. Bit 1 is set in the vertical blanking (D). */
 enum { BOARD_STATUS_INDEX = 0x1F, BOARD_STATUS_BLANK = 0x02 };
 
-/* Lists what a driver writes before mode 00: index and data of the controller's registers, in order
- * (D).
- */
+/* Lists what a driver writes before mode 00 (D): index and data of the controller's registers, in
+ * order. */
 #define BOARD_INITIALISATION(ENTRY)                                                                \
     ENTRY(0x00, 0x6B)                                                                              \
     ENTRY(0x01, 0x50)                                                                              \

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/complain.h"
+#include "compiler/affine.h"
 
 /* Faces that are more than this many times the noise apart are told apart at any place and
  * angle. */
@@ -75,10 +76,6 @@ static bool floor_of(const struct compiled_scene *scene, const struct compiled_o
     return ends == 1;
 }
 
-static double dot(const double a[3], const double b[3]) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 /* Computes the direction in which a place of the picture lies; -1 to 1 across and down. */
 static void direction_of(const struct compiled_scene *scene, double across, double down,
                          double direction[3]) {
@@ -109,24 +106,21 @@ static bool ends_early(const struct compiled_scene *scene, const double normal[3
     const struct compiled_camera *camera = &scene->camera;
     double ahead[3];
     direction_of(scene, 0, 0, ahead);
-    const double sunk = dot(ahead, normal);
+    const double sunk = vector_dot(ahead, normal);
     for (int i = 0; i < 3; i++) {
         ahead[i] -= sunk * normal[i];
     }
-    const double length = sqrt(dot(ahead, ahead));
-    for (int i = 0; i < 3; i++) {
-        ahead[i] /= length;
-    }
+    (void)vector_normalise(ahead);
     const double away = distance_to_end(scene, ahead);
-    const double slope = (dot(camera->eye, normal) - offset) / away;
-    const double pitch = ldexp(2 * sqrt(dot(camera->column, camera->column)), -camera->shift) /
-                         sqrt(dot(camera->forward, camera->forward));
+    const double slope = (vector_dot(camera->eye, normal) - offset) / away;
+    const double pitch =
+        ldexp(2 * vector_length(camera->column), -camera->shift) / vector_length(camera->forward);
     bool is_seen = false, is_passed = false;
     for (int i = 0; i < 6; i++) {
         double edge[3];
         direction_of(scene, i % 3 - 1, i < 3 ? -1 : 1, edge);
-        const double down = -dot(edge, normal);
-        const double sinks = down / sqrt(dot(edge, edge) - down * down);
+        const double down = -vector_dot(edge, normal);
+        const double sinks = down / sqrt(vector_dot(edge, edge) - down * down);
         is_seen = is_seen || sinks > slope;
         is_passed = is_passed || sinks < slope;
     }

@@ -4,10 +4,8 @@
 #include "base/json.h"
 #include "lab/measure/measure.h"
 
-enum {
-    PLACES = 6,
-    PSNR_PLACES = 4
-}; /* as in points.csv: what was read from there is printed as what was measured */
+/* As in points.csv: what was read from there is printed like what was measured. */
+enum { PLACES = 6, PSNR_PLACES = 4 };
 
 static void write_choice(struct json *json, const char *arithmetic, const char *tail,
                          unsigned depth, double threshold, double error) {
