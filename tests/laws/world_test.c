@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What has no end goes on at least as far as a scene's `world` says. */
+/* The world around the solids: how far it reaches, and the air in it. */
 #include "scene_fixture.h"
 
 enum { WIDTH = 40, HEIGHT = 30 };
@@ -68,6 +68,51 @@ static void a_floor_is_seen_as_far_as_the_world_reaches(void **state) {
     assert_true(seen > 10000 && beyond > 1000);
 }
 
+/* Air that is put where air is changes nothing: in any mixing, and without a description. */
+static void air_in_the_air_changes_nothing(void **state) {
+    (void)state;
+    static const char *const mixings[] = {"additive", "filter"};
+    uint64_t seed = 1789;
+    for (int round = 0; round < 24; round++) {
+        struct loaded_scene scenes[2];
+        char ball[200];
+        (void)snprintf(
+            ball, sizeof ball,
+            ", { material = \"air\"; solid = { ball = { centre = [%.3f, -2, %.3f]; radius "
+            "= %.3f; }; }; }",
+            random_between(&seed, -1, 1), random_between(&seed, -1, 1),
+            random_between(&seed, 0.1, 0.9));
+        for (int i = 0; i < 2; i++) {
+            char text[1400];
+            (void)snprintf(
+                text, sizeof text,
+                "version = 1; size = [%d, %d]; mixing = \"%s\";\n"
+                "camera = { eye = [0, -6, 0]; look_at = [0, 0, 0]; };\n" SCENE_LIGHT_AND_MATERIALS
+                "objects = ( { material = \"clay\"; solid = { box = { min = [-2, 0, -2]; max "
+                "= [2, 1, 2]; }; }; }%s );",
+                WIDTH, HEIGHT, mixings[round % 2], i == 0 ? "" : ball);
+            scenes[i] = load_text(text, round % 4 < 2 ? "fx" : "f64");
+        }
+        assert_true(scenes[1].compiled->object_count > scenes[0].compiled->object_count);
+        for (unsigned y = 0; y < HEIGHT; y++) {
+            for (unsigned x = 0; x < WIDTH; x++) {
+                struct render_counts counts = {0};
+                int levels[2][3];
+                pixel_levels(&scenes[0], x, y, levels[0], &counts);
+                pixel_levels(&scenes[1], x, y, levels[1], &counts);
+                for (int i = 0; i < 3; i++) {
+                    if (abs(levels[0][i] - levels[1][i]) > 1) {
+                        fail_msg("%s, (%u, %u): %d without air, %d with it", mixings[round % 2], x,
+                                 y, levels[0][i], levels[1][i]);
+                    }
+                }
+            }
+        }
+        unload(&scenes[0]);
+        unload(&scenes[1]);
+    }
+}
+
 /* A world that is smaller than what is in it changes nothing. */
 static void a_small_world_changes_nothing(void **state) {
     (void)state;
@@ -83,6 +128,7 @@ static void a_small_world_changes_nothing(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_floor_is_seen_as_far_as_the_world_reaches),
+        cmocka_unit_test(air_in_the_air_changes_nothing),
         cmocka_unit_test(a_small_world_changes_nothing),
     };
     return cmocka_run_group_tests_name("world", tests, NULL, NULL);

@@ -122,12 +122,29 @@ static void at_most_twenty_are_told_in_the_order_of_the_file(void **state) {
     }
 }
 
+/* However many brackets are open where a file ends, the innermost one alone is told. */
+static void of_open_brackets_the_innermost_is_told(void **state) {
+    (void)state;
+    for (size_t open = 1; open < 60; open++) {
+        char *text = repeat("version = 1;\nobjects = ", "( ", open, "\n");
+        struct scene_error error = {""};
+        char expected[60];
+        assert_null(scene_description_read("a.scene", text, strlen(text), &error));
+        (void)snprintf(expected, sizeof expected, "a.scene:2:%zu: this '(' is never closed",
+                       2 * open + 9);
+        assert_memory_equal(error.text, expected, strlen(expected));
+        assert_int_equal(count_refusals(&error), 1);
+        free(text);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(two_wrong_things_are_both_told),
         cmocka_unit_test(a_mark_stands_under_what_is_wrong),
         cmocka_unit_test(a_long_line_is_shown_in_part),
         cmocka_unit_test(at_most_twenty_are_told_in_the_order_of_the_file),
+        cmocka_unit_test(of_open_brackets_the_innermost_is_told),
     };
     return cmocka_run_group_tests_name("scene_reader_at_once", tests, NULL, NULL);
 }
