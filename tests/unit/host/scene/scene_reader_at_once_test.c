@@ -132,7 +132,7 @@ static void of_open_brackets_the_innermost_is_told(void **state) {
         assert_null(scene_description_read("a.scene", text, strlen(text), &error));
         (void)snprintf(expected, sizeof expected, "a.scene:2:%zu: this '(' is never closed",
                        2 * open + 9);
-        assert_memory_equal(error.text, expected, strlen(expected));
+        assert_non_null(strstr(error.text, expected));
         assert_null(strstr(strstr(error.text, "never closed") + 1, "never closed"));
         free(text);
     }
