@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* IP addresses of clients, and ranges of such addresses. An IPv4 address is held as IPv6 maps it,
- * ::ffff:A.B.C.D: so one form does for both, also where an IPv6 socket serves IPv4 clients. */
+ * ::ffff:A.B.C.D. So there is one form, also where an IPv6 socket serves IPv4 clients. */
 #ifndef SUPERFRAME_ADDRESS_H
 #define SUPERFRAME_ADDRESS_H
 

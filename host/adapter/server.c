@@ -121,8 +121,8 @@ static void set_option(int socket, int level, int option, unsigned value) {
     (void)setsockopt(socket, level, option, &number, sizeof number);
 }
 
-/* Lets the system end a connection whose other end does not answer: keepalives ask where nothing is
- * under way, the time-out counts where something is. */
+/* Lets the system end a connection whose other end does not answer. Keepalives ask while nothing is
+ * under way; the time-out counts while something is. */
 static void prepare(int socket, unsigned lost_s) {
     unsigned between = lost_s / (KEEPALIVES + 2);
     between = between > 0 ? between : 1;

@@ -37,8 +37,8 @@ struct usbip_server {
     void *context;
 };
 
-/* Returns the patience for people: 5 seconds for a visit, half a second before BUSY, 30 seconds for
- * a lost client, a second from one keep() to the next. */
+/* Returns the patience for people: 5 seconds for a visit, half a second before the device is told
+ * to be busy. A lost client has 30 seconds, and a second lies between two calls of keep(). */
 struct usbip_limits usbip_default_limits(void);
 
 /* Serves until *stop is not 0 or, is_once, the first client has left; *stop is looked at every 200

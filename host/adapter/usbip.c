@@ -54,7 +54,7 @@ void usbip_client_end(struct usbip_client *client, const char *reason) {
     client->wants_device = false;
 }
 
-/* The buffers stay as they are: what is never used takes no memory. */
+/* Initialises all but the buffers: memory that a client never uses is never touched. */
 void usbip_client_init(struct usbip_client *client, struct usb_device *device) {
     memset(client, 0, offsetof(struct usbip_client, answers));
     client->device = device;

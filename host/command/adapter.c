@@ -16,7 +16,7 @@
 #include "board/session.h"
 #include "command/command.h"
 
-enum { ALLOWED_MOST = 16, BACKLOG = 64, NAME_SIZE = 256, PORT_MOST = 65535 };
+enum { ALLOWED_MOST = 16, NAME_SIZE = 256, PORT_MOST = 65535 };
 
 /* Holds the options that `adapter` alone takes. */
 struct server_options {
@@ -105,7 +105,7 @@ static int start_listening(struct work *work) {
         work->listener >= 0 &&
         setsockopt(work->listener, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes) == 0 &&
         bind(work->listener, found->ai_addr, found->ai_addrlen) == 0 &&
-        listen(work->listener, BACKLOG) == 0;
+        listen(work->listener, SOMAXCONN) == 0;
     error = errno;
     freeaddrinfo(found);
     if (!is_listening) {
@@ -194,8 +194,8 @@ static const struct option_group group_own = {
                     TEXT_IN(struct server_options, listen),
                     .allowed = "an address in numbers, a port",
                     .preset = "127.0.0.1:3240",
-                    .help = "where USB/IP clients come; it has no passwords and no encryption: "
-                            "from afar, ssh -N -L 3240:127.0.0.1:3240 HOST there"},
+                    .help = "where clients connect; USB/IP has no passwords, no encryption: "
+                            "from afar, ssh -N -L 3240:127.0.0.1:3240 HOST first"},
                    {.name = "allow",
                     .value = "ADDRESS[/BITS]",
                     .type = OPTION_OWN,

@@ -341,68 +341,61 @@ static void what_waits_is_answered_when_there_is_something(void **state) {
     assert_int_equal(client.parked_count, 0);
 }
 
-/* Descriptors are asked for, and no answer is fetched: the queue stays within its bounds, the
- * client is not listened to, and later all answers come in their order. */
-static void a_client_that_does_not_read_is_not_listened_to(void **state) {
+/* Makes a command that asks for the configuration's descriptor. */
+static void ask_for_descriptor(uint8_t request[HEADER], uint32_t number) {
     static const uint8_t get[8] = {0x80, 6, 0, 2, 0, 0, 255, 0};
-    uint8_t request[HEADER] = {0}, descriptor[USB_CONTROL_MOST];
-    uint32_t asked = 0, answered = 0;
-    (void)state;
-    attach();
-    size_t length = HEADER + (size_t)describe(2, descriptor);
+    memset(request, 0, HEADER);
     put_number(request, 1);
+    put_number(request + 4, number);
     put_number(request + 12, 1);
     put_number(request + 24, 255);
     memcpy(request + 40, get, 8);
+}
+
+/* Reads the answers to such commands, which were numbered from 1. Returns how many there are. */
+static uint32_t read_descriptors(void) {
+    uint8_t descriptor[USB_CONTROL_MOST];
+    uint32_t count = 0, length = (uint32_t)describe(2, descriptor);
+    while (client.answer_count > 0) {
+        assert_true(client.answer_count <= sizeof client.answers);
+        memcpy(seen, client.answers, HEADER);
+        seen_count = HEADER;
+        assert_answer(3, ++count, 0, length);
+        usbip_client_sent(&client, HEADER + length);
+    }
+    return count;
+}
+
+/* Descriptors are asked for, and no answer is fetched: the queue stays within its bounds, the
+ * client is not listened to, and later all answers come in their order. */
+static void a_client_that_does_not_read_is_not_listened_to(void **state) {
+    uint8_t request[HEADER];
+    uint32_t asked = 0;
+    (void)state;
+    attach();
     do {
-        put_number(request + 4, asked + 1);
-        asked++;
+        ask_for_descriptor(request, ++asked);
         assert_true(asked < 10000);
     } while (usbip_client_take(&client, request, HEADER) == HEADER);
     asked--; /* the last was not taken */
     assert_int_equal(usbip_client_room(&client), 0);
     assert_true(client.answer_count <= sizeof client.answers && client.answer_count > 16384);
     assert_false(client.is_over);
-    while (client.answer_count > 0) {
-        seen_count = 0;
-        memcpy(seen, client.answers, HEADER);
-        seen_count = HEADER;
-        answered++;
-        assert_answer(3, answered, 0, (uint32_t)length - HEADER);
-        usbip_client_sent(&client, length);
-    }
-    assert_int_equal(answered, asked);
+    assert_int_equal(read_descriptors(), asked);
     assert_true(usbip_client_room(&client) > 0);
 }
 
 /* What one packet brought is worked off as room comes, without another packet. */
 static void commands_that_had_to_wait_are_done_once_there_is_room(void **state) {
     enum { COMMANDS = 1200 };
-    static const uint8_t get[8] = {0x80, 6, 0, 2, 0, 0, 255, 0};
     static uint8_t requests[COMMANDS * HEADER];
-    uint8_t descriptor[USB_CONTROL_MOST];
-    uint32_t answered = 0;
     (void)state;
     attach();
-    size_t length = HEADER + (size_t)describe(2, descriptor);
     for (size_t i = 0; i < COMMANDS; i++) {
-        uint8_t *request = requests + i * HEADER;
-        put_number(request, 1);
-        put_number(request + 4, (uint32_t)i + 1);
-        put_number(request + 12, 1);
-        put_number(request + 24, 255);
-        memcpy(request + 40, get, 8);
+        ask_for_descriptor(requests + i * HEADER, (uint32_t)i + 1);
     }
     assert_int_equal(usbip_client_take(&client, requests, sizeof requests), sizeof requests);
-    while (client.answer_count > 0) {
-        assert_true(client.answer_count <= sizeof client.answers);
-        memcpy(seen, client.answers, HEADER);
-        seen_count = HEADER;
-        answered++;
-        assert_answer(3, answered, 0, (uint32_t)length - HEADER);
-        usbip_client_sent(&client, length);
-    }
-    assert_int_equal(answered, COMMANDS);
+    assert_int_equal(read_descriptors(), COMMANDS);
     assert_int_equal(client.input_count, 0);
 }
 
