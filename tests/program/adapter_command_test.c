@@ -159,6 +159,7 @@ static int run_adapter_with(const char *words, char *said, size_t size) {
 }
 
 static void what_cannot_be_served_is_refused_before_anybody_comes(void **state) {
+#define FIVE "--allow ::1 --allow ::1 --allow ::1 --allow ::1 --allow ::1 "
     static const struct {
         const char *words;
         int status;
@@ -168,7 +169,10 @@ static void what_cannot_be_served_is_refused_before_anybody_comes(void **state) 
                  {"--listen 127.0.0.1:65536", 2, "with a port 0..65535"},
                  {"--listen somewhere", 2, "allowed are an address in numbers and a port"},
                  {"--listen [::1:5", 2, "[ADDRESS]:PORT"},
-                 {"--listen 203.0.113.1:0", 1, "can't listen"}};
+                 {"--listen 203.0.113.1:0", 1, "can't listen"},
+                 {"--allow 127.0.0.1/33", 2, "--allow: \"127.0.0.1/33\" is invalid"},
+                 {"--allow somebody", 2, "as in 192.0.2.7, 10.1.0.0/16"},
+                 {FIVE FIVE FIVE "--allow ::1 --allow ::2", 2, "up to 16 times"}};
     char said[1024], busy[64];
     (void)state;
     for (unsigned i = 0; i < sizeof cases / sizeof cases[0]; i++) {
