@@ -174,6 +174,7 @@ static void who_reads_nothing_loses_the_device(void **state) {
     (void)state;
     client_init(&client, connect_to(port), false);
     client_attach(&client);
+    int64_t before = clock_ms();
     client_stuff(&client);
     int64_t began = clock_ms();
     int next;
@@ -186,7 +187,7 @@ static void who_reads_nothing_loses_the_device(void **state) {
         assert_int_equal(status, 2);
         (void)close(next);
     } while (clock_ms() - began < 5000);
-    assert_in_range(clock_ms() - began, 200, 1000 + SLACK_MS + BUSY_MS);
+    assert_true(clock_ms() - before >= 1000 && clock_ms() - began <= 1000 + SLACK_MS + BUSY_MS);
     (void)close(next);
     (void)close(client.socket);
 }
@@ -278,6 +279,7 @@ static int64_t vanish(bool is_answer_under_way, unsigned lost_s) {
     start(true, lost_s);
     client_init(&client, connect_to(port), false);
     client_attach(&client);
+    pause_ms(300); /* the last answer is acknowledged */
     if (is_answer_under_way) {
         assert_int_equal(kill(server, SIGSTOP), 0);
         assert_true(client_submit(&client, 0, true, get, NULL, 18) != 0);
