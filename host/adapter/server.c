@@ -19,7 +19,7 @@
 enum {
     VISITORS_MOST = 32,
     PLACES = 1 + VISITORS_MOST,
-    POLL_MS = 200,   /* a signal that comes just before poll() is seen that late */
+    POLL_MS = 100,   /* deadlines, and a signal that comes just before poll(), are seen that late */
     SHORT_MS = 1000, /* without accept(), where the system is short of something */
     KEEPALIVES = 4,
     NAME_SIZE = 64,
@@ -263,12 +263,11 @@ static void attend(struct run *run, struct connection *connection, short seen) {
 
 /* ---- All of them ----------------------------------------------------------------------------- */
 
-/* Waits until something can be done. Fills what is to be watched, and whose it is; the listener is
- * the last, without a place. Returns how many are watched: no more than are open, as poll() asks.
- */
+/* Waits until something can be done, or the time has to be looked at. Fills what is to be watched,
+ * and whose it is; the listener is the last, without a place. Returns how many are watched: no more
+ * than are open, as poll() asks. */
 static unsigned watch(const struct run *run, struct pollfd watched[PLACES + 1],
                       unsigned places[PLACES + 1]) {
-    int64_t until = run->now + POLL_MS;
     unsigned count = 0;
     for (unsigned i = 0; i < PLACES; i++) {
         const struct connection *connection = &run->places[i];
@@ -277,18 +276,16 @@ static unsigned watch(const struct run *run, struct pollfd watched[PLACES + 1],
             bool is_written = connection->client.answer_count > 0;
             watched[count].fd = connection->socket;
             watched[count].events = (short)((is_read ? POLLIN : 0) | (is_written ? POLLOUT : 0));
-            until = connection->deadline < until ? connection->deadline : until;
             places[count++] = i;
         }
     }
-    until = run->is_to_keep && run->keep_at < until ? run->keep_at : until;
     watched[count].fd = run->server->listener;
     watched[count].events = run->now >= run->accept_at ? POLLIN : 0;
     places[count++] = PLACES;
     for (unsigned i = 0; i < count; i++) {
         watched[i].revents = 0; /* where poll() fails, nothing was seen */
     }
-    (void)poll(watched, count, until > run->now ? (int)(until - run->now) : 0);
+    (void)poll(watched, count, POLL_MS);
     return count;
 }
 

@@ -14,7 +14,7 @@
 #include "adapter/address.h"
 #include "usb_device.h"
 
-/* How patient the server is. */
+/* How patient the server is, to a tenth of a second. */
 struct usbip_limits {
     unsigned visit_ms; /* for all that a client without the device does; 1.. */
     unsigned busy_ms;  /* for a former client's end, before the device is told to be busy; 0.. */
@@ -41,9 +41,9 @@ struct usbip_server {
  * to be busy. A lost client has 30 seconds, and a second lies between two calls of keep(). */
 struct usbip_limits usbip_default_limits(void);
 
-/* Serves until *stop is not 0 or, is_once, the first client has left; *stop is looked at every 200
- * ms. Who comes, gets the device, leaves and why is told on standard error. A line of these that
- * would have to wait for its reader is left out. Returns false if memory is out. */
+/* Serves until *stop is not 0 or, is_once, the first client has left; *stop is looked at every
+ * 100 ms. Who comes, gets the device, leaves and why is told on standard error. A line of these
+ * that would have to wait for its reader is left out. Returns false if memory is out. */
 bool usbip_serve(const struct usbip_server *server, const volatile sig_atomic_t *stop);
 
 #endif

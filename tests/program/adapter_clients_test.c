@@ -2,7 +2,6 @@
 /* The virtual adapter, with the patience that people get, among clients who do not behave: silent,
  * slow, in crowds, not allowed; and what it says of them. */
 #include <fcntl.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 
 #include "adapter_process.h"
@@ -63,13 +62,6 @@ static void limit_descriptors(rlim_t most, struct rlimit *before) {
     assert_int_equal(getrlimit(RLIMIT_NOFILE, before), 0);
     const struct rlimit limit = {most, before->rlim_max};
     assert_int_equal(setrlimit(RLIMIT_NOFILE, &limit), 0);
-}
-
-static double seconds_of_children(void) {
-    struct rusage used;
-    assert_int_equal(getrusage(RUSAGE_CHILDREN, &used), 0);
-    return (double)(used.ru_utime.tv_sec + used.ru_stime.tv_sec) +
-           (double)(used.ru_utime.tv_usec + used.ru_stime.tv_usec) * 1e-6;
 }
 
 /* ---- Crowds ---------------------------------------------------------------------------------- */

@@ -213,7 +213,7 @@ static void ask(void) {
 static void the_server_lives_among_strangers(void **state) {
     static struct stranger strangers[STRANGERS];
     const int64_t ms = 1000 * (int64_t)asked_number("STRANGERS_SECONDS", 6);
-    long before = 0;
+    const long before = memory_kb();
     (void)state;
     state_of_random = 0x9E3779B97F4A7C15U * (asked_number("STRANGERS_SEED", 0) + 1);
     for (unsigned i = 0; i < STRANGERS; i++) {
@@ -227,9 +227,6 @@ static void the_server_lives_among_strangers(void **state) {
         if (clock_ms() - asked >= PROBE_MS) {
             ask();
             asked = clock_ms();
-        }
-        if (before == 0 && clock_ms() - began > ms / 5) {
-            before = memory_kb();
         }
     }
     long grown = memory_kb() - before;

@@ -166,6 +166,26 @@ static void who_waits_gets_the_device_once_it_is_free(void **state) {
     (void)close(second);
 }
 
+/* The system tells the server again and again of a reset that the server does not take in. */
+static void who_resets_while_it_waits_does_not_keep_the_server_busy(void **state) {
+    static const uint8_t request[40] = {0x01, 0x11, 0x80, 0x03, 0, 0, 0, 0, '1', '-', '1'};
+    (void)state;
+    double used = seconds_of_children();
+    int first = connect_to(port);
+    assert_int_equal(client_import(first), 0);
+    for (unsigned i = 0; i < 2; i++) {
+        int second = connect_to(port);
+        assert_true(client_write(second, request, sizeof request));
+        pause_ms(50);
+        close_with_reset(second);
+        pause_ms(BUSY_MS);
+    }
+    assert_int_equal(kill(server, SIGTERM), 0);
+    assert_int_equal(wait_for_end(), 0);
+    assert_true(seconds_of_children() - used < 0.3);
+    (void)close(first);
+}
+
 /* ---- With the device ------------------------------------------------------------------------- */
 
 static void who_reads_nothing_loses_the_device(void **state) {
@@ -227,7 +247,7 @@ static void what_clients_drew_is_kept_no_more_often_than_the_limit(void **state)
         (void)close(visitor);
         pause_ms(5);
     }
-    pause_ms(KEEP_MS + 100); /* the last of them is kept too, without another event */
+    pause_ms(KEEP_MS + 300); /* the last of them is kept too, without another event */
     assert_int_equal(fcntl(kept, F_SETFL, O_NONBLOCK), 0);
     int64_t until = clock_ms();
     while (read(kept, &at, sizeof at) == sizeof at) {
@@ -245,7 +265,7 @@ static void who_only_looked_leaves_nothing_to_keep(void **state) {
     int asking = connect_to(port);
     assert_true(client_list(asking));
     (void)close(asking);
-    pause_ms(KEEP_MS + 100);
+    pause_ms(KEEP_MS + 300);
     assert_int_equal(fcntl(kept, F_SETFL, O_NONBLOCK), 0);
     assert_true(read(kept, &at, sizeof at) < 0);
 }
@@ -334,6 +354,7 @@ int main(void) {
         SERVED(the_device_may_be_kept_in_silence),
         SERVED(the_device_is_given_to_one_and_the_next_waits_for_a_while),
         SERVED(who_waits_gets_the_device_once_it_is_free),
+        SERVED(who_resets_while_it_waits_does_not_keep_the_server_busy),
         SERVED(who_reads_nothing_loses_the_device),
         SERVED(who_reads_slowly_stops_nobody),
         SERVED(what_clients_drew_is_kept_no_more_often_than_the_limit),
