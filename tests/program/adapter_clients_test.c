@@ -373,6 +373,6 @@ int main(void) {
         STARTED(a_log_that_nobody_reads_stops_nobody),
         STARTED(addresses_that_others_can_reach_are_warned_of),
     };
-    (void)alarm(300); /* a client that waits for ever is a failure */
+    (void)alarm(150); /* a client that waits for ever is a failure */
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

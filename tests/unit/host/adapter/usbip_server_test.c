@@ -4,7 +4,6 @@
  * namespace can be had, that test is skipped. LOST_SECONDS=30 is the patience there that people
  * get. */
 #define _GNU_SOURCE
-#include <errno.h>
 #include <fcntl.h>
 #include <net/if.h>
 #include <sched.h>
@@ -329,7 +328,7 @@ static void check_vanishing(bool is_answer_under_way) {
     assert_int_equal(read(ends[0], &took, sizeof took), sizeof took);
     (void)close(ends[0]);
     if (took == -1) {
-        print_message("no network namespace is to be had: %s\n", strerror(errno));
+        print_message("skipped: no network namespace is to be had here\n");
         skip();
     }
     print_message("freed after %ld ms\n", (long)took);
@@ -362,6 +361,6 @@ int main(void) {
         cmocka_unit_test(who_vanishes_in_silence_loses_the_device),
         cmocka_unit_test(who_vanishes_before_an_answer_loses_the_device),
     };
-    (void)alarm(300); /* a test that waits for ever is a failure */
+    (void)alarm(150); /* a test that waits for ever is a failure */
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
