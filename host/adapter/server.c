@@ -122,7 +122,7 @@ static void set_option(int socket, int level, int option, unsigned value) {
 }
 
 /* Lets the system end a connection whose other end does not answer. Keepalives ask while nothing is
- * under way; the time-out counts while something is. */
+ * under way; the time-out counts while something is, also where the other end reads nothing. */
 static void prepare(int socket, unsigned lost_s) {
     unsigned between = lost_s / (KEEPALIVES + 2);
     between = between > 0 ? between : 1;
@@ -179,6 +179,19 @@ static void break_off(struct connection *connection, const char *reason) {
     connection->is_broken = true;
 }
 
+/* Returns the error that the system has noted. */
+static int error_of(int socket) {
+    int error = 0;
+    socklen_t size = sizeof error;
+    (void)getsockopt(socket, SOL_SOCKET, SO_ERROR, &error, &size);
+    return error;
+}
+
+static const char *reason_of(int error) {
+    return error == ETIMEDOUT ? "it does not answer, or read what it is sent"
+                              : "the connection broke";
+}
+
 static void receive(const struct run *run, struct connection *connection) {
     uint8_t bytes[READ_MOST];
     struct usbip_client *client = &connection->client;
@@ -193,10 +206,8 @@ static void receive(const struct run *run, struct connection *connection) {
         }
     } else if (count == 0) {
         break_off(connection, "it closed the connection");
-    } else if (errno == ETIMEDOUT) {
-        break_off(connection, "it does not answer any more");
     } else if (errno != EAGAIN && errno != EINTR) {
-        break_off(connection, "the connection broke");
+        break_off(connection, reason_of(errno));
     }
 }
 
@@ -214,26 +225,18 @@ static struct connection *attach(struct run *run, struct connection *connection)
     return first;
 }
 
-/* Sends what the system takes at once. A client with the device has to take something from time to
- * time. */
-static void send_answers(const struct run *run, struct connection *connection) {
+/* Sends what the system takes at once. */
+static void send_answers(struct connection *connection) {
     struct usbip_client *client = &connection->client;
     ssize_t sent = 1;
-    bool is_moving = false;
     while (client->answer_count > 0 && sent > 0) {
         sent = send(connection->socket, client->answers, client->answer_count,
                     MSG_NOSIGNAL | MSG_DONTWAIT);
         if (sent > 0) {
             usbip_client_sent(client, (size_t)sent);
-            is_moving = true;
         } else if (errno != EAGAIN && errno != EINTR) {
-            break_off(connection, "the connection broke");
+            break_off(connection, reason_of(errno));
         }
-    }
-    if (client->is_attached && client->answer_count == 0) {
-        connection->deadline = never;
-    } else if (client->is_attached && (is_moving || connection->deadline == never)) {
-        connection->deadline = run->now + (int64_t)run->server->limits.lost_s * 1000;
     }
 }
 
@@ -242,7 +245,7 @@ static void attend(struct run *run, struct connection *connection, short seen) {
     if ((seen & POLLIN) != 0) {
         receive(run, connection);
     } else if ((seen & (POLLERR | POLLHUP)) != 0) {
-        break_off(connection, "the connection broke");
+        break_off(connection, reason_of(error_of(connection->socket)));
     }
     connection = attach(run, connection);
     struct usbip_client *client = &connection->client;
@@ -250,11 +253,10 @@ static void attend(struct run *run, struct connection *connection, short seen) {
     if (is_late && client->wants_device) {
         usbip_client_give(client, false);
     } else if (is_late) {
-        usbip_client_end(client, client->is_attached ? "it does not read what it is sent"
-                                                     : "it took too long to ask for something");
+        usbip_client_end(client, "it took too long to ask for something");
     }
     if (!connection->is_broken) {
-        send_answers(run, connection);
+        send_answers(connection);
     }
     if (client->is_over && (client->answer_count == 0 || connection->is_broken || is_late)) {
         part(run, connection);

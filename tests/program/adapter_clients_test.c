@@ -80,6 +80,22 @@ static void silent_connections_keep_nobody_out_and_end(void **state) {
     assert_non_null(strstr(said(), "left: it took too long to ask for something"));
 }
 
+/* Only who has the device takes buffers for transfers. */
+static void visitors_take_little_memory(void **state) {
+    int silent[2 * CROWD];
+    (void)state;
+    (void)time_of_list();
+    long before = adapter_memory_kb(&server);
+    for (unsigned i = 0; i < 2 * CROWD; i++) {
+        silent[i] = connect_to(server.port);
+    }
+    (void)time_of_list(); /* all have been let in */
+    assert_true(adapter_memory_kb(&server) - before < 1024);
+    for (unsigned i = 0; i < 2 * CROWD; i++) {
+        (void)close(silent[i]);
+    }
+}
+
 /* Each process of the crowd asks, is answered, and asks again. */
 static void thousands_of_lists_for_a_crowd_at_once(void **state) {
     pid_t processes[CROWD];
@@ -314,19 +330,31 @@ static void quiet_is_quiet(void **state) {
     assert_string_equal(said(), "");
 }
 
-/* The log is a pipe, and no one empties it. */
-static void a_log_that_nobody_reads_stops_nobody(void **state) {
+/* Starts a server whose log is a pipe. Returns the pipe's other end. */
+static int start_with_pipe(void) {
     const char *const words[] = {NULL};
-    (void)state;
     adapter_name_files(&server);
     assert_int_equal(mkfifo(server.log, 0600), 0);
     int reader = open(server.log, O_RDONLY | O_NONBLOCK);
     assert_true(reader >= 0);
     adapter_start(&server, words);
+    return reader;
+}
+
+static void a_log_that_nobody_reads_stops_nobody(void **state) {
+    (void)state;
+    int reader = start_with_pipe();
     for (unsigned i = 0; i < 1500; i++) { /* 150,000 bytes; a pipe holds 65,536 */
         assert_true(time_of_list() < 1000);
     }
-    (void)close(reader); /* and now it is broken */
+    end_within_a_second();
+    (void)close(reader);
+}
+
+static void a_log_whose_reader_has_gone_ends_nothing(void **state) {
+    (void)state;
+    (void)close(start_with_pipe());
+    assert_true(time_of_list() < 1000);
     assert_true(time_of_list() < 1000);
     end_within_a_second();
 }
@@ -360,6 +388,7 @@ int main(void) {
 #define STARTED(test) cmocka_unit_test_teardown(test, stop_server)
     const struct CMUnitTest tests[] = {
         SERVED(silent_connections_keep_nobody_out_and_end),
+        SERVED(visitors_take_little_memory),
         SERVED(thousands_of_lists_for_a_crowd_at_once),
         SERVED(who_reads_a_byte_a_second_stops_nobody),
         SERVED(the_device_is_free_once_its_client_has_closed),
@@ -371,6 +400,7 @@ int main(void) {
         SERVED(who_comes_and_leaves_is_told),
         STARTED(quiet_is_quiet),
         STARTED(a_log_that_nobody_reads_stops_nobody),
+        STARTED(a_log_whose_reader_has_gone_ends_nothing),
         STARTED(addresses_that_others_can_reach_are_warned_of),
     };
     (void)alarm(150); /* a client that waits for ever is a failure */

@@ -21,6 +21,7 @@ static volatile sig_atomic_t stop;
 static struct usb_device device;
 static pid_t server;
 static int port, kept; /* the read end of what keep() writes */
+static FILE *told;     /* what the server says */
 
 static void note_signal(int number) {
     stop = number;
@@ -44,6 +45,8 @@ static void start(bool is_once, unsigned lost_s) {
     assert_int_equal(getsockname(listener, (struct sockaddr *)&place, &size), 0);
     port = ntohs(place.sin_port);
     assert_int_equal(pipe(ends), 0);
+    told = tmpfile();
+    assert_non_null(told);
     server = fork();
     assert_true(server >= 0);
     if (server == 0) {
@@ -51,11 +54,12 @@ static void start(bool is_once, unsigned lost_s) {
         const struct usbip_server options = {.listener = listener,
                                              .device = &device,
                                              .limits = limits,
-                                             .is_quiet = true,
                                              .is_once = is_once,
                                              .keep = keep,
                                              .context = &ends[1]};
         (void)close(ends[0]);
+        (void)dup2(fileno(told), STDERR_FILENO);
+        (void)fcntl(STDERR_FILENO, F_SETFL, O_APPEND); /* the reader moves the place */
         (void)signal(SIGTERM, note_signal);
         power_on(BOARD_1987);
         usb_device_init(&device, &board_bus.bus, 0x00D0, "SERVER", true);
@@ -79,8 +83,19 @@ static int end(void **state) {
         (void)waitpid(server, NULL, 0);
     }
     (void)close(kept);
+    (void)fclose(told);
     server = 0;
     return 0;
+}
+
+static bool was_told(const char *text) {
+    char line[256];
+    bool is_found = false;
+    rewind(told);
+    while (!is_found && fgets(line, sizeof line, told) != NULL) {
+        is_found = strstr(line, text) != NULL;
+    }
+    return is_found;
 }
 
 /* Waits for the server's end. Returns its exit status. */
@@ -206,6 +221,7 @@ static void who_reads_nothing_loses_the_device(void **state) {
         (void)close(next);
     } while (clock_ms() - began < 5000);
     assert_true(clock_ms() - before >= 1000 && clock_ms() - began <= 1000 + SLACK_MS + BUSY_MS);
+    assert_true(was_told("left: it does not answer, or read what it is sent"));
     (void)close(next);
     (void)close(client.socket);
 }
@@ -307,7 +323,9 @@ static int64_t vanish(bool is_answer_under_way, unsigned lost_s) {
     int64_t began = clock_ms();
     assert_int_equal(kill(server, SIGCONT), 0);
     assert_int_equal(wait_for_end(), 0);
-    return clock_ms() - began;
+    int64_t took = clock_ms() - began;
+    assert_true(was_told("left: it does not answer, or read what it is sent"));
+    return took;
 }
 
 /* In a process of its own, whose namespace ends with it. */
