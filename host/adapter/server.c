@@ -22,7 +22,7 @@ enum {
     POLL_MS = 100,   /* deadlines, and a signal that comes just before poll(), are seen that late */
     SHORT_MS = 1000, /* without accept(), where the system is short of something */
     KEEPALIVES = 4,
-    NAME_SIZE = 64,
+    NAME_SIZE = 80,
     READ_MOST = 16384
 };
 
@@ -81,8 +81,7 @@ static void part(struct run *run, struct connection *connection) {
     connection->socket = -1;
 }
 
-/* Sends away the visitor who came first. Returns the place, or NULL where there is no
- * visitor. */
+/* Sends away the visitor who came first. Returns the place, or NULL where there is no visitor. */
 static struct connection *send_away_first(struct run *run) {
     struct connection *first = NULL;
     for (unsigned i = 1; i < PLACES; i++) {
@@ -135,7 +134,7 @@ static void prepare(int socket, unsigned lost_s) {
 }
 
 static void name_peer(const struct sockaddr_storage *from, socklen_t size, char name[NAME_SIZE]) {
-    char address[INET6_ADDRSTRLEN] = "?", port[8] = "?";
+    char address[64] = "?", port[8] = "?"; /* an interface may stand behind the address */
     (void)getnameinfo((const struct sockaddr *)from, size, address, sizeof address, port,
                       sizeof port, NI_NUMERICHOST | NI_NUMERICSERV);
     (void)snprintf(name, NAME_SIZE, "%s port %s", address, port);
