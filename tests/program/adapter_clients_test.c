@@ -57,13 +57,6 @@ static const char *said(void) {
     return text;
 }
 
-/* Limits the descriptors of what is started next. */
-static void limit_descriptors(rlim_t most, struct rlimit *before) {
-    assert_int_equal(getrlimit(RLIMIT_NOFILE, before), 0);
-    const struct rlimit limit = {most, before->rlim_max};
-    assert_int_equal(setrlimit(RLIMIT_NOFILE, &limit), 0);
-}
-
 /* ---- Crowds ---------------------------------------------------------------------------------- */
 
 static void silent_connections_keep_nobody_out_and_end(void **state) {
@@ -199,13 +192,11 @@ static void the_picture_is_written_once_a_second_and_at_the_end(void **state) {
 static void run_with_few_descriptors(rlim_t most, bool is_list_answered) {
     static struct usbip_client client;
     const char *const words[] = {"-o", server.picture, NULL};
-    struct rlimit before;
     struct stat first, last;
     int silent[20];
     adapter_name_files(&server);
-    limit_descriptors(most, &before);
+    server.descriptors = most;
     adapter_start(&server, words);
-    assert_int_equal(setrlimit(RLIMIT_NOFILE, &before), 0);
     assert_int_equal(stat(server.picture, &first), 0);
     double used = seconds_of_children();
     client_init(&client, connect_to(server.port), false);
