@@ -83,8 +83,9 @@ $(PROOFS): $(BUILD)/proofs/%: tests/proofs/%.c $(wildcard firmware/real/fixed*.h
 # All but the two of `make lint`.
 TEST_SCRIPTS := $(filter-out %/check_style.sh %/check_english.sh,$(wildcard tests/check_*.sh tests/*_matrix.sh tests/*/*_test.sh))
 # `make quick` leaves these to `make test`: each takes more than two seconds.
-SLOW_SUITES := program/command program/trace_command unit/host/lab/measure% unit/host/lab/paper% \
-    unit/host/stream/stream unit/host/validate/validate unit/firmware/usb_% unit/host/adapter/usb_% unit/hal/usb_% \
+SLOW_SUITES := program/command program/trace_command program/adapter_clients program/adapter_strangers \
+    unit/host/lab/measure% unit/host/lab/paper% unit/host/stream/stream unit/host/validate/validate \
+    unit/firmware/usb_% unit/host/adapter/usb_% unit/host/adapter/usbip_server unit/hal/usb_% \
     $(addprefix unit/host/compiler/,compiled_points coincident_surfaces dead_things fused_solids) \
     $(addprefix unit/host/render/,ray_tree render_counts) \
     $(addprefix laws/,accuracy asked_error csg_laws extremes_% leak patterns tail)

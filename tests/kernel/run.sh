@@ -32,7 +32,7 @@ fail() {
 }
 
 start_server() {
-    "$adapter" adapter --listen 127.0.0.1:0 --serial "$1" -o "$log/$1.png" > "$log/$1.txt" 2>&1 &
+    "$adapter" adapter --quiet --listen 127.0.0.1:0 --serial "$1" -o "$log/$1.png" > "$log/$1.txt" 2>&1 &
     servers="$servers $!"
 }
 

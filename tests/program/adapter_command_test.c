@@ -1,12 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The virtual adapter as a program of its own: a client over TCP draws on it by bulk and by HID,
  * and the picture that it writes is the emulator's. */
-#include <arpa/inet.h>
-#include <signal.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <sys/wait.h>
-
+#include "adapter_process.h"
 #include "usb_fixture.h"
 #include "usbip_client.h"
 
@@ -17,60 +12,20 @@
 enum { LINES = 40 };
 
 static struct usbip_client client;
-static pid_t server;
-static int port_number;
-static char picture_path[256];
+static struct adapter_process server;
 
-/* Starts the program and reads from its first line where it listens. */
 static int start_server(void **state) {
-    const char *program = getenv("SUPERFRAME"), *build = getenv("BUILD");
-    int ends[2];
-    char line[256] = "";
+    const char *const words[] = {"--once", "-o", server.picture, NULL};
     (void)state;
-    assert_non_null(program);
-    assert_int_equal(pipe(ends), 0);
-    (void)snprintf(picture_path, sizeof picture_path, "%s/adapter-%ld.png",
-                   build != NULL ? build : ".", (long)getpid());
-    server = fork();
-    assert_true(server >= 0);
-    if (server == 0) {
-        (void)dup2(ends[1], 1);
-        (void)close(ends[0]);
-        (void)close(ends[1]);
-        (void)execl(program, program, "adapter", "--listen", "127.0.0.1:0", "--once", "-o",
-                    picture_path, (char *)NULL);
-        _exit(127);
-    }
-    (void)close(ends[1]);
-    FILE *out = fdopen(ends[0], "r");
-    assert_non_null(out);
-    assert_non_null(fgets(line, sizeof line, out));
-    (void)fclose(out);
-    assert_int_equal(sscanf(line, "listening on 127.0.0.1 port %d;", &port_number), 1);
+    adapter_name_files(&server);
+    adapter_start(&server, words);
     return 0;
 }
 
 static int stop_server(void **state) {
     (void)state;
-    if (server > 0) {
-        (void)kill(server, SIGKILL);
-        (void)waitpid(server, NULL, 0);
-    }
-    server = 0;
-    (void)unlink(picture_path);
+    adapter_stop(&server);
     return 0;
-}
-
-static int connect_to_server(void) {
-    struct sockaddr_in place;
-    memset(&place, 0, sizeof place);
-    place.sin_family = AF_INET;
-    place.sin_port = htons((uint16_t)port_number);
-    place.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    int descriptor = socket(AF_INET, SOCK_STREAM, 0);
-    assert_true(descriptor >= 0);
-    assert_int_equal(connect(descriptor, (struct sockaddr *)&place, sizeof place), 0);
-    return descriptor;
 }
 
 static void draw(struct bus *bus) {
@@ -101,7 +56,7 @@ static void compare_with_emulator(void) {
     power_on(BOARD_1987);
     draw(&board_bus.bus);
     assert_int_equal(picture_draw(&board, NULL, expected), PICTURE_OK);
-    FILE *file = fopen(picture_path, "rb");
+    FILE *file = fopen(server.picture, "rb");
     assert_non_null(file);
     assert_int_equal(read_png(file, &written, &error), PNG_OK);
     (void)fclose(file);
@@ -113,9 +68,8 @@ static void compare_with_emulator(void) {
 
 static void draw_over(bool is_hid) {
     struct usb_limits limits = quick_limits(7);
-    int status = -1;
     limits.reply_ms = 5000;
-    client_init(&client, connect_to_server(), is_hid);
+    client_init(&client, connect_to(server.port), is_hid);
     client_attach(&client);
     struct usb_bus *usb_bus = usb_bus_new(&client.link, 0x00D0, &limits);
     assert_non_null(usb_bus);
@@ -124,10 +78,7 @@ static void draw_over(bool is_hid) {
     assert_int_equal(bus_read(&usb_bus->bus, 0x00D8, BUS_BYTE), 639 * 39 & 0xFF);
     usb_bus_free(usb_bus);
     (void)close(client.socket);
-    assert_int_equal(waitpid(server, &status, 0), server);
-    server = 0;
-    assert_true(WIFEXITED(status));
-    assert_int_equal(WEXITSTATUS(status), 0);
+    assert_int_equal(adapter_wait(&server), 0);
     compare_with_emulator();
 }
 
@@ -148,17 +99,16 @@ static void a_rendered_scene_is_the_same_behind_the_cable(void **state) {
     struct trace_replay replay;
     struct usb_limits limits = quick_limits(9);
     char command[2048];
-    int status = -1;
     (void)state;
     limits.reply_ms = 5000;
     (void)snprintf(command, sizeof command,
                    "'%s' render fig3 --size 64x40 --quiet -o '%s.own' --trace '%s.trace'",
-                   getenv("SUPERFRAME"), picture_path, picture_path);
+                   getenv("SUPERFRAME"), server.picture, server.picture);
     assert_int_equal(system(command), 0);
-    (void)snprintf(command, sizeof command, "%s.trace", picture_path);
+    (void)snprintf(command, sizeof command, "%s.trace", server.picture);
     FILE *trace = fopen(command, "rb");
     assert_non_null(trace);
-    client_init(&client, connect_to_server(), false);
+    client_init(&client, connect_to(server.port), false);
     client_attach(&client);
     struct usb_bus *usb_bus = usb_bus_new(&client.link, 0x00D0, &limits);
     assert_non_null(usb_bus);
@@ -169,46 +119,30 @@ static void a_rendered_scene_is_the_same_behind_the_cable(void **state) {
     (void)fclose(trace);
     usb_bus_free(usb_bus);
     (void)close(client.socket);
-    assert_int_equal(waitpid(server, &status, 0), server);
-    server = 0;
-    assert_int_equal(status, 0);
+    assert_int_equal(adapter_wait(&server), 0);
     (void)snprintf(command, sizeof command, "cmp '%s' '%s.own' && rm '%s.own' '%s.trace'",
-                   picture_path, picture_path, picture_path, picture_path);
+                   server.picture, server.picture, server.picture, server.picture);
     assert_int_equal(system(command), 0);
 }
 
 static void the_list_is_shown_and_a_second_client_is_refused(void **state) {
-    static const uint8_t list[8] = {0x01, 0x11, 0x80, 0x05};
-    uint8_t bytes[400], import[40] = {0x01, 0x11, 0x80, 0x03};
     (void)state;
-    memcpy(import + 8, "1-1", 3);
-    client_init(&client, connect_to_server(), false);
+    client_init(&client, connect_to(server.port), false);
     client_attach(&client);
-    int second = connect_to_server();
-    assert_true(client_write(second, list, sizeof list));
-    assert_true(client_read(second, bytes, 8 + 4 + 312 + 8));
-    assert_int_equal(client_get32(bytes), 0x01110005);
-    assert_int_equal(client_get32(bytes + 8), 1);
-    assert_string_equal(bytes + 12 + 256, "1-1");
-    assert_int_equal(client_get32(bytes + 12 + 300), 0x12099801);
+    int second = connect_to(server.port);
+    assert_true(client_list(second));
     (void)close(second);
-    second = connect_to_server();
-    assert_true(client_write(second, import, sizeof import));
-    assert_true(client_read(second, bytes, 8));
-    assert_int_equal(client_get32(bytes + 4), 2); /* busy */
+    second = connect_to(server.port);
+    assert_int_equal(client_import(second), 2); /* busy */
     (void)close(second);
     (void)close(client.socket);
 }
 
 static void an_interrupt_ends_it_with_its_picture(void **state) {
-    int status = -1;
     (void)state;
-    assert_int_equal(kill(server, SIGINT), 0);
-    assert_int_equal(waitpid(server, &status, 0), server);
-    server = 0;
-    assert_true(WIFEXITED(status));
-    assert_int_equal(WEXITSTATUS(status), 0);
-    assert_int_equal(access(picture_path, R_OK), 0);
+    assert_int_equal(kill(server.pid, SIGINT), 0);
+    assert_int_equal(adapter_wait(&server), 0);
+    assert_int_equal(access(server.picture, R_OK), 0);
 }
 
 /* The exit status of the program with these words; what it says is in said. */
@@ -225,6 +159,7 @@ static int run_adapter_with(const char *words, char *said, size_t size) {
 }
 
 static void what_cannot_be_served_is_refused_before_anybody_comes(void **state) {
+#define FIVE "--allow ::1 --allow ::1 --allow ::1 --allow ::1 --allow ::1 "
     static const struct {
         const char *words;
         int status;
@@ -234,7 +169,10 @@ static void what_cannot_be_served_is_refused_before_anybody_comes(void **state) 
                  {"--listen 127.0.0.1:65536", 2, "with a port 0..65535"},
                  {"--listen somewhere", 2, "allowed are an address in numbers and a port"},
                  {"--listen [::1:5", 2, "[ADDRESS]:PORT"},
-                 {"--listen 203.0.113.1:0", 1, "can't listen"}};
+                 {"--listen 203.0.113.1:0", 1, "can't listen"},
+                 {"--allow 127.0.0.1/33", 2, "--allow: \"127.0.0.1/33\" is invalid"},
+                 {"--allow somebody", 2, "as in 192.0.2.7, 10.1.0.0/16"},
+                 {FIVE FIVE FIVE "--allow ::1 --allow ::2", 2, "up to 16 times"}};
     char said[1024], busy[64];
     (void)state;
     for (unsigned i = 0; i < sizeof cases / sizeof cases[0]; i++) {
@@ -242,7 +180,7 @@ static void what_cannot_be_served_is_refused_before_anybody_comes(void **state) 
         assert_non_null(strstr(said, cases[i].said));
         assert_null(strstr(said, "listening on"));
     }
-    (void)snprintf(busy, sizeof busy, "--listen 127.0.0.1:%d", port_number);
+    (void)snprintf(busy, sizeof busy, "--listen 127.0.0.1:%d", server.port);
     assert_int_equal(run_adapter_with(busy, said, sizeof said), 1);
     assert_non_null(strstr(said, "Address already in use"));
 }

@@ -12,11 +12,26 @@ static struct usbip_client client;
 static uint8_t seen[SEEN_SIZE]; /* what the client was sent */
 static size_t seen_count;
 
-static void see(void *context, const uint8_t *bytes, size_t count) {
-    assert_ptr_equal(context, &seen);
+/* Takes out the answers that wait. */
+static void see(void) {
+    size_t count = client.answer_count;
     assert_true(seen_count + count <= sizeof seen);
-    memcpy(seen + seen_count, bytes, count);
+    memcpy(seen + seen_count, client.answers, count);
     seen_count += count;
+    usbip_client_sent(&client, count);
+}
+
+/* Hands in bytes as there is room, and takes out what comes of each. */
+static void hand_in(const uint8_t *bytes, size_t count) {
+    size_t taken;
+    do {
+        taken = usbip_client_take(&client, bytes, count);
+        bytes += taken;
+        count -= taken;
+        while (client.answer_count > 0) {
+            see();
+        }
+    } while (count > 0 && taken > 0);
 }
 
 static uint32_t number_at(size_t place) {
@@ -31,18 +46,22 @@ static void put_number(uint8_t *bytes, uint32_t value) {
     }
 }
 
-static void arrive(bool is_busy, bool is_high_speed) {
+static void arrive(bool is_high_speed) {
     power_on(BOARD_1987);
     usb_device_init(&device, &board_bus.bus, 0x00D0, "GUEST", is_high_speed);
-    usbip_client_init(&client, &device, is_busy, see, &seen);
+    usbip_client_init(&client, &device);
     seen_count = 0;
 }
 
-/* Asks for a device of this name. */
-static void import(const char *name) {
+/* Asks for a device of this name; the server gives it or not. */
+static void import(const char *name, bool is_given) {
     uint8_t request[40] = {0x01, 0x11, 0x80, 0x03};
     strcpy((char *)request + 8, name);
-    usbip_client_take(&client, request, sizeof request);
+    hand_in(request, sizeof request);
+    if (client.wants_device) {
+        usbip_client_give(&client, is_given);
+        see();
+    }
 }
 
 /* Fills the stack below its caller: what a function leaves as it found it there shows. */
@@ -66,8 +85,8 @@ static void command(const uint32_t fields[8], const uint8_t *setup, const uint8_
     }
     seen_count = 0;
     poison_stack();
-    usbip_client_take(&client, bytes, sizeof bytes);
-    usbip_client_take(&client, data, count);
+    hand_in(bytes, sizeof bytes);
+    hand_in(data, count);
 }
 
 /* A transfer with a number; is_in: from the device. */
@@ -90,8 +109,8 @@ static void assert_answer(uint32_t code, uint32_t number, int32_t status, uint32
 
 static void attach(void) {
     static const uint8_t set_configuration[8] = {0, 9, 1};
-    arrive(false, true);
-    import("1-1");
+    arrive(true);
+    import("1-1", true);
     assert_true(client.is_attached && !client.is_over);
     submit(1, 0, false, 0, set_configuration, NULL);
     assert_answer(3, 1, 0, 0);
@@ -102,8 +121,8 @@ static void the_list_names_the_device(void **state) {
     static const uint8_t request[8] = {0x01, 0x11, 0x80, 0x05};
     (void)state;
     for (int is_high = 0; is_high < 2; is_high++) {
-        arrive(true, is_high); /* also to who comes while another has the device */
-        usbip_client_take(&client, request, sizeof request);
+        arrive(is_high);
+        hand_in(request, sizeof request);
         assert_int_equal(seen_count, 8 + 4 + 312 + 8);
         assert_int_equal(number_at(0), 0x01110005);
         assert_int_equal(number_at(4), 0);
@@ -163,16 +182,16 @@ static void every_byte_of_the_records_is_set(void **state) {
     (void)state;
     for (unsigned i = 0; i < 8; i++) {
         bool is_high = i % 2 != 0, is_import = i / 4 != 0;
-        arrive(false, is_high);
+        arrive(is_high);
         if (i / 2 % 2 != 0) {
             assert_int_equal(usb_device_control(&device, set_configuration, NULL, in), 0);
         }
         struct usb_device before = device;
         poison_stack();
         if (is_import) {
-            import("1-1");
+            import("1-1", true);
         } else {
-            usbip_client_take(&client, request, sizeof request);
+            hand_in(request, sizeof request);
         }
         device = before; /* attaching resets it */
         assert_record(seen + (is_import ? 8 : 12), is_high ? 3 : 2);
@@ -185,17 +204,19 @@ static void every_byte_of_the_records_is_set(void **state) {
 
 static void only_a_free_device_of_that_name_is_given(void **state) {
     (void)state;
-    arrive(false, true);
-    import("1-2");
+    arrive(true);
+    import("1-2", true);
     assert_int_equal(number_at(0), 0x01110003);
     assert_int_equal(number_at(4), 1);
     assert_true(client.is_over && !client.is_attached);
-    arrive(true, true);
-    import("1-1");
+    arrive(true);
+    import("1-1", false);
     assert_int_equal(number_at(4), 2);
+    assert_int_equal(seen_count, 8);
+    assert_true(client.is_over && !client.is_attached);
     assert_string_equal(client.reason, "another client has the device");
-    arrive(false, true);
-    import("1-1");
+    arrive(true);
+    import("1-1", true);
     assert_int_equal(number_at(4), 0);
     assert_int_equal(seen_count, 8 + 312);
 }
@@ -203,12 +224,45 @@ static void only_a_free_device_of_that_name_is_given(void **state) {
 static void bytes_may_come_one_by_one(void **state) {
     uint8_t request[40] = {0x01, 0x11, 0x80, 0x03, 0, 0, 0, 0, '1', '-', '1'};
     (void)state;
-    arrive(false, true);
+    arrive(true);
     for (size_t i = 0; i < sizeof request; i++) {
-        assert_int_equal(seen_count, 0);
-        usbip_client_take(&client, request + i, 1);
+        assert_false(client.wants_device);
+        hand_in(request + i, 1);
     }
-    assert_true(client.is_attached);
+    assert_true(client.wants_device);
+}
+
+/* Until the server has decided, nothing is answered and no byte of what follows is taken. */
+static void who_wants_the_device_waits_for_the_answer(void **state) {
+    static const uint8_t set_configuration[8] = {0, 9, 1};
+    uint8_t request[40 + HEADER] = {0x01, 0x11, 0x80, 0x03, 0, 0, 0, 0, '1', '-', '1'};
+    (void)state;
+    arrive(true);
+    put_number(request + 40, 1);
+    put_number(request + 44, 70);
+    memcpy(request + 40 + 40, set_configuration, 8);
+    assert_int_equal(usbip_client_take(&client, request, sizeof request), 40);
+    assert_int_equal(usbip_client_room(&client), 0);
+    assert_int_equal(client.answer_count, 0);
+    usbip_client_give(&client, true);
+    see();
+    assert_int_equal(seen_count, 8 + 312);
+    seen_count = 0;
+    hand_in(request + 40, HEADER);
+    assert_answer(3, 70, 0, 0);
+    assert_int_equal(device.configuration, 1);
+}
+
+/* A visit that ends first leaves nothing to be given. */
+static void who_is_sent_away_wants_nothing(void **state) {
+    uint8_t request[40] = {0x01, 0x11, 0x80, 0x03, 0, 0, 0, 0, '1', '-', '1'};
+    (void)state;
+    arrive(true);
+    hand_in(request, sizeof request);
+    usbip_client_end(&client, "the first reason");
+    usbip_client_end(&client, "the second");
+    assert_true(client.is_over && !client.wants_device);
+    assert_string_equal(client.reason, "the first reason");
 }
 
 static void strangers_are_sent_away(void **state) {
@@ -219,11 +273,11 @@ static void strangers_are_sent_away(void **state) {
                  {{0x01, 0x11, 0x80, 0x07}, "neither the list nor a device"}};
     (void)state;
     for (size_t i = 0; i < 2; i++) {
-        arrive(false, true);
-        usbip_client_take(&client, cases[i].request, 8);
+        arrive(true);
+        hand_in(cases[i].request, 8);
         assert_true(client.is_over);
         assert_non_null(strstr(client.reason, cases[i].reason));
-        usbip_client_take(&client, cases[i].request, 8); /* nothing more is taken */
+        assert_int_equal(usbip_client_take(&client, cases[i].request, 8), 0); /* nothing more */
         assert_int_equal(seen_count, 0);
     }
 }
@@ -287,6 +341,77 @@ static void what_waits_is_answered_when_there_is_something(void **state) {
     assert_int_equal(client.parked_count, 0);
 }
 
+/* Makes a command that asks for the configuration's descriptor. */
+static void ask_for_descriptor(uint8_t request[HEADER], uint32_t number) {
+    static const uint8_t get[8] = {0x80, 6, 0, 2, 0, 0, 255, 0};
+    memset(request, 0, HEADER);
+    put_number(request, 1);
+    put_number(request + 4, number);
+    put_number(request + 12, 1);
+    put_number(request + 24, 255);
+    memcpy(request + 40, get, 8);
+}
+
+/* Reads the answers to such commands, which were numbered from 1. Returns how many there are. */
+static uint32_t read_descriptors(void) {
+    uint8_t descriptor[USB_CONTROL_MOST];
+    uint32_t count = 0, length = (uint32_t)describe(2, descriptor);
+    while (client.answer_count > 0) {
+        assert_true(client.answer_count <= sizeof client.answers);
+        memcpy(seen, client.answers, HEADER);
+        seen_count = HEADER;
+        assert_answer(3, ++count, 0, length);
+        usbip_client_sent(&client, HEADER + length);
+    }
+    return count;
+}
+
+/* Descriptors are asked for, and no answer is fetched: the queue stays within its bounds, the
+ * client is not listened to, and later all answers come in their order. */
+static void a_client_that_does_not_read_is_not_listened_to(void **state) {
+    uint8_t request[HEADER];
+    uint32_t asked = 0;
+    (void)state;
+    attach();
+    do {
+        ask_for_descriptor(request, ++asked);
+        assert_true(asked < 10000);
+    } while (usbip_client_take(&client, request, HEADER) == HEADER);
+    asked--; /* the last was not taken */
+    assert_int_equal(usbip_client_room(&client), 0);
+    assert_true(client.answer_count <= sizeof client.answers && client.answer_count > 16384);
+    assert_false(client.is_over);
+    assert_int_equal(read_descriptors(), asked);
+    assert_true(usbip_client_room(&client) > 0);
+}
+
+/* What one packet brought is worked off as room comes, without another packet. */
+static void commands_that_had_to_wait_are_done_once_there_is_room(void **state) {
+    enum { COMMANDS = 1200 };
+    static uint8_t requests[COMMANDS * HEADER];
+    (void)state;
+    attach();
+    for (size_t i = 0; i < COMMANDS; i++) {
+        ask_for_descriptor(requests + i * HEADER, (uint32_t)i + 1);
+    }
+    assert_int_equal(usbip_client_take(&client, requests, sizeof requests), sizeof requests);
+    assert_int_equal(read_descriptors(), COMMANDS);
+    assert_int_equal(client.input_count, 0);
+}
+
+/* The kernel of a client takes an answer that is longer than its transfer for an attack. */
+static void no_answer_is_longer_than_its_transfer(void **state) {
+    uint8_t get[8] = {0x80, 6, 0, 2, 0, 0, 255, 0};
+    (void)state;
+    attach();
+    for (uint32_t room = 0; room < 80; room++) {
+        get[6] = 255;
+        submit(200 + room, 0, true, room, get, NULL); /* setup asks for more */
+        assert_true(number_at(24) <= room);
+        assert_int_equal(seen_count, HEADER + number_at(24));
+    }
+}
+
 static void endpoints_that_are_none_stall(void **state) {
     static const uint8_t byte[1] = {0};
     (void)state;
@@ -317,7 +442,7 @@ static void what_ends_the_visit(void **state) {
             put_number(bytes + 4 * j, cases[i].fields[j]);
         }
         put_number(bytes + 32, cases[i].packets);
-        usbip_client_take(&client, bytes, sizeof bytes);
+        hand_in(bytes, sizeof bytes);
         assert_true(client.is_over);
         assert_non_null(strstr(client.reason, cases[i].reason));
     }
@@ -335,7 +460,7 @@ static void packets_of_no_number_are_as_good_as_none(void **state) {
     attach();
     put_number(bytes + 24, 64);
     put_number(bytes + 32, 0xFFFFFFFF);
-    usbip_client_take(&client, bytes, sizeof bytes);
+    hand_in(bytes, sizeof bytes);
     assert_false(client.is_over);
     assert_int_equal(client.parked_count, 1);
 }
@@ -356,10 +481,15 @@ int main(void) {
         cmocka_unit_test(every_byte_of_the_records_is_set),
         cmocka_unit_test(only_a_free_device_of_that_name_is_given),
         cmocka_unit_test(bytes_may_come_one_by_one),
+        cmocka_unit_test(who_wants_the_device_waits_for_the_answer),
+        cmocka_unit_test(who_is_sent_away_wants_nothing),
         cmocka_unit_test(strangers_are_sent_away),
         cmocka_unit_test(control_transfers),
         cmocka_unit_test(transfers_wait_and_may_be_taken_back),
         cmocka_unit_test(what_waits_is_answered_when_there_is_something),
+        cmocka_unit_test(a_client_that_does_not_read_is_not_listened_to),
+        cmocka_unit_test(commands_that_had_to_wait_are_done_once_there_is_room),
+        cmocka_unit_test(no_answer_is_longer_than_its_transfer),
         cmocka_unit_test(endpoints_that_are_none_stall),
         cmocka_unit_test(what_ends_the_visit),
         cmocka_unit_test(packets_of_no_number_are_as_good_as_none),

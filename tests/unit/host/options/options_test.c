@@ -284,7 +284,7 @@ static void every_row_says_all_that_its_type_takes(void **state) {
     }
 }
 
-enum { OWN_MOST = 256 };
+enum { OWN_MOST = 1024 };
 
 /* Options with room for any command's own. */
 static struct options *room;
