@@ -44,8 +44,7 @@ struct port_chain {
 struct port_chain *port_chain_new(const struct board_desc *desc, bool has_board);
 
 /* The following five put something into the chain, before any access. What is put in later sees an
- * access earlier: a device first, then faults, then the count, then the recorder, then its limit.
- */
+ * access earlier. The order is: a device, faults, the count, the recorder, its limit. */
 
 /* Puts a device in the place of the empty slot, for a chain without a board. The device stays the
  * caller's. */
