@@ -45,7 +45,7 @@ enum { PROCESSOR_REGISTERS = 16 };
 /* How a run ended, and where. */
 struct processor_report {
     enum processor_end end;
-    uint64_t instructions; /* that the CPU has run */
+    uint64_t instructions; /* that the CPU has run; PROCESSOR_WAITING: up to the wait */
     char reason[160];      /* one English sentence, no full stop */
     bool is_protected;     /* in protected mode; else the address is 16 * cs + ip */
     uint32_t address;      /* linear, of the instruction where it ended */

@@ -91,7 +91,10 @@ static void check_ports(struct run *run) {
     } else if (run->ports.is_reset) {
         unicorn_end(run, PROCESSOR_RESET, "the program has reset the machine (OUT F0h)");
     } else if (pc98_ports_wait_in_vain(&run->ports)) {
+        run->report->instructions = run->instructions_before_wait;
         unicorn_end(run, PROCESSOR_WAITING, "waits for a key");
+    } else if (run->ports.polls == 1) {
+        run->instructions_before_wait = run->report->instructions;
     } else if (run->ports.is_line_20_on != run->is_line_20_followed && !follow_line_20(run)) {
         unicorn_end(run, PROCESSOR_LOST, "Unicorn cannot follow address line 20");
     }

@@ -9,7 +9,7 @@
 #include <stdint.h>
 
 /* So many reads of the keyboard's status, with no other port in between, are a wait for a key. */
-enum { PC98_POLLS_OF_A_WAIT = 4000000 };
+enum { PC98_POLLS_OF_A_WAIT = 2000000 };
 
 /* The ports. Those of the machine itself end here: the keyboard, the graphics, address line 20 and
  * the reset. All others go to the bus. Begins as all zero but for the bus and escape_after. */

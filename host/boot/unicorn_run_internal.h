@@ -41,7 +41,8 @@ struct run {
     struct unicorn_library unicorn;
     uc_engine *engine;
     struct pc98_ports ports;
-    bool is_over; /* report->end and reason say why */
+    uint64_t instructions_before_wait; /* when the keyboard was first asked in a row */
+    bool is_over;                      /* report->end and reason say why */
     enum pause pause;
     uint32_t vector;          /* of the pause: a vector, or an address */
     bool is_in_rom;           /* the ROM's own code runs */

@@ -11,6 +11,7 @@ BUILD=${BUILD:-build}
 SUPERFRAME=$BUILD/superframe
 work=$BUILD/targets/boot
 failures=0
+sectors=0
 rm -rf "$work"
 mkdir -p "$work"
 
@@ -24,40 +25,109 @@ put() {
     printf '%s' "$2" | dd of="$work/disk" bs=1024 seek="$1" conv=notrunc status=none
 }
 
-# The common code and one sector of each name, in NAME.s; names and expectations in table.txt.
-awk -v work="$work" '
-    /^#= / { sub(/^#= /, ""); print > (work "/table.txt"); file = work "/" $1 ".s"; printf "%s", common > file; next }
-    file == "" { common = common $0 "\n"; next }
-    { print > file }' tests/targets/boot_sectors.s
+# assemble SOURCE BINARY OPTION...
+assemble() {
+    source=$1
+    binary=$2
+    shift 2
+    ${CC:-gcc} -m16 -nostdlib -static -no-pie -Wl,--build-id=none -Wl,-T,firmware/targets/pc98/boot.ld \
+        -Wl,--oformat=binary -Wl,-e,0 -o "$binary" "$@" "$source" || wrong "$source: not assembled"
+}
+
+# table FILE: boots each sector of a table, and looks at what comes of it. A whole line of the screen is
+# expected by "screen:", a part of what is said otherwise. The common code and one sector of each name
+# go to NAME.s; names and expectations to table.txt.
+table() {
+    awk -v work="$work" '
+        /^#= / { sub(/^#= /, ""); print > (work "/table.txt"); file = work "/" $1 ".s"; printf "%s", common > file; next }
+        file == "" { common = common $0 "\n"; next }
+        { print > file }' "$1"
+    while IFS='|' read -r name status text options; do
+        name=${name% }
+        text=$(printf '%s' "$text" | sed 's/^ *//; s/ *$//')
+        assemble "$work/$name.s" "$work/$name.bin"
+        cp "$work/disk" "$work/$name.hdm"
+        dd if="$work/$name.bin" of="$work/$name.hdm" conv=notrunc status=none
+        case $options in
+        *protected*) chmod a-w "$work/$name.hdm" && options= ;;
+        esac
+        # shellcheck disable=SC2086 # a list of words, and a number behind blanks
+        timeout 60 "$SUPERFRAME" boot "$work/$name.hdm" --instructions 20000000 -o "$work/$name.png" $options \
+            > "$work/$name.txt" 2>&1
+        found=$?
+        # shellcheck disable=SC2086
+        [ $found -eq $status ] || wrong "$name: exit status $found, not $status"
+        case $text in
+        screen:*) grep -qFx "$text" "$work/$name.txt" ;;
+        *) grep -qF "$text" "$work/$name.txt" ;;
+        esac || { wrong "$name: does not say: $text" && head -n 6 "$work/$name.txt"; }
+        [ -e "$work/$name.png" ] && [ $found -ne 0 ] && wrong "$name: a run that failed has left a picture"
+        [ $found -eq 0 ] || grep -q 'eip' "$work/$name.txt" || wrong "$name: no registers"
+        rm -f "$work/$name.hdm" "$work/$name.png"
+        sectors=$((sectors + 1))
+    done < "$work/table.txt"
+    rm "$work/table.txt"
+}
 
 truncate -s 1261568 "$work/disk"
 put 1231 LZ
 put 16 A1
 put 24 B1
-while IFS='|' read -r name status text options; do
-    name=${name% }
-    text=$(printf '%s' "$text" | sed 's/^ *//; s/ *$//')
-    ${CC:-gcc} -m16 -nostdlib -static -no-pie -Wl,--build-id=none -Wl,-T,firmware/targets/pc98/boot.ld \
-        -Wl,--oformat=binary -Wl,-e,0 -o "$work/$name.bin" "$work/$name.s" || { wrong "$name: not assembled" && continue; }
-    cp "$work/disk" "$work/$name.hdm"
-    dd if="$work/$name.bin" of="$work/$name.hdm" conv=notrunc status=none
-    case $options in
-    *protected*) chmod a-w "$work/$name.hdm" && options= ;;
-    esac
-    # shellcheck disable=SC2086 # a list of words, and a number behind blanks
-    timeout 60 "$SUPERFRAME" boot "$work/$name.hdm" --instructions 20000000 -o "$work/$name.png" $options \
-        > "$work/$name.txt" 2>&1
-    found=$?
-    # shellcheck disable=SC2086
-    [ $found -eq $status ] || wrong "$name: exit status $found, not $status"
-    case $text in
-    screen:*) [ "$(head -n 1 "$work/$name.txt")" = "$text" ] ;;
-    *) grep -qF "$text" "$work/$name.txt" ;;
-    esac || { wrong "$name: does not say: $text" && head -n 3 "$work/$name.txt"; }
-    [ -e "$work/$name.png" ] && [ $found -ne 0 ] && wrong "$name: a run that failed has left a picture"
-    [ $found -eq 0 ] || [ $found -eq 2 ] || grep -q 'eip' "$work/$name.txt" || wrong "$name: no registers"
-    rm -f "$work/$name.hdm" "$work/$name.png"
-done < "$work/table.txt"
+table tests/targets/boot_sectors.s
+
+# An image of one sector: IMAGE in the second line; and the boot sector that reads it.
+cat > "$work/image.s" << 'end'
+    .code16
+    movw    $0xA000, %ax
+    movw    %ax, %es
+    pushw   %cs
+    popw    %ds
+    movw    $text, %si
+    movw    $160, %di
+1:  lodsb
+    stosb
+    incw    %di
+    testb   %al, %al
+    jnz     1b
+    cli
+    hlt
+text:
+    .asciz  "IMAGE"
+end
+assemble "$work/image.s" "$work/image.bin"
+assemble firmware/targets/pc98/boot.S "$work/loader.bin" -DIMAGE_SECTORS=1
+dd if="$work/image.bin" of="$work/disk" bs=1024 seek=1 conv=notrunc status=none
+dd if="$work/loader.bin" of="$work/disk" bs=1024 seek=2 conv=notrunc status=none
+table tests/targets/boot_loader.s
+
+# changed NAME SED TEXT: the boot sector, changed by sed, before its image: what the screen says.
+changed() {
+    cp "$work/disk" "$work/changed.hdm"
+    LC_ALL=C sed "$2" "$work/loader.bin" > "$work/changed.bin"
+    cmp -s "$work/loader.bin" "$work/changed.bin" && wrong "$1: the boot sector is as it was"
+    dd if="$work/changed.bin" of="$work/changed.hdm" conv=notrunc status=none
+    timeout 60 "$SUPERFRAME" boot "$work/changed.hdm" > "$work/changed.txt" 2>&1 || wrong "$1: status $?"
+    grep -qFx "screen: superframe: the disk cannot be read: sector 0001, status $3" "$work/changed.txt" ||
+        wrong "$1: status $3 is not said"
+}
+
+# What a disk refuses: another sector length in CH, no MFM, a buffer over 30000h, another drive.
+changed CH 's/\xB5\x03/\xB5\x02/' C0
+changed MFM 's/\xB4\x56/\xB4\x16/' E0
+changed border 's/\xB8\x00\x20\x8E\xC0/\xB8\xE0\x2F\x8E\xC0/' 20
+changed drive 's/\xA0\x84\x05/\xB0\x91\x90/' 60
+
+# Before has_386 there are opcodes of the 8086 alone. Those of later CPUs begin with 0F or 60 to 6F, are
+# C0, C1, C8, C9, or are more than the 8086 has of these.
+end=$(${CC:-gcc} -m16 -c -DIMAGE_SECTORS=1 -o "$work/loader.o" firmware/targets/pc98/boot.S &&
+    nm "$work/loader.o" | sed -n 's/^\([0-9a-f]*\) T has_386$/0x\1/p')
+objdump -D -b binary -m i8086 --stop-address="$end" "$work/loader.bin" | awk -F '\t' '
+    /\.byte|\(bad\)/ && !text { print; wrong = 1 }
+    $3 ~ /^ret/ { text = 1 }                 # the message is behind it
+    NF > 2 && !text { count++ }
+    NF > 2 && !text && $2 ~ /^(0f|6[0-9a-f]|c0|c1|c8|c9|f1) / { print; wrong = 1 }
+    END { exit wrong || count < 30 }' || wrong "opcodes before has_386 that an 8086 does not have"
+
 # expect STATUS TEXT COMMAND...: the command ends so and says so.
 expect() {
     status=$1
@@ -108,5 +178,5 @@ expect 2 'x.nfd: an NFD image' "$SUPERFRAME" boot "$work/x.nfd" -o "$work/none.p
 expect 2 'cannot be read: Is a directory' "$SUPERFRAME" boot "$work" -o "$work/none.png"
 [ ! -e "$work/none.png" ] || wrong 'a file that is no disk has left a picture'
 
-echo "boot: $(wc -l < "$work/table.txt") sectors, $failures wrong"
+echo "boot: $sectors sectors, $failures wrong"
 [ $failures -eq 0 ]
