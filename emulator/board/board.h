@@ -40,7 +40,7 @@
  *     mode 40                   later: X + 1 after a byte write of blue.     A !     A !
  *     mode, any other bit       stored, no effect.                           A !     A !
  *                               (08 is GRAYMODE, 80 STEALWR.)
- *     0Ch, 0Dh                  later: display start address, complemented.  A !     D
+ *     0Ch, 0Dh                  later: display start address, complemented.  A !     I
  *     13h, 14h                  the second screen's: stored, no effect.      A !     A !
  *     index that is neither     stored, no effect.                           A !     A !
  *       initialised nor above
@@ -179,8 +179,8 @@ bool board_init(struct board *board, const struct board_desc *desc);
  * stay (grade A). */
 void board_reset(struct board *board);
 
-/* Does one OUT to any port. width is 1, 2 or 4 bytes; of the value the low `width` bytes count.
- * Four bytes are two words on the PC-98's bus: the low one to `port`, then the high one to the port
+/* Does one OUT to any port. width is 1, 2 or 4 bytes; of the value the low `width` bytes count. Four
+ * bytes are two words on the PC-98's bus. The low one goes to `port`, then the high one to the port
  * two above. Another width is refused: it is no access, and nothing changes. */
 void board_write(struct board *board, uint16_t port, uint32_t value, unsigned width);
 
