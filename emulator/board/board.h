@@ -179,9 +179,9 @@ bool board_init(struct board *board, const struct board_desc *desc);
  * stay (grade A). */
 void board_reset(struct board *board);
 
-/* Does one OUT to any port. width is 1, 2 or 4 bytes; of the value the low `width` bytes count. Four
- * bytes are two words on the PC-98's bus. The low one goes to `port`, then the high one to the port
- * two above. Another width is refused: it is no access, and nothing changes. */
+/* Does one OUT to any port. width is 1, 2 or 4 bytes; of the value the low `width` bytes count.
+ * Four bytes are two words on the PC-98's bus. The low one goes to `port`, then the high one to the
+ * port two above. Another width is refused: it is no access, and nothing changes. */
 void board_write(struct board *board, uint16_t port, uint32_t value, unsigned width);
 
 /* Does one IN from any port, of four bytes as board_write() does. Returns 0..FFh for width 1,
