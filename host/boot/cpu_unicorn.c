@@ -191,25 +191,29 @@ static void fill_memory(struct run *run) {
     unicorn_fill_rom(run);
 }
 
+/* Opens Unicorn with the machine's memory; false if Unicorn fails. */
+static bool open_engine(struct run *run) {
+    bool is_right = run->unicorn.open(UC_ARCH_X86, UC_MODE_16, &run->engine) == UC_ERR_OK;
+    for (size_t i = 0; is_right && i < sizeof regions / sizeof regions[0]; i++) {
+        is_right =
+            run->unicorn.mem_map_ptr(run->engine, regions[i].begin, regions[i].length, UC_PROT_ALL,
+                                     run->memory + regions[i].begin) == UC_ERR_OK;
+    }
+    return is_right && (run->ports.is_line_20_on || follow_line_20(run)) && add_hooks(run);
+}
+
 /* Sets the machine up as its ROM leaves it for the jump to the boot sector; false if Unicorn
  * fails. */
 static bool prepare(struct run *run) {
     const uc_x86_mmr vectors = {.base = 0, .limit = 4 * VECTORS - 1};
-    if (run->unicorn.open(UC_ARCH_X86, UC_MODE_16, &run->engine) != UC_ERR_OK) {
-        return false;
-    }
     fill_memory(run);
-    for (size_t i = 0; i < sizeof regions / sizeof regions[0]; i++) {
-        if (run->unicorn.mem_map_ptr(run->engine, regions[i].begin, regions[i].length, UC_PROT_ALL,
-                                     run->memory + regions[i].begin) != UC_ERR_OK) {
-            return false;
-        }
+    if (!open_engine(run)) {
+        return false;
     }
     unicorn_set(run, UC_X86_REG_CS, BOOT_SEGMENT);
     unicorn_set(run, UC_X86_REG_SS, BOOT_STACK_SEGMENT);
     unicorn_set(run, UC_X86_REG_ESP, BOOT_STACK);
-    return run->unicorn.reg_write(run->engine, UC_X86_REG_IDTR, &vectors) == UC_ERR_OK &&
-           follow_line_20(run) && add_hooks(run);
+    return run->unicorn.reg_write(run->engine, UC_X86_REG_IDTR, &vectors) == UC_ERR_OK;
 }
 
 /* Reports the registers, where the CPU stands, and the text screen. In protected mode the base of
@@ -252,23 +256,45 @@ static bool start(struct run *run, uc_err *error) {
     return has_returned;
 }
 
-/* Lets the ROM's code say in CR0 that there is no 387: Unicorn notices no other way. */
-static void deny_387(struct run *run) {
+/* Writes CR0 in real mode, by code in the ROM: Unicorn heeds no other way. */
+static void set_control(struct run *run, uint32_t control) {
     const uint32_t eax = unicorn_get(run, UC_X86_REG_EAX), cs = unicorn_get(run, UC_X86_REG_CS);
     const uint32_t eip = unicorn_get(run, UC_X86_REG_EIP);
     const uint32_t flags = unicorn_get(run, UC_X86_REG_EFLAGS);
     uc_err error = UC_ERR_OK;
+    unicorn_set(run, UC_X86_REG_EAX, control);
     unicorn_set(run, UC_X86_REG_CS, ROM_SEGMENT);
     unicorn_set(run, UC_X86_REG_EIP, ROM_CODE);
+    unicorn_set(run, UC_X86_REG_EFLAGS, 0);
     run->is_in_rom = true;
     if (!start(run, &error) || error != UC_ERR_OK) {
-        unicorn_end(run, PROCESSOR_LOST, "Unicorn cannot do without a 387");
+        unicorn_end(run, PROCESSOR_LOST, "Unicorn cannot write CR0");
     }
     run->is_in_rom = false;
     unicorn_set(run, UC_X86_REG_EAX, eax);
     unicorn_set(run, UC_X86_REG_CS, cs);
     unicorn_set(run, UC_X86_REG_EIP, eip);
     unicorn_set(run, UC_X86_REG_EFLAGS, flags);
+}
+
+/* Goes on in a new engine, in real mode, after an exception. Unicorn never learns that the
+ * exception was served, and makes a double fault of the next one. */
+static void renew_engine(struct run *run) {
+    uint32_t registers[PROCESSOR_REGISTERS];
+    const uint32_t control = unicorn_get(run, UC_X86_REG_CR0);
+    uc_x86_mmr vectors, segments;
+    unicorn_get_all(run, registers);
+    (void)run->unicorn.reg_read(run->engine, UC_X86_REG_IDTR, &vectors);
+    (void)run->unicorn.reg_read(run->engine, UC_X86_REG_GDTR, &segments);
+    (void)run->unicorn.close(run->engine);
+    if (!open_engine(run)) {
+        unicorn_end(run, PROCESSOR_LOST, "Unicorn could not be set up again");
+        return;
+    }
+    unicorn_set_all(run, registers);
+    (void)run->unicorn.reg_write(run->engine, UC_X86_REG_IDTR, &vectors);
+    (void)run->unicorn.reg_write(run->engine, UC_X86_REG_GDTR, &segments);
+    set_control(run, control);
 }
 
 /* Runs the CPU until the program ends, or until something is to be done before the CPU goes on.
@@ -296,18 +322,26 @@ static enum pause run_on(struct run *run) {
     return PAUSE_NONE;
 }
 
+/* Tells whether two exceptions of such vectors make a double fault. */
+static bool counts_as_fault(uint32_t vector) {
+    return vector == 0x00 || (vector >= 0x0A && vector <= 0x0D);
+}
+
 /* Runs the CPU to the run's end, and reports why the run ended. */
 static void run_to_the_end(struct run *run) {
     while (!run->is_over) {
         switch (run_on(run)) {
         case PAUSE_INTERRUPT:
+            if (counts_as_fault(run->vector)) {
+                renew_engine(run);
+            }
             unicorn_call_vector(run);
             break;
         case PAUSE_ROM:
             unicorn_run_rom(run);
             break;
         case PAUSE_387:
-            deny_387(run);
+            set_control(run, unicorn_get(run, UC_X86_REG_CR0) | CONTROL_NO_387);
             break;
         case PAUSE_CODE:
             unicorn_make_undefined(run, run->vector);

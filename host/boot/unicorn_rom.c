@@ -15,12 +15,7 @@ enum {
     HALT = 0xF4
 };
 
-static const uint8_t rom_code[] = {
-    0x0F, 0x20, 0xC0, /* mov eax, cr0 */
-    0x0C, 0x04,       /* or al, CONTROL_NO_387 */
-    0x0F, 0x22, 0xC0, /* mov cr0, eax */
-    0xF4              /* hlt */
-};
+static const uint8_t rom_code[] = {0x0F, 0x22, 0xC0, 0xF4}; /* mov cr0, eax; hlt */
 
 void unicorn_fill_rom(struct run *run) {
     uint8_t *memory = run->memory;

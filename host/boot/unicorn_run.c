@@ -55,6 +55,12 @@ void unicorn_get_all(struct run *run, uint32_t registers[PROCESSOR_REGISTERS]) {
     }
 }
 
+void unicorn_set_all(struct run *run, const uint32_t registers[PROCESSOR_REGISTERS]) {
+    for (int i = 0; i < PROCESSOR_REGISTERS; i++) {
+        unicorn_set(run, register_numbers[i], registers[i]);
+    }
+}
+
 bool unicorn_write(struct run *run, uint32_t address, const uint8_t *bytes, uint32_t count) {
     const uc_control_type request =
         (uc_control_type)UC_CTL(UC_CTL_TB_REMOVE_CACHE, 2, (unsigned)UC_CTL_IO_WRITE);

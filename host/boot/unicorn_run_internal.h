@@ -17,7 +17,7 @@ enum {
 };
 
 /* The ROM has a byte for each vector. Such a byte is never run: the run stops there, and does what
- * the ROM would do. Behind these bytes is code that says in CR0 that there is no 387. */
+ * the ROM would do. Behind these bytes is code that writes CR0. */
 enum { ROM_SEGMENT = 0xFD80, ROM_BASE = 16 * ROM_SEGMENT, ROM_CODE = VECTORS };
 
 /* What is known of the block of code that begins at an address. */
@@ -70,8 +70,9 @@ void unicorn_pause(struct run *run, enum pause pause, uint32_t vector);
 uint32_t unicorn_get(struct run *run, int number);
 void unicorn_set(struct run *run, int number, uint32_t value);
 
-/* Reads all registers, by enum processor_register. */
+/* Reads and writes all registers, by enum processor_register. */
 void unicorn_get_all(struct run *run, uint32_t registers[PROCESSOR_REGISTERS]);
+void unicorn_set_all(struct run *run, const uint32_t registers[PROCESSOR_REGISTERS]);
 
 /* Writes to the machine's memory while the CPU stands, and forgets what was known of code there.
  * False if no memory is there. */

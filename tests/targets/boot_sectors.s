@@ -279,6 +279,31 @@ sector:
     stop
 2:  show    'D'
     stop
+#= own_divide_error_again_and_again | 0 | screen: DDDD
+    begin
+    vector  0, 2f
+    movw    $4, %cx
+1:  xorw    %bx, %bx
+    divw    %bx
+    loop    1b
+    stop
+2:  show    'D'
+    movw    %sp, %bp
+    addw    $2, (%bp)                   /* behind the division */
+    iretw
+#= own_divide_error_with_line_20_on | 0 | screen: D
+    begin
+    outb    %al, $0xF2
+    vector  0, 2f
+    xorw    %cx, %cx
+    divw    %cx
+    stop
+2:  show    'D'
+    stop
+#= vectors_that_repeat | 1 | no end within 20000000 instructions
+    begin
+    vector  6, 2f
+2:  cpuid
 #= own_interrupt_returns | 0 | screen: IR
     begin
     vector  0x60, 2f
