@@ -300,7 +300,7 @@ sector:
     stop
 2:  show    'D'
     stop
-#= vectors_that_repeat | 1 | no end within 20000000 instructions
+#= vectors_that_repeat | 1 | no end within 200000 instructions | --instructions 200000
     begin
     vector  6, 2f
 2:  cpuid

@@ -34,7 +34,7 @@ assemble() {
         -Wl,--oformat=binary -Wl,-e,0 -o "$binary" "$@" "$source" || wrong "$source: not assembled"
 }
 
-# table FILE: boots each sector of a table, and looks at what comes of it. A whole line of the screen is
+# table FILE INSTRUCTIONS: boots each sector of a table, and looks at what comes of it. A whole line of the screen is
 # expected by "screen:", a part of what is said otherwise. The common code and one sector of each name
 # go to NAME.s; names and expectations to table.txt.
 table() {
@@ -52,7 +52,7 @@ table() {
         *protected*) chmod a-w "$work/$name.hdm" && options= ;;
         esac
         # shellcheck disable=SC2086 # a list of words, and a number behind blanks
-        timeout 60 "$SUPERFRAME" boot "$work/$name.hdm" --instructions 20000000 -o "$work/$name.png" $options \
+        timeout 60 "$SUPERFRAME" boot "$work/$name.hdm" --instructions $2 -o "$work/$name.png" $options \
             > "$work/$name.txt" 2>&1
         found=$?
         # shellcheck disable=SC2086
@@ -73,15 +73,17 @@ truncate -s 1261568 "$work/disk"
 put 1231 LZ
 put 16 A1
 put 24 B1
-table tests/targets/boot_sectors.s
+table tests/targets/boot_sectors.s 20000000
 
-# An image of one sector: IMAGE in the second line; and the boot sector that reads it.
+# An image of one sector: IMAGE in the second line, and the letters that lie 7, 15, 17 and 18 sectors
+# on, if they were read; and the boot sector that reads it.
 cat > "$work/image.s" << 'end'
     .code16
     movw    $0xA000, %ax
     movw    %ax, %es
     pushw   %cs
     popw    %ds
+    movb    $0, %ah
     movw    $text, %si
     movw    $160, %di
 1:  lodsb
@@ -89,6 +91,15 @@ cat > "$work/image.s" << 'end'
     incw    %di
     testb   %al, %al
     jnz     1b
+    subw    $2, %di
+    movb    7 * 1024, %al
+    stosw
+    movb    15 * 1024, %al
+    stosw
+    movb    17 * 1024, %al
+    stosw
+    movb    18 * 1024, %al
+    stosw
     cli
     hlt
 text:
@@ -98,7 +109,16 @@ assemble "$work/image.s" "$work/image.bin"
 assemble firmware/targets/pc98/boot.S "$work/loader.bin" -DIMAGE_SECTORS=1
 dd if="$work/image.bin" of="$work/disk" bs=1024 seek=1 conv=notrunc status=none
 dd if="$work/loader.bin" of="$work/disk" bs=1024 seek=2 conv=notrunc status=none
-table tests/targets/boot_loader.s
+table tests/targets/boot_loader.s 300000
+
+# An image that goes on on the other side and on the next cylinder: H, A and C are where those begin.
+put 8 H1
+put 18 C3
+put 19 past
+assemble firmware/targets/pc98/boot.S "$work/long.bin" -DIMAGE_SECTORS=18
+dd if="$work/long.bin" of="$work/disk" conv=notrunc status=none
+timeout 60 "$SUPERFRAME" boot "$work/disk" > "$work/long.txt" 2>&1 || wrong "a long image: status $?"
+grep -qFx 'screen: IMAGEHAC' "$work/long.txt" || { wrong 'a long image is not where it should be' && cat "$work/long.txt"; }
 
 # changed NAME SED TEXT: the boot sector, changed by sed, before its image: what the screen says.
 changed() {
