@@ -432,6 +432,36 @@ nothing:
     stop
 word:
     .word   0
+#= no_387_is_found_by_any_address | 0 | screen: FFFFFFFF
+    begin
+    movw    $0x3000, %ax
+    movw    %ax, %ss
+    movw    %ax, %fs
+    movw    $0x2000, %ax
+    movw    %ax, %es
+    movw    $0x1000, %sp
+    movw    $0x100, %bp
+    movw    $0x200, %bx
+    movw    $0x30, %si
+    movw    $0x40, %di
+    fnstcw  (%bp, %si)                  /* 3000:0130 */
+    fnstsw  0x7F(%bp)                   /* 3000:017F */
+    fnstcw  %es:-2(%bx, %di)            /* 2000:023E */
+    fnstsw  %es:0x1234(%di)             /* 2000:1274 */
+    movw    %es, %ax
+    movw    %ax, %gs
+    movw    $0xA000, %ax
+    movw    %ax, %es
+    xorw    %di, %di
+    movb    %fs:0x130, %ah
+    calll   show_status
+    movb    %fs:0x17F, %ah
+    calll   show_status
+    movb    %gs:0x23E, %ah
+    calll   show_status
+    movb    %gs:0x1275, %ah
+    calll   show_status
+    stop
 #= no_387_whatever_cr0_says | 0 | screen: FF
     begin
     movl    %cr0, %eax
@@ -529,6 +559,17 @@ word:
     movl    $0xA0003, 0x60000 + 4 * 0x100
     page_on
     movw    $'P', 0x100000
+    hlt
+#= paging_that_is_off_at_the_end | 1 | paging that maps 00050000h to 000A0000h is not emulated
+    begin
+    protect
+    pages
+    movl    $0xA0003, 0x60000 + 4 * 0x50
+    page_on
+    movw    $'P', 0x50000
+    movl    %cr0, %eax
+    andl    $0x7FFFFFFF, %eax
+    movl    %eax, %cr0
     hlt
 #= page_that_is_not_there | 1 | paging without a page at 00005000h is not emulated
     begin

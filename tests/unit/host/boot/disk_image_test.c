@@ -189,6 +189,9 @@ static void an_fdi_is_read_behind_the_header_that_it_names(void **state) {
     put(0x18, 8, 4);
     put(0x1C, 615, 4);
     expect_refusal(size, "an HDI image");
+    put(0x0C, 80 * 8 * 33 * 256, 4); /* few cylinders, and more heads than a floppy has */
+    put(0x1C, 80, 4);
+    expect_refusal(size, "an HDI image");
     put(0x0C, 1, 4); /* numbers that do not agree */
     expect_refusal(size, "no 2HD image");
 }

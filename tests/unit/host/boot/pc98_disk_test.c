@@ -125,6 +125,15 @@ static void a_transfer_may_end_at_a_border_and_not_cross_it(void **state) {
     assert_int_equal(serve(0x56, 0, 0, 1, 8192), DISK_DONE);
 }
 
+static void what_is_no_sector_is_not_found(void **state) {
+    (void)state;
+    assert_int_equal(serve(0x56, 0, 0, 0, 1024), DISK_NO_SECTOR);
+    assert_int_equal(serve(0x56, 0, 0, 9, 1024), DISK_NO_SECTOR);
+    assert_int_equal(serve(0x56, 0, 2, 1, 1024), DISK_NO_SECTOR);
+    assert_int_equal(serve(0x56, 77, 0, 1, 1024), DISK_NO_ADDRESS_MARK);
+    assert_int_equal(serve(0x55, 76, 1, 9, 1024), DISK_NO_SECTOR);
+}
+
 static void sector_addresses_come_round_as_the_disk_turns(void **state) {
     (void)state;
     for (unsigned i = 0; i < 17; i++) {
@@ -177,6 +186,7 @@ int main(void) {
         ON_A_DISK(a_cut_sector_is_read_in_part_and_written_with_zeros),
         ON_A_DISK(a_write_mends_a_sector_unless_the_disk_is_protected),
         ON_A_DISK(a_transfer_may_end_at_a_border_and_not_cross_it),
+        ON_A_DISK(what_is_no_sector_is_not_found),
         ON_A_DISK(sector_addresses_come_round_as_the_disk_turns),
         ON_A_DISK(what_is_no_such_drive_or_function_is_told),
     };
