@@ -208,7 +208,7 @@ static const struct option_group group_own = {
                {.name = "trace-accesses",
                 .value = "N",
                 WHOLE_IN(struct boot_options, trace_accesses, 1, 1e15),
-                .preset = "50000000", /* some fifty pictures of 640 x 400 */
+                .preset = "20000000", /* some twenty pictures of 640 x 400 */
                 .help = "end the trace after so many accesses"},
                {.name = "screen",
                 .value = "FILE",
