@@ -12,12 +12,12 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* The machine has 640 KiB of memory and text VRAM at A0000h. Its graphics planes at A8000h, B0000h,
- * B8000h and E0000h are plain memory. Address bit 20 is off until the program switches it on. The
- * machine has a keyboard, and a floppy by INT 1Bh. A program's own real-mode vectors are called;
- * nothing else of the ROM is there. There is no 387, and no device raises an interrupt. The run
- * ends at an address where nothing is, and at an opcode of a later CPU. Nor is there paging that
- * moves an address, or an interrupt in protected mode. */
+/* The machine has 640 KiB of memory, 1 MiB of extended memory, and text VRAM at A0000h. Its
+ * graphics planes at A8000h, B0000h, B8000h and E0000h are plain memory. Address bit 20 is off
+ * until the program switches it on. The machine has a keyboard, and a floppy by INT 1Bh. A
+ * program's own real-mode vectors are called; nothing else of the ROM is there. There is no 387,
+ * and no device raises an interrupt. The run ends at an address where nothing is, and at an opcode
+ * of a later CPU. Nor is there paging that moves an address, or an interrupt in protected mode. */
 
 enum processor_end {
     PROCESSOR_HALTED,      /* HLT with interrupts off: the program has stopped by itself */

@@ -15,6 +15,8 @@ enum {
     BOOT_SEGMENT = 0x1FC0,
     BOOT_STACK_SEGMENT = 0x30,
     BOOT_STACK = 0x00F0,
+    EXTENDED_SIZE_BYTE = 0x401, /* in 128 KiB */
+    EXTENDED_1_MIB = 8,
     MEMORY_SIZE_BYTE = 0x501,
     MEMORY_640_KIB = 0x04,
     DRIVE_BYTE = 0x584,
@@ -68,20 +70,32 @@ static void enter_block(uc_engine *engine, uint64_t address, uint32_t size, void
     }
 }
 
-/* Maps the memory once more, 1 MiB higher, while address line 20 is off; takes it away when the
- * line is on. */
-static bool follow_line_20(struct run *run) {
+/* Maps what lies above 1 MiB: with address line 20 the extended memory, without it what lies below
+ * 1 MiB once more. */
+static bool map_above(struct run *run) {
     bool is_right = true;
-    for (size_t i = 0; is_right && i < sizeof regions / sizeof regions[0]; i++) {
-        uint32_t begin = MACHINE_BYTES + regions[i].begin;
-        is_right =
-            (run->ports.is_line_20_on
-                 ? run->unicorn.mem_unmap(run->engine, begin, regions[i].length)
-                 : run->unicorn.mem_map_ptr(run->engine, begin, regions[i].length, UC_PROT_ALL,
-                                            run->memory + regions[i].begin)) == UC_ERR_OK;
-    }
     run->is_line_20_followed = run->ports.is_line_20_on;
+    if (run->is_line_20_followed) {
+        return run->unicorn.mem_map_ptr(run->engine, LINE_20, LINE_20, UC_PROT_ALL,
+                                        run->memory + LINE_20) == UC_ERR_OK;
+    }
+    for (size_t i = 0; is_right && i < sizeof regions / sizeof regions[0]; i++) {
+        is_right =
+            run->unicorn.mem_map_ptr(run->engine, LINE_20 + regions[i].begin, regions[i].length,
+                                     UC_PROT_ALL, run->memory + regions[i].begin) == UC_ERR_OK;
+    }
     return is_right;
+}
+
+/* Maps what lies above 1 MiB anew, after address line 20 was switched. */
+static bool follow_line_20(struct run *run) {
+    bool was_on = run->is_line_20_followed;
+    bool is_right = !was_on || run->unicorn.mem_unmap(run->engine, LINE_20, LINE_20) == UC_ERR_OK;
+    for (size_t i = 0; !was_on && is_right && i < sizeof regions / sizeof regions[0]; i++) {
+        is_right = run->unicorn.mem_unmap(run->engine, LINE_20 + regions[i].begin,
+                                          regions[i].length) == UC_ERR_OK;
+    }
+    return is_right && map_above(run);
 }
 
 /* Sees to what a port access has led to. */
@@ -184,6 +198,7 @@ static bool add_hooks(struct run *run) {
 /* Puts into memory what the machine's start leaves there, and the boot sector. */
 static void fill_memory(struct run *run) {
     uint8_t *memory = run->memory;
+    memory[EXTENDED_SIZE_BYTE] = EXTENDED_1_MIB;
     memory[MEMORY_SIZE_BYTE] = MEMORY_640_KIB;
     memory[DRIVE_BYTE] = PC98_DRIVE;
     memcpy(memory + 16 * BOOT_SEGMENT, run->job->disk->bytes, PC98_SECTOR_BYTES);
@@ -199,7 +214,7 @@ static bool open_engine(struct run *run) {
             run->unicorn.mem_map_ptr(run->engine, regions[i].begin, regions[i].length, UC_PROT_ALL,
                                      run->memory + regions[i].begin) == UC_ERR_OK;
     }
-    return is_right && (run->ports.is_line_20_on || follow_line_20(run)) && add_hooks(run);
+    return is_right && map_above(run) && add_hooks(run);
 }
 
 /* Sets the machine up as its ROM leaves it for the jump to the boot sector; false if Unicorn

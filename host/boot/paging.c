@@ -2,7 +2,7 @@
 /* The page tables of a program, which the emulated CPU does not follow. */
 #include "boot/paging.h"
 
-enum { ENTRIES = 1024, PAGE_BYTES = 4096, PRESENT = 1, MACHINE_BYTES = 0x100000 };
+enum { ENTRIES = 1024, PAGE_BYTES = 4096, PRESENT = 1, FIRST_MIB = 0x100000 };
 
 /* Returns an entry of a table; 0, which is not present, where no memory is. */
 static uint32_t entry_at(const uint8_t *memory, uint32_t memory_bytes, uint32_t table,
@@ -29,7 +29,7 @@ bool paging_is_identity(const uint8_t *memory, uint32_t memory_bytes, uint32_t d
             fault->linear = (i * ENTRIES + j) * PAGE_BYTES;
             fault->physical = page & ~(uint32_t)(PAGE_BYTES - 1);
             fault->is_missing = !is_there;
-            if (is_there ? fault->physical != fault->linear : fault->linear < MACHINE_BYTES) {
+            if (is_there ? fault->physical != fault->linear : fault->linear < FIRST_MIB) {
                 return false;
             }
         }

@@ -61,7 +61,7 @@ static void refuse_instruction(struct run *run, uint32_t address) {
 
 /* Looks through a block of code that is met for the first time. */
 static void look_through(struct run *run, struct block *block, uint32_t address, uint32_t bytes) {
-    uint32_t base = run->is_line_20_followed ? address : address & (MACHINE_BYTES - 1);
+    uint32_t base = run->is_line_20_followed ? address : address & (LINE_20 - 1);
     bool is_32 = code_is_32(run);
     block->has_387 = false;
     block->writes_control = false;

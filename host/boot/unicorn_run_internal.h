@@ -8,7 +8,8 @@
 #include "boot/unicorn_library.h"
 
 enum {
-    MACHINE_BYTES = 0x100000,
+    LINE_20 = 0x100000,          /* what address line 20 counts for: 1 MiB */
+    MACHINE_BYTES = 2 * LINE_20, /* with 1 MiB of extended memory */
     VECTORS = 256,
     VECTOR_OPCODE = 0x06,
     CONTROL_NO_387 = 0x00000004, /* a bit of CR0 */

@@ -526,13 +526,50 @@ word:
     movb    %gs:0x700, %al
     stosb
     stop
-#= no_memory_above_1_mib | 1 | 00100700h was written to; nothing is there
+#= extended_memory | 0 | screen: EB
     begin
     outb    %al, $0xF2
     movw    $0xFFFF, %ax
     movw    %ax, %fs
-    movb    $'W', %fs:0x710
+    xorw    %ax, %ax
+    movw    %ax, %gs
+    movb    $'B', %gs:0x700
+    movb    $'E', %fs:0x710
+    movb    %fs:0x710, %al
+    stosb
+    incw    %di
+    movb    %gs:0x700, %al
+    stosb
     stop
+#= extended_memory_outlives_the_line | 0 | screen: E
+    begin
+    outb    %al, $0xF2
+    movw    $0xFFFF, %ax
+    movw    %ax, %fs
+    movb    $'E', %fs:0x710
+    movb    $3, %al
+    outb    %al, $0xF6
+    movb    $'B', %fs:0x710
+    movb    $2, %al
+    outb    %al, $0xF6
+    movb    %fs:0x710, %al
+    stosb
+    stop
+#= code_of_a_486_in_extended_memory | 1 | an opcode that the CPU does not have; at 001000
+    begin
+    outb    %al, $0xF2
+    movw    $0xFFFF, %ax
+    movw    %ax, %es
+    movl    $0xCBC80F66, %es:0x10       /* bswap eax, retf */
+    lcallw  $0xFFFF, $0x10
+    stop
+#= no_memory_above_2_mib | 1 | 00200000h was written to; nothing is there
+    begin
+    outb    %al, $0xF2
+    protect
+    movl    $1, 0x1FFFFC
+    movl    $1, 0x200000
+    hlt
 #= reset | 1 | the program has reset the machine (OUT F0h)
     begin
     outb    %al, $0xF0
