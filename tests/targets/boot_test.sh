@@ -186,6 +186,15 @@ expect 0 'black' "$SUPERFRAME" boot "$work/writes.hdm" --trace "$work/trace.txt"
 [ "$(grep -c out8 "$work/trace.txt")" -eq 11 ] || wrong 'a trace as long as its limit is cut'
 grep -q 'trace ends' "$work/said.txt" && wrong 'a trace as long as its limit is said to end'
 
+# Two predictions for an RA2 at 16 MHz, 4.4 and 5.7 clocks an instruction, each with its source: here 16
+# million rounds of LOOP in ECX, and little else.
+disk long.hdm '\372\146\271\000\044\364\000\147\342\375\364'
+expect 0 '' "$SUPERFRAME" boot "$work/long.hdm" --stats "$work/stats.json"
+for line in '"predicted_seconds_RA2": 4.4,' '"predicted_source_RA2": "4.4 clocks an instruction, assumed",' \
+    '"predicted_seconds_RA2_NP2kai": 5.7,' "by NP2kai's table of the 386 on fig3"; do
+    grep -qF "$line" "$work/stats.json" || wrong "--stats: not there: $line"
+done
+
 # mov ax, 1234h; 66 mov dx... : four bytes at D4 are two words, the low one first.
 disk wide.hdm '\146\270\105\000\043\001\272\324\000\146\357\146\355\372\364'
 expect 0 '' "$SUPERFRAME" boot "$work/wide.hdm" --trace "$work/trace.txt"
