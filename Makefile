@@ -63,7 +63,7 @@ TESTKIT_SOURCES  := $(wildcard emulator/testing/*.c)
 BOARD_SOURCES    := $(wildcard hal/*.c hal/cable/*.c firmware/adapter/*.c) \
                     $(filter-out $(TESTKIT_SOURCES),$(wildcard emulator/*/*.c))
 LEFT_OUT         := $(patsubst %,adapter/driver_%,$(filter-out $(DRIVERS),bulk hid)) \
-                    $(if $(PROCESSORS),,boot/cpu_unicorn boot/unicorn_library) \
+                    $(if $(PROCESSORS),,$(addprefix boot/,cpu_unicorn unicorn_code unicorn_library unicorn_rom unicorn_run)) \
                     $(if $(VECTOR_SETS),,render/instruction_sets_x86_64)
 HOST_SOURCES     := $(filter-out $(STREAM_SOURCES) $(patsubst %,host/%.c,$(LEFT_OUT) command/main), \
                     $(wildcard host/*/*.c host/lab/*/*.c))

@@ -98,7 +98,8 @@ for key in $(comm -13 "$folder/told" "$folder/run"); do
 done
 for key in $(comm -23 "$folder/told" "$folder/run"); do
     case " adapter bus bytes_out bytes_in transfers frames resent timeouts stalls reconnects restarts \
-verified_pixels repaired_pixels instructions predicted_seconds_RA2 " in
+verified_pixels repaired_pixels instructions predicted_seconds_RA2 predicted_seconds_RA2_NP2kai \
+predicted_source_RA2 predicted_source_RA2_NP2kai " in
     *" $key "*) ;;
     *) complain "$prose: --stats has no $key" ;;
     esac

@@ -258,13 +258,11 @@ static void write_split(struct board *board, uint16_t port, uint16_t value) {
     }
 }
 
-void board_write_any(struct board *board, uint16_t port, uint16_t value, unsigned width) {
+/* Does a write of one byte or one word. */
+static void write_once(struct board *board, uint16_t port, uint16_t value, unsigned width) {
     unsigned offset = (uint16_t)(port - board->desc.base);
     bool is_decoded = offset < BOARD_PORTS;
     struct access access = {port, value, (uint8_t)width, false};
-    if (!board_width_is_there(width)) {
-        return;
-    }
     board->accesses++;
     if (is_decoded) {
         board->writes[offset][width - 1]++;
@@ -278,6 +276,15 @@ void board_write_any(struct board *board, uint16_t port, uint16_t value, unsigne
         write_split(board, port, value);
     } else {
         board_note_use(board, BOARD_FOREIGN_WRITE);
+    }
+}
+
+void board_write_any(struct board *board, uint16_t port, uint32_t value, unsigned width) {
+    if (board_width_is_there(width)) {
+        write_once(board, port, (uint16_t)value, width);
+    } else if (width == BOARD_TWO_WORDS) {
+        write_once(board, port, (uint16_t)value, BUS_WORD);
+        write_once(board, (uint16_t)(port + 2), (uint16_t)(value >> 16), BUS_WORD);
     }
 }
 
@@ -343,12 +350,10 @@ static uint8_t read_half(struct board *board, uint16_t port) {
     return 0xFF;
 }
 
-uint16_t board_read(struct board *board, uint16_t port, unsigned width) {
+/* Does a read of one byte or one word. */
+static uint16_t read_once(struct board *board, uint16_t port, unsigned width) {
     unsigned offset = (uint16_t)(port - board->desc.base);
     struct access access = {port, width == BUS_BYTE ? 0x00FF : 0xFFFF, (uint8_t)width, true};
-    if (!board_width_is_there(width)) {
-        return access.value;
-    }
     board->accesses++;
     if (offset < BOARD_PORTS) {
         board->reads[offset][width - 1]++;
@@ -368,4 +373,15 @@ uint16_t board_read(struct board *board, uint16_t port, unsigned width) {
     }
     report(board, BOARD_FOREIGN_READ, access);
     return access.value;
+}
+
+uint32_t board_read(struct board *board, uint16_t port, unsigned width) {
+    if (board_width_is_there(width)) {
+        return read_once(board, port, width);
+    }
+    if (width != BOARD_TWO_WORDS) {
+        return UINT32_MAX;
+    }
+    uint32_t low = read_once(board, port, BUS_WORD);
+    return low | (uint32_t)read_once(board, (uint16_t)(port + 2), BUS_WORD) << 16;
 }

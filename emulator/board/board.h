@@ -40,7 +40,7 @@
  *     mode 40                   later: X + 1 after a byte write of blue.     A !     A !
  *     mode, any other bit       stored, no effect.                           A !     A !
  *                               (08 is GRAYMODE, 80 STEALWR.)
- *     0Ch, 0Dh                  later: display start address, complemented.  A !     D
+ *     0Ch, 0Dh                  later: display start address, complemented.  A !     I
  *     13h, 14h                  the second screen's: stored, no effect.      A !     A !
  *     index that is neither     stored, no effect.                           A !     A !
  *       initialised nor above
@@ -179,13 +179,14 @@ bool board_init(struct board *board, const struct board_desc *desc);
  * stay (grade A). */
 void board_reset(struct board *board);
 
-/* Does one OUT to any port. width is 1 or 2 bytes; of the value the low `width` bytes count.
- * Another width is no access: a 32-bit OUT is two of 16 bits on the PC-98's bus. */
-void board_write(struct board *board, uint16_t port, uint16_t value, unsigned width);
+/* Does one OUT to any port. width is 1, 2 or 4 bytes; of the value the low `width` bytes count.
+ * Four bytes are two words on the PC-98's bus. The low one goes to `port`, then the high one to the
+ * port two above. Another width is refused: it is no access, and nothing changes. */
+void board_write(struct board *board, uint16_t port, uint32_t value, unsigned width);
 
-/* Does one IN from any port. Returns 0..FFh for width 1, 0..FFFFh for width 2, and FFFFh for
- * another width. */
-uint16_t board_read(struct board *board, uint16_t port, unsigned width);
+/* Does one IN from any port, of four bytes as board_write() does. Returns 0..FFh for width 1,
+ * 0..FFFFh for width 2, and FFFFFFFFh for a refused width. */
+uint32_t board_read(struct board *board, uint16_t port, unsigned width);
 
 /* Returns how many violations there were. One access can hold two (a word at an odd port). */
 uint64_t board_violations(const struct board *board);

@@ -9,7 +9,7 @@ static void bus_to_board_write(struct bus *bus, uint16_t port, uint16_t value, u
 }
 
 static uint16_t bus_to_board_read(struct bus *bus, uint16_t port, unsigned width) {
-    return board_read(((struct board_bus *)bus)->board, port, width);
+    return (uint16_t)board_read(((struct board_bus *)bus)->board, port, width);
 }
 
 static const struct bus_operations board_operations = {bus_to_board_write, bus_to_board_read, NULL};

@@ -11,6 +11,8 @@ static inline bool board_decodes(const struct board *board, uint16_t port) {
     return (uint16_t)(port - board->desc.base) < BOARD_PORTS;
 }
 
+enum { BOARD_TWO_WORDS = 4 }; /* the width of a 32-bit access */
+
 /* Tells whether a width is one that a 16-bit bus has. */
 static inline bool board_width_is_there(unsigned width) {
     return width == BUS_BYTE || width == BUS_WORD;
@@ -33,6 +35,6 @@ static inline bool board_pixel_is_plain(const struct board *board) {
 }
 
 /* Does any write, also those that board_write() does by itself. */
-void board_write_any(struct board *board, uint16_t port, uint16_t value, unsigned width);
+void board_write_any(struct board *board, uint16_t port, uint32_t value, unsigned width);
 
 #endif

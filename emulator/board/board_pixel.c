@@ -32,11 +32,12 @@ static inline bool write_x(struct board *board, unsigned offset, uint16_t x) {
     return true;
 }
 
-void board_write(struct board *board, uint16_t port, uint16_t value, unsigned width) {
+void board_write(struct board *board, uint16_t port, uint32_t value, unsigned width) {
     unsigned offset = (uint16_t)(port - board->desc.base);
     bool is_primary = offset == BOARD_RED || offset == BOARD_GREEN || offset == BOARD_BLUE;
-    bool is_done = (is_primary && width == BUS_BYTE && write_primary(board, offset, value)) ||
-                   (offset == BOARD_X && width == BUS_WORD && write_x(board, offset, value));
+    bool is_done =
+        (is_primary && width == BUS_BYTE && write_primary(board, offset, (uint16_t)value)) ||
+        (offset == BOARD_X && width == BUS_WORD && write_x(board, offset, (uint16_t)value));
     if (!is_done) {
         board_write_any(board, port, value, width);
     }

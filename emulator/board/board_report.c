@@ -50,7 +50,7 @@ static const struct behaviour behaviours[BOARD_BEHAVIOURS] = {
                              {GRADE_DRIVER, GRADE_DRIVER},
                              {false, false}},
     [BOARD_START_ADDRESS] = {"a display start address other than 0",
-                             {GRADE_ASSUMED, GRADE_DRIVER},
+                             {GRADE_ASSUMED, GRADE_INFERRED},
                              {true, false}},
     [BOARD_WORD_SPLIT] = {"a word at an odd port, taken as two bytes",
                           {GRADE_INFERRED, GRADE_INFERRED},

@@ -34,7 +34,7 @@ static void kit_write(struct bus *bus, uint16_t port, uint16_t value, unsigned w
 static uint16_t kit_read(struct bus *bus, uint16_t port, unsigned width) {
     struct superframe_kit *kit = (struct superframe_kit *)bus;
     struct trace_access access = {port, 0, (uint8_t)width, true};
-    access.value = board_read(&kit->board, port, width);
+    access.value = (uint16_t)board_read(&kit->board, port, width);
     return remember(kit, &access) ? access.value : 0xFFFF;
 }
 

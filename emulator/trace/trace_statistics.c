@@ -111,7 +111,7 @@ uint16_t trace_statistics_add(struct trace_statistics *statistics,
     unsigned offset = (uint16_t)(access->port - board->desc.base);
     if (access->is_read) {
         statistics->reads++;
-        return board_read(board, access->port, access->width);
+        return (uint16_t)board_read(board, access->port, access->width);
     }
     statistics->writes++;
     bool is_odd = (offset & 1) != 0;

@@ -48,6 +48,11 @@ void port_chain_record(struct port_chain *chain, FILE *file, enum trace_format f
     chain->is_recording = true;
 }
 
+void port_chain_limit(struct port_chain *chain, const char *name, uint64_t accesses_most) {
+    trace_limit_init(&chain->limit, &chain->recorder, name, accesses_most);
+    chain->hash.inner = &chain->limit.bus;
+}
+
 struct bus *port_chain_bus(struct port_chain *chain, bool is_observed) {
     if (!is_observed) {
         return chain->hash.inner;

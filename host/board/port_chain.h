@@ -10,6 +10,7 @@
 
 #include "board.h"
 #include "board/first_write.h"
+#include "board/trace_limit.h"
 #include "bus.h"
 #include "cost_bus.h"
 #include "fault_bus.h"
@@ -23,6 +24,7 @@ struct port_chain {
     struct trace_hash hash; /* outermost */
     bool is_recording;
     struct trace_recorder recorder;
+    struct trace_limit limit;
     bool is_counting;
     struct cost_bus cost;
     struct fault_bus faults;
@@ -41,8 +43,8 @@ struct port_chain {
  * an empty slot. NULL if memory is out or the desc is invalid. */
 struct port_chain *port_chain_new(const struct board_desc *desc, bool has_board);
 
-/* The following four put something into the chain, before any access. What is put in later sees an
- * access earlier: a device first, then faults, then the count, then the recorder. */
+/* The following five put something into the chain, before any access. What is put in later sees an
+ * access earlier. The order is: a device, faults, the count, the recorder, its limit. */
 
 /* Puts a device in the place of the empty slot, for a chain without a board. The device stays the
  * caller's. */
@@ -56,6 +58,10 @@ void port_chain_count(struct port_chain *chain);
 
 /* Puts in a recorder. The file stays the caller's. */
 void port_chain_record(struct port_chain *chain, FILE *file, enum trace_format format);
+
+/* Lets the recorder, which is there, record at most so many accesses, at least 1. The name of its
+ * file must outlive the chain. */
+void port_chain_limit(struct port_chain *chain, const char *name, uint64_t accesses_most);
 
 /* Returns the bus to bind, after all of the above. Observed: chain->hash hashes and counts the
  * writes, and chain->first notes when the first write comes. Otherwise only what was put into the

@@ -72,6 +72,12 @@ int session_open(struct session *session, const struct session_files *files) {
     return STATUS_DONE;
 }
 
+void session_limit_trace(struct session *session, uint64_t accesses_most) {
+    if (session->files.trace != NULL) {
+        port_chain_limit(session->chain, session->files.trace, accesses_most);
+    }
+}
+
 struct bus *session_bus(struct session *session) {
     return port_chain_bus(session->chain, session->stats.file != NULL);
 }

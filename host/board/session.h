@@ -5,6 +5,7 @@
 #define SUPERFRAME_SESSION_H
 
 #include <stdbool.h>
+#include <stdint.h>
 #include <time.h>
 
 #include "base/output.h"
@@ -48,6 +49,10 @@ int session_begin(struct session *session, const struct board_options *options,
  * the trace. Has to be called before any access. Returns STATUS_DONE; otherwise the reason is
  * printed. */
 int session_open(struct session *session, const struct session_files *files);
+
+/* Lets the trace, where one is asked for, end after so many accesses, at least 1. What is past them
+ * is told on standard error. Has to be called before any access. */
+void session_limit_trace(struct session *session, uint64_t accesses_most);
 
 /* Returns the bus to bind. Writes are hashed and timed where statistics are asked for. */
 struct bus *session_bus(struct session *session);

@@ -4,21 +4,26 @@
 #ifndef SUPERFRAME_PROCESSOR_H
 #define SUPERFRAME_PROCESSOR_H
 
-#include "boot/pc98_machine.h"
+#include "boot/pc98_disk.h"
+#include "boot/pc98_text.h"
 #include "bus.h"
 
 #include <signal.h>
 #include <stdbool.h>
 #include <stdint.h>
 
-/* The machine has 640 KiB of memory and text VRAM at A0000h. Its graphics planes at A8000h, B0000h,
- * B8000h and E0000h are plain memory. It has a keyboard, and a floppy read by INT 1Bh. Nothing else
- * of the ROM is there, and there are no interrupts. All other ports go to the bus. An access to
- * what is not there ends the run. */
+/* The machine has 640 KiB of memory, 1 MiB of extended memory, and text VRAM at A0000h. Its
+ * graphics planes at A8000h, B0000h, B8000h and E0000h are plain memory. Address bit 20 is off
+ * until the program switches it on. The machine has a keyboard, and a floppy by INT 1Bh. A
+ * program's own real-mode vectors are called; nothing else of the ROM is there. There is no 387,
+ * and no device raises an interrupt. The run ends at an address where nothing is, and at an opcode
+ * of a later CPU. Nor is there paging that moves an address, or an interrupt in protected mode. */
 
 enum processor_end {
     PROCESSOR_HALTED,      /* HLT with interrupts off: the program has stopped by itself */
+    PROCESSOR_WAITING,     /* the program waits for a key that nobody will press */
     PROCESSOR_LOST,        /* a bad opcode, an exception, an address where nothing is */
+    PROCESSOR_RESET,       /* the program has reset the machine */
     PROCESSOR_LIMIT,       /* too many instructions */
     PROCESSOR_STOPPED,     /* the caller's flag was set */
     PROCESSOR_BUS_FAILED,  /* the bus says why */
@@ -27,7 +32,7 @@ enum processor_end {
 };
 
 struct processor_job {
-    const uint8_t *disk; /* PC98_DISK_BYTES */
+    struct pc98_disk *disk; /* the program may write to it */
     struct bus *bus;
     uint64_t instructions_most;
     uint64_t escape_after;             /* Esc is pressed when the keyboard has been asked so often
@@ -40,7 +45,7 @@ enum { PROCESSOR_REGISTERS = 16 };
 /* How a run ended, and where. */
 struct processor_report {
     enum processor_end end;
-    uint64_t instructions; /* that the CPU has run */
+    uint64_t instructions; /* that the CPU has run; PROCESSOR_WAITING: up to the wait */
     char reason[160];      /* one English sentence, no full stop */
     bool is_protected;     /* in protected mode; else the address is 16 * cs + ip */
     uint32_t address;      /* linear, of the instruction where it ended */

@@ -5,112 +5,112 @@
 #include <inttypes.h>
 #include <setjmp.h>
 #include <signal.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "boot/unicorn_library.h"
+#include "boot/unicorn_run_internal.h"
 
 enum {
     BOOT_SEGMENT = 0x1FC0,
+    BOOT_STACK_SEGMENT = 0x30,
+    BOOT_STACK = 0x00F0,
+    EXTENDED_SIZE_BYTE = 0x401, /* in 128 KiB */
+    EXTENDED_1_MIB = 8,
+    MEMORY_SIZE_BYTE = 0x501,
+    MEMORY_640_KIB = 0x04,
     DRIVE_BYTE = 0x584,
-    DRIVE_2HD = 0x90,
-    MEMORY_BYTES = 0xA0000,
     TEXT_BASE = 0xA0000,
-    INTERRUPT_DISK = 0x1B,
-    DISK_READ = 0x06, /* the low four bits of AH */
-    STATUS_NO_SECTOR = 0xE0,
-    FLAG_CARRY = 0x0001,
-    FLAG_INTERRUPTS = 0x0200,
-    BLOCKS = 4096 /* entries of the table of block lengths; a power of two */
+    FLAG_INTERRUPTS = 0x0200
 };
 
 /* The regions of memory: begin and length. */
 static const struct {
     uint32_t begin, length;
-} regions[] = {{0, MEMORY_BYTES}, {TEXT_BASE, 0x4000}, {0xA8000, 0x18000}, {0xE0000, 0x8000}};
-
-static const int register_numbers[PROCESSOR_REGISTERS] = {
-    UC_X86_REG_EAX, UC_X86_REG_EBX,    UC_X86_REG_ECX, UC_X86_REG_EDX,
-    UC_X86_REG_ESI, UC_X86_REG_EDI,    UC_X86_REG_EBP, UC_X86_REG_ESP,
-    UC_X86_REG_EIP, UC_X86_REG_EFLAGS, UC_X86_REG_CS,  UC_X86_REG_DS,
-    UC_X86_REG_ES,  UC_X86_REG_FS,     UC_X86_REG_GS,  UC_X86_REG_SS};
-
-/* The number of instructions of the block of code that begins at an address. */
-struct block_length {
-    uint32_t address, instructions;
-};
-
-struct run {
-    const struct processor_job *job;
-    struct processor_report *report;
-    struct unicorn_library unicorn;
-    uc_engine *engine;
-    struct pc98_ports ports;
-    bool is_over; /* report->end and reason say why */
-    struct block_length blocks[BLOCKS];
-};
-
-#if defined(__GNUC__)
-__attribute__((format(printf, 3, 4)))
-#endif
-static void
-end_run(struct run *run, enum processor_end end, const char *format, ...) {
-    va_list arguments;
-    if (run->is_over) {
-        return; /* the first reason counts */
-    }
-    run->is_over = true;
-    run->report->end = end;
-    va_start(arguments, format);
-    (void)vsnprintf(run->report->reason, sizeof run->report->reason, format, arguments);
-    va_end(arguments);
-    (void)run->unicorn.emu_stop(run->engine);
-}
-
-static uint32_t get_register(struct run *run, int number) {
-    uint32_t value = 0;
-    (void)run->unicorn.reg_read(run->engine, number, &value);
-    return value;
-}
-
-static void set_register(struct run *run, int number, uint32_t value) {
-    (void)run->unicorn.reg_write(run->engine, number, &value);
-}
+} regions[] = {
+    {0, 0xA0000}, {TEXT_BASE, 0x4000}, {0xA8000, 0x18000}, {0xE0000, 0x8000}, {0xFD000, 0x1000}};
 
 /* ---- Hooks ----------------------------------------------------------------------------------- */
 
-/* Counts the instructions of a block of code before the block runs. Unicorn has translated the
- * block by then and knows its length, which is asked for once and kept. */
+/* Counts the instructions of a block of code before the block runs, and sees to what the block
+ * needs. */
 static void enter_block(uc_engine *engine, uint64_t address, uint32_t size, void *context) {
-    /* As unsigned: UC_CTL_READ_WRITE() shifts a bit into the sign. */
-    const uc_control_type request =
-        (uc_control_type)UC_CTL(UC_CTL_TB_REQUEST_CACHE, 2, (unsigned)UC_CTL_IO_READ_WRITE);
     struct run *run = context;
-    struct block_length *block = &run->blocks[(address ^ address >> 12) & (BLOCKS - 1)];
-    (void)size;
-    if (block->address != (uint32_t)address || block->instructions == 0) {
-        uc_tb translated;
-        if (run->unicorn.ctl(engine, request, address, &translated) != UC_ERR_OK) {
-            end_run(run, PROCESSOR_LOST, "the code there cannot be read");
-            return;
-        }
-        block->address = (uint32_t)address;
-        block->instructions = translated.icount;
+    (void)engine;
+    if (run->is_in_rom) {
+        return;
     }
+    if (address - ROM_BASE < VECTORS) {
+        unicorn_pause(run, PAUSE_ROM, (uint32_t)(address - ROM_BASE));
+        return;
+    }
+    if (run->control_is_written) {
+        run->control_is_written = false;
+        unicorn_check_paging(run);
+    }
+    const struct block *block = unicorn_find_block(run, (uint32_t)address, size);
+    if (block == NULL || run->pause != PAUSE_NONE) {
+        return;
+    }
+    if (block->has_387 && (unicorn_get(run, UC_X86_REG_CR0) & CONTROL_NO_387) == 0) {
+        if (unicorn_is_protected(run)) {
+            unicorn_end(run, PROCESSOR_LOST, "an instruction of a 387, which this machine lacks");
+        } else {
+            unicorn_pause(run, PAUSE_387, 0);
+        }
+        return;
+    }
+    run->control_is_written = block->writes_control;
     run->report->instructions += block->instructions;
     if (run->report->instructions > run->job->instructions_most) {
-        end_run(run, PROCESSOR_LIMIT, "no end within %" PRIu64 " instructions",
-                run->job->instructions_most);
+        unicorn_end(run, PROCESSOR_LIMIT, "no end within %" PRIu64 " instructions",
+                    run->job->instructions_most);
     } else if (run->job->stop != NULL && *run->job->stop != 0) {
-        end_run(run, PROCESSOR_STOPPED, "stopped");
+        unicorn_end(run, PROCESSOR_STOPPED, "stopped");
     }
 }
 
-static void check_bus(struct run *run) {
+/* Maps what lies above 1 MiB: with address line 20 the extended memory, without it what lies below
+ * 1 MiB once more. */
+static bool map_above(struct run *run) {
+    bool is_right = true;
+    run->is_line_20_followed = run->ports.is_line_20_on;
+    if (run->is_line_20_followed) {
+        return run->unicorn.mem_map_ptr(run->engine, LINE_20, LINE_20, UC_PROT_ALL,
+                                        run->memory + LINE_20) == UC_ERR_OK;
+    }
+    for (size_t i = 0; is_right && i < sizeof regions / sizeof regions[0]; i++) {
+        is_right =
+            run->unicorn.mem_map_ptr(run->engine, LINE_20 + regions[i].begin, regions[i].length,
+                                     UC_PROT_ALL, run->memory + regions[i].begin) == UC_ERR_OK;
+    }
+    return is_right;
+}
+
+/* Maps what lies above 1 MiB anew, after address line 20 was switched. */
+static bool follow_line_20(struct run *run) {
+    bool was_on = run->is_line_20_followed;
+    bool is_right = !was_on || run->unicorn.mem_unmap(run->engine, LINE_20, LINE_20) == UC_ERR_OK;
+    for (size_t i = 0; !was_on && is_right && i < sizeof regions / sizeof regions[0]; i++) {
+        is_right = run->unicorn.mem_unmap(run->engine, LINE_20 + regions[i].begin,
+                                          regions[i].length) == UC_ERR_OK;
+    }
+    return is_right && map_above(run);
+}
+
+/* Sees to what a port access has led to. */
+static void check_ports(struct run *run) {
     if (run->ports.bus->status != BUS_OK) {
-        end_run(run, PROCESSOR_BUS_FAILED, "%s", bus_status_text(run->ports.bus->status));
+        unicorn_end(run, PROCESSOR_BUS_FAILED, "%s", bus_status_text(run->ports.bus->status));
+    } else if (run->ports.is_reset) {
+        unicorn_end(run, PROCESSOR_RESET, "the program has reset the machine (OUT F0h)");
+    } else if (pc98_ports_wait_in_vain(&run->ports)) {
+        run->report->instructions = run->instructions_before_wait;
+        unicorn_end(run, PROCESSOR_WAITING, "waits for a key");
+    } else if (run->ports.polls == 1) {
+        run->instructions_before_wait = run->report->instructions;
+    } else if (run->ports.is_line_20_on != run->is_line_20_followed && !follow_line_20(run)) {
+        unicorn_end(run, PROCESSOR_LOST, "Unicorn cannot follow address line 20");
     }
 }
 
@@ -118,7 +118,7 @@ static uint32_t take_in(uc_engine *engine, uint32_t port, int width, void *conte
     struct run *run = context;
     uint32_t value = pc98_port_read(&run->ports, (uint16_t)port, (unsigned)width);
     (void)engine;
-    check_bus(run);
+    check_ports(run);
     return value;
 }
 
@@ -126,49 +126,32 @@ static void take_out(uc_engine *engine, uint32_t port, int width, uint32_t value
     struct run *run = context;
     (void)engine;
     pc98_port_write(&run->ports, (uint16_t)port, value, (unsigned)width);
-    check_bus(run);
+    check_ports(run);
 }
 
-/* Answers a read of the disk BIOS. AH is 56h or a variant of it, AL the drive, BX the number of
- * bytes. CL is the cylinder, DH the head, DL the sector, ES:BP the destination. Carry and AH say
- * what went wrong. */
-static void read_disk(struct run *run) {
-    uint32_t eax = get_register(run, UC_X86_REG_EAX), flags = get_register(run, UC_X86_REG_EFLAGS);
-    uint32_t ecx = get_register(run, UC_X86_REG_ECX), edx = get_register(run, UC_X86_REG_EDX);
-    uint32_t bytes = get_register(run, UC_X86_REG_EBX) & 0xFFFF;
-    uint32_t to = 16 * (get_register(run, UC_X86_REG_ES) & 0xFFFF) +
-                  (get_register(run, UC_X86_REG_EBP) & 0xFFFF);
-    uint8_t status = STATUS_NO_SECTOR;
-    size_t offset;
-    if ((eax & 0xFF) == DRIVE_2HD && (eax >> 8 & 0x0F) == DISK_READ &&
-        pc98_disk_place(ecx & 0xFF, edx >> 8 & 0xFF, edx & 0xFF, bytes, &offset) &&
-        to + bytes <= MEMORY_BYTES &&
-        run->unicorn.mem_write(run->engine, to, run->job->disk + offset, bytes) == UC_ERR_OK) {
-        status = 0;
-        memset(run->blocks, 0, sizeof run->blocks); /* there may be other code now */
-    }
-    set_register(run, UC_X86_REG_EAX, (eax & ~UINT32_C(0xFF00)) | (uint32_t)status << 8);
-    set_register(run, UC_X86_REG_EFLAGS,
-                 status == 0 ? flags & ~(uint32_t)FLAG_CARRY : flags | FLAG_CARRY);
-}
-
-/* Handles INT n and the CPU's own exceptions. */
+/* Takes INT n and the CPU's own exceptions. */
 static void take_interrupt(uc_engine *engine, uint32_t number, void *context) {
     struct run *run = context;
-    uint32_t control = 0;
-    (void)run->unicorn.reg_read(engine, UC_X86_REG_CR0, &control);
-    if (number == INTERRUPT_DISK && (control & 1) == 0) {
-        read_disk(run);
-        return;
+    (void)engine;
+    if (unicorn_is_protected(run)) {
+        unicorn_end(
+            run, PROCESSOR_LOST,
+            "interrupt or exception %02" PRIX32
+            "h in protected mode; a table of interrupts of the program's own is not emulated",
+            number);
+    } else {
+        unicorn_pause(run, PAUSE_INTERRUPT, number & 0xFF);
     }
-    end_run(run, PROCESSOR_LOST,
-            "interrupt or exception %02" PRIX32 "h; of the ROM there is INT 1Bh only", number);
 }
 
 static bool refuse_opcode(uc_engine *engine, void *context) {
     struct run *run = context;
     (void)engine;
-    end_run(run, PROCESSOR_LOST, "an opcode that the CPU does not have");
+    if (unicorn_is_protected(run)) {
+        unicorn_end(run, PROCESSOR_LOST, "an opcode that the CPU does not have");
+    } else {
+        unicorn_pause(run, PAUSE_INTERRUPT, VECTOR_OPCODE);
+    }
     return false;
 }
 
@@ -181,7 +164,7 @@ static bool refuse_address(uc_engine *engine, uc_mem_type type, uint64_t address
     (void)engine;
     (void)size;
     (void)value;
-    end_run(run, PROCESSOR_LOST, "%08" PRIX64 "h was %s; nothing is there", address, access);
+    unicorn_end(run, PROCESSOR_LOST, "%08" PRIX64 "h was %s; nothing is there", address, access);
     return false;
 }
 
@@ -212,48 +195,53 @@ static bool add_hooks(struct run *run) {
     return true;
 }
 
+/* Puts into memory what the machine's start leaves there, and the boot sector. */
+static void fill_memory(struct run *run) {
+    uint8_t *memory = run->memory;
+    memory[EXTENDED_SIZE_BYTE] = EXTENDED_1_MIB;
+    memory[MEMORY_SIZE_BYTE] = MEMORY_640_KIB;
+    memory[DRIVE_BYTE] = PC98_DRIVE;
+    memcpy(memory + 16 * BOOT_SEGMENT, run->job->disk->bytes, PC98_SECTOR_BYTES);
+    pc98_text_clear(memory + TEXT_BASE);
+    unicorn_fill_rom(run);
+}
+
+/* Opens Unicorn with the machine's memory; false if Unicorn fails. */
+static bool open_engine(struct run *run) {
+    bool is_right = run->unicorn.open(UC_ARCH_X86, UC_MODE_16, &run->engine) == UC_ERR_OK;
+    for (size_t i = 0; is_right && i < sizeof regions / sizeof regions[0]; i++) {
+        is_right =
+            run->unicorn.mem_map_ptr(run->engine, regions[i].begin, regions[i].length, UC_PROT_ALL,
+                                     run->memory + regions[i].begin) == UC_ERR_OK;
+    }
+    return is_right && map_above(run) && add_hooks(run);
+}
+
 /* Sets the machine up as its ROM leaves it for the jump to the boot sector; false if Unicorn
  * fails. */
 static bool prepare(struct run *run) {
-    const uint8_t drive = DRIVE_2HD;
-    const uint16_t segment = BOOT_SEGMENT;
-    const uint16_t stack_segment = 0x30, stack = 0x00F0;
-    if (run->unicorn.open(UC_ARCH_X86, UC_MODE_16, &run->engine) != UC_ERR_OK) {
+    const uc_x86_mmr vectors = {.base = 0, .limit = 4 * VECTORS - 1};
+    fill_memory(run);
+    if (!open_engine(run)) {
         return false;
     }
-    for (size_t i = 0; i < sizeof regions / sizeof regions[0]; i++) {
-        if (run->unicorn.mem_map(run->engine, regions[i].begin, regions[i].length, UC_PROT_ALL) !=
-            UC_ERR_OK) {
-            return false;
-        }
-    }
-    return run->unicorn.mem_write(run->engine, DRIVE_BYTE, &drive, 1) == UC_ERR_OK &&
-           run->unicorn.mem_write(run->engine, 16 * BOOT_SEGMENT, run->job->disk,
-                                  PC98_SECTOR_BYTES) == UC_ERR_OK &&
-           run->unicorn.reg_write(run->engine, UC_X86_REG_CS, &segment) == UC_ERR_OK &&
-           run->unicorn.reg_write(run->engine, UC_X86_REG_SS, &stack_segment) == UC_ERR_OK &&
-           run->unicorn.reg_write(run->engine, UC_X86_REG_SP, &stack) == UC_ERR_OK &&
-           add_hooks(run);
+    unicorn_set(run, UC_X86_REG_CS, BOOT_SEGMENT);
+    unicorn_set(run, UC_X86_REG_SS, BOOT_STACK_SEGMENT);
+    unicorn_set(run, UC_X86_REG_ESP, BOOT_STACK);
+    return run->unicorn.reg_write(run->engine, UC_X86_REG_IDTR, &vectors) == UC_ERR_OK;
 }
 
 /* Reports the registers, where the CPU stands, and the text screen. In protected mode the base of
  * the code segment is taken as 0. */
 static void describe_place(struct run *run) {
     struct processor_report *report = run->report;
-    uint32_t control = 0;
-    uint8_t vram[PC98_TEXT_BYTES];
-    for (int i = 0; i < PROCESSOR_REGISTERS; i++) {
-        report->registers[i] = get_register(run, register_numbers[i]);
-    }
-    (void)run->unicorn.reg_read(run->engine, UC_X86_REG_CR0, &control);
-    report->is_protected = (control & 1) != 0;
+    unicorn_get_all(run, report->registers);
+    report->is_protected = unicorn_is_protected(run);
     report->address = report->registers[REGISTER_EIP];
     if (!report->is_protected) {
         report->address += 16 * (report->registers[REGISTER_CS] & 0xFFFF);
     }
-    if (run->unicorn.mem_read(run->engine, TEXT_BASE, vram, sizeof vram) == UC_ERR_OK) {
-        pc98_text_read(vram, &report->text);
-    }
+    pc98_text_read(run->memory + TEXT_BASE, &report->text);
 }
 
 /* The place that abort() leads to while Unicorn runs; global, as a signal handler takes no argument
@@ -265,33 +253,117 @@ static void leave_unicorn(int signal_number) {
     siglongjmp(way_out, 1);
 }
 
-/* Runs the CPU; false if Unicorn aborted. Version 2.0.1 aborts the program on opcodes that its
- * translator gets wrong, such as FF DF. */
+/* Runs the CPU from CS:IP on; false if Unicorn aborted. Version 2.0.1 aborts the program on opcodes
+ * that its translator gets wrong, such as FF DF. */
 static bool start(struct run *run, uc_err *error) {
     struct sigaction action, before;
+    const uint32_t from = 16 * (unicorn_get(run, UC_X86_REG_CS) & 0xFFFF) +
+                          (unicorn_get(run, UC_X86_REG_EIP) & 0xFFFF);
     memset(&action, 0, sizeof action);
     action.sa_handler = leave_unicorn;
     (void)sigemptyset(&action.sa_mask);
     (void)sigaction(SIGABRT, &action, &before);
     bool has_returned = sigsetjmp(way_out, 1) == 0;
     if (has_returned) {
-        *error = run->unicorn.emu_start(run->engine, 16 * BOOT_SEGMENT, UINT32_MAX, 0, 0);
+        *error = run->unicorn.emu_start(run->engine, from, UINT32_MAX, 0, 0);
     }
     (void)sigaction(SIGABRT, &before, NULL);
     return has_returned;
 }
 
-/* Runs the CPU to the run's end, and reports why the run ended. */
-static void run_and_judge(struct run *run) {
+/* Writes CR0 in real mode, by code in the ROM: Unicorn heeds no other way. */
+static void set_control(struct run *run, uint32_t control) {
+    const uint32_t eax = unicorn_get(run, UC_X86_REG_EAX), cs = unicorn_get(run, UC_X86_REG_CS);
+    const uint32_t eip = unicorn_get(run, UC_X86_REG_EIP);
+    const uint32_t flags = unicorn_get(run, UC_X86_REG_EFLAGS);
     uc_err error = UC_ERR_OK;
+    unicorn_set(run, UC_X86_REG_EAX, control);
+    unicorn_set(run, UC_X86_REG_CS, ROM_SEGMENT);
+    unicorn_set(run, UC_X86_REG_EIP, ROM_CODE);
+    unicorn_set(run, UC_X86_REG_EFLAGS, 0);
+    run->is_in_rom = true;
+    if (!start(run, &error) || error != UC_ERR_OK) {
+        unicorn_end(run, PROCESSOR_LOST, "Unicorn cannot write CR0");
+    }
+    run->is_in_rom = false;
+    unicorn_set(run, UC_X86_REG_EAX, eax);
+    unicorn_set(run, UC_X86_REG_CS, cs);
+    unicorn_set(run, UC_X86_REG_EIP, eip);
+    unicorn_set(run, UC_X86_REG_EFLAGS, flags);
+}
+
+/* Goes on in a new engine, in real mode, after an exception. Unicorn never learns that the
+ * exception was served, and makes a double fault of the next one. */
+static void renew_engine(struct run *run) {
+    uint32_t registers[PROCESSOR_REGISTERS];
+    const uint32_t control = unicorn_get(run, UC_X86_REG_CR0);
+    uc_x86_mmr vectors, segments;
+    unicorn_get_all(run, registers);
+    (void)run->unicorn.reg_read(run->engine, UC_X86_REG_IDTR, &vectors);
+    (void)run->unicorn.reg_read(run->engine, UC_X86_REG_GDTR, &segments);
+    (void)run->unicorn.close(run->engine);
+    if (!open_engine(run)) {
+        unicorn_end(run, PROCESSOR_LOST, "Unicorn could not be set up again");
+        return;
+    }
+    unicorn_set_all(run, registers);
+    (void)run->unicorn.reg_write(run->engine, UC_X86_REG_IDTR, &vectors);
+    (void)run->unicorn.reg_write(run->engine, UC_X86_REG_GDTR, &segments);
+    set_control(run, control);
+}
+
+/* Runs the CPU until the program ends, or until something is to be done before the CPU goes on.
+ * Returns what is to be done, PAUSE_NONE if the run is over. */
+static enum pause run_on(struct run *run) {
+    uc_err error = UC_ERR_OK;
+    run->pause = PAUSE_NONE;
     if (!start(run, &error)) {
-        end_run(run, PROCESSOR_LOST, "Unicorn cannot translate the code there");
-    } else if (error != UC_ERR_OK) {
-        end_run(run, PROCESSOR_LOST, "%s", run->unicorn.strerror(error));
-    } else if ((get_register(run, UC_X86_REG_EFLAGS) & FLAG_INTERRUPTS) != 0) {
-        end_run(run, PROCESSOR_LOST, "waits for an interrupt; there are none");
+        unicorn_end(run, PROCESSOR_LOST, "Unicorn cannot translate the code there");
+    }
+    if (run->is_over) {
+        return PAUSE_NONE;
+    }
+    if (run->pause != PAUSE_NONE) {
+        return run->pause;
+    }
+    unicorn_check_paging(run); /* the program may have changed its page tables since */
+    if (error != UC_ERR_OK) {
+        unicorn_end(run, PROCESSOR_LOST, "%s", run->unicorn.strerror(error));
+    } else if ((unicorn_get(run, UC_X86_REG_EFLAGS) & FLAG_INTERRUPTS) != 0) {
+        unicorn_end(run, PROCESSOR_LOST, "waits for an interrupt; there are none");
     } else {
-        end_run(run, PROCESSOR_HALTED, "halted");
+        unicorn_end(run, PROCESSOR_HALTED, "halted");
+    }
+    return PAUSE_NONE;
+}
+
+/* Tells whether two exceptions of such vectors make a double fault. */
+static bool counts_as_fault(uint32_t vector) {
+    return vector == 0x00 || (vector >= 0x0A && vector <= 0x0D);
+}
+
+/* Runs the CPU to the run's end, and reports why the run ended. */
+static void run_to_the_end(struct run *run) {
+    while (!run->is_over) {
+        switch (run_on(run)) {
+        case PAUSE_INTERRUPT:
+            if (counts_as_fault(run->vector)) {
+                renew_engine(run);
+            }
+            unicorn_call_vector(run);
+            break;
+        case PAUSE_ROM:
+            unicorn_run_rom(run);
+            break;
+        case PAUSE_387:
+            set_control(run, unicorn_get(run, UC_X86_REG_CR0) | CONTROL_NO_387);
+            break;
+        case PAUSE_CODE:
+            unicorn_make_undefined(run, run->vector);
+            break;
+        case PAUSE_NONE: /* the run is over */
+            break;
+        }
     }
 }
 
@@ -310,7 +382,7 @@ static void run_unicorn(const struct processor_job *job, struct processor_report
         return;
     }
     if (prepare(run)) {
-        run_and_judge(run);
+        run_to_the_end(run);
         describe_place(run);
     } else {
         (void)snprintf(report->reason, sizeof report->reason, "Unicorn could not be set up");

@@ -1,49 +1,34 @@
 /* SPDX-License-Identifier: MIT */
-/* The parts of a PC-9801 that a booting floppy meets: the disk, the keyboard, the text screen. */
-#ifndef SUPERFRAME_EMULATOR_PC98_MACHINE_H
-#define SUPERFRAME_EMULATOR_PC98_MACHINE_H
+/* The ports of a PC-9801 that a booting floppy meets, the bus behind them all. */
+#ifndef SUPERFRAME_PC98_MACHINE_H
+#define SUPERFRAME_PC98_MACHINE_H
 
 #include "bus.h"
 
 #include <stdbool.h>
-#include <stddef.h>
 #include <stdint.h>
 
-enum {
-    PC98_CYLINDERS = 77,
-    PC98_HEADS = 2,
-    PC98_SECTORS = 8, /* on a track, counted from 1 */
-    PC98_SECTOR_BYTES = 1024,
-    PC98_DISK_BYTES = PC98_CYLINDERS * PC98_HEADS * PC98_SECTORS * PC98_SECTOR_BYTES,
-    PC98_TEXT_COLUMNS = 80,
-    PC98_TEXT_ROWS = 25,
-    PC98_TEXT_BYTES = 2 * PC98_TEXT_COLUMNS * PC98_TEXT_ROWS
-};
+/* So many reads of the keyboard's status, with no other port in between, are a wait for a key. */
+enum { PC98_POLLS_OF_A_WAIT = 2000000 };
 
-/* Finds the offset in bytes at which a read by INT 1Bh begins on the disk. Returns false if there
- * is no such sector, or the read goes past the disk's end. */
-bool pc98_disk_place(unsigned cylinder, unsigned head, unsigned sector, size_t bytes,
-                     size_t *offset);
-
-/* The text screen, a string a row, trailing blanks cut. */
-struct pc98_text {
-    char row[PC98_TEXT_ROWS][PC98_TEXT_COLUMNS + 1];
-};
-
-/* Reads the characters of the text VRAM; what is not printable ASCII becomes '?', 0 a blank. */
-void pc98_text_read(const uint8_t vram[PC98_TEXT_BYTES], struct pc98_text *text);
-
-/* The ports: the keyboard's two, and the bus behind all others. */
+/* The ports. Those of the machine itself end here: the keyboard, the graphics, address line 20 and
+ * the reset. All others go to the bus. Begins as all zero but for the bus and escape_after. */
 struct pc98_ports {
     struct bus *bus;
     uint64_t keyboard_reads; /* of the status */
     uint64_t escape_after;   /* Esc waits from that read on; 0: no key is ever pressed */
     bool escape_is_taken;
+    uint32_t polls;     /* reads of the keyboard's status since the last other access */
+    bool is_line_20_on; /* false: address bit 20 is 0 whatever the program says, as at power-on */
+    bool is_reset;      /* by OUT F0h */
 };
 
 /* Does one IN or OUT of `width` bytes: 1, 2 or 4. Four bytes are two words, the lower port
  * first. */
 uint32_t pc98_port_read(struct pc98_ports *ports, uint16_t port, unsigned width);
 void pc98_port_write(struct pc98_ports *ports, uint16_t port, uint32_t value, unsigned width);
+
+/* Tells whether the program waits for a key, and no key will come any more. */
+bool pc98_ports_wait_in_vain(const struct pc98_ports *ports);
 
 #endif

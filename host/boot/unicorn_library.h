@@ -15,7 +15,9 @@ struct unicorn_library {
     uc_err (*open)(uc_arch arch, uc_mode mode, uc_engine **engine);
     uc_err (*close)(uc_engine *engine);
     uc_err (*ctl)(uc_engine *engine, uc_control_type control, ...);
-    uc_err (*mem_map)(uc_engine *engine, uint64_t address, size_t size, uint32_t permissions);
+    uc_err (*mem_map_ptr)(uc_engine *engine, uint64_t address, size_t size, uint32_t permissions,
+                          void *bytes);
+    uc_err (*mem_unmap)(uc_engine *engine, uint64_t address, size_t size);
     uc_err (*mem_read)(uc_engine *engine, uint64_t address, void *bytes, size_t size);
     uc_err (*mem_write)(uc_engine *engine, uint64_t address, const void *bytes, size_t size);
     uc_err (*reg_read)(uc_engine *engine, int number, void *value);

@@ -5,11 +5,13 @@
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "base/interrupt.h"
 #include "base/stopwatch.h"
 #include "board/session.h"
 #include "boot/cpu.h"
+#include "boot/disk_image.h"
 #include "command/command.h"
 #include "stats/run.h"
 
@@ -18,41 +20,56 @@ struct boot_options {
     struct options common;
     uint64_t instructions_most; /* that the CPU may run */
     uint64_t escape_after;      /* Esc when the keyboard has been asked so many times; 0: never */
+    uint64_t trace_accesses;    /* that the trace may have */
+    const char *screen;         /* the file of the text screen; NULL: none */
 };
 
 /* One run of the command. */
 struct boot_run {
     const struct boot_options *options;
     struct session session;
-    uint8_t *disk;
+    struct pc98_disk *disk;
     struct processor_report report;
+    struct output screen; /* not open: not asked for */
 };
 
-/* Reads the whole image, which must have the size of a 2HD disk. */
-static int read_disk(struct boot_run *run) {
-    const char *path = run->options->common.operands[0];
+/* Reads the file's bytes, as many as tell what it is. Returns the number; on failure 0, with errno
+ * set. A file that may not be written is a disk whose tab is set. */
+static size_t read_file(const char *path, uint8_t *bytes, bool *is_protected) {
+    struct stat facts;
     FILE *file = fopen(path, "rb");
     if (file == NULL) {
-        return bad_input("%s: cannot be read: %s", path, strerror(errno));
-    }
-    run->disk = malloc(PC98_DISK_BYTES + 1);
-    if (run->disk == NULL) {
-        (void)fclose(file);
-        return failure("out of memory");
+        return 0;
     }
     errno = 0;
-    size_t bytes = fread(run->disk, 1, PC98_DISK_BYTES + 1, file);
+    size_t count = fread(bytes, 1, DISK_IMAGE_BYTES_MOST, file);
     int reason = ferror(file) ? errno : 0;
+    *is_protected =
+        fstat(fileno(file), &facts) == 0 && (facts.st_mode & (S_IWUSR | S_IWGRP | S_IWOTH)) == 0;
     (void)fclose(file);
-    if (reason != 0) {
-        return bad_input("%s: cannot be read: %s", path, strerror(reason));
+    errno = reason;
+    return reason == 0 ? count : 0;
+}
+
+static int read_disk(struct boot_run *run) {
+    const char *path = run->options->common.operands[0];
+    char reason[240];
+    bool is_protected = false;
+    uint8_t *bytes = malloc(DISK_IMAGE_BYTES_MOST);
+    run->disk = calloc(1, sizeof *run->disk);
+    if (bytes == NULL || run->disk == NULL) {
+        free(bytes);
+        return failure("out of memory");
     }
-    if (bytes != PC98_DISK_BYTES) {
-        return bad_input(
-            "%s: no 2HD image: %s than %d bytes; allowed is a raw image of just so many", path,
-            bytes < PC98_DISK_BYTES ? "less" : "more", PC98_DISK_BYTES);
+    size_t count = read_file(path, bytes, &is_protected);
+    bool is_read = count > 0 || errno == 0;
+    if (!is_read) {
+        (void)snprintf(reason, sizeof reason, "cannot be read: %s", strerror(errno));
     }
-    return STATUS_DONE;
+    is_read = is_read && disk_image_read(bytes, count, run->disk, reason, sizeof reason);
+    run->disk->is_protected = run->disk->is_protected || is_protected;
+    free(bytes);
+    return is_read ? STATUS_DONE : bad_input("%s: %s", path, reason);
 }
 
 static int prepare(struct boot_run *run) {
@@ -62,7 +79,14 @@ static int prepare(struct boot_run *run) {
     if (status == STATUS_DONE) {
         status = session_begin(&run->session, &options->board, NULL);
     }
-    return status == STATUS_DONE ? session_open(&run->session, &files) : status;
+    status = status == STATUS_DONE ? session_open(&run->session, &files) : status;
+    if (status != STATUS_DONE) {
+        return status;
+    }
+    session_limit_trace(&run->session, run->options->trace_accesses);
+    return run->options->screen == NULL || output_open(&run->screen, run->options->screen)
+               ? STATUS_DONE
+               : STATUS_FAILED;
 }
 
 /* By enum processor_register. */
@@ -96,12 +120,18 @@ static int boot(struct boot_run *run) {
                                       .instructions_most = run->options->instructions_most,
                                       .escape_after = run->options->escape_after,
                                       .stop = interrupt_noted()};
+    const char *path = run->options->common.operands[0];
     interrupt_catch();
     processor_run(&job, &run->report);
     if (!run->options->common.quiet) {
         print_text_screen(&run->report);
     }
     switch (run->report.end) {
+    case PROCESSOR_WAITING:
+        if (!run->options->common.quiet) {
+            complain("%s: waits for a key; --escape presses one", path);
+        }
+        return STATUS_DONE;
     case PROCESSOR_HALTED:
     case PROCESSOR_STOPPED:
         return STATUS_DONE;
@@ -109,6 +139,7 @@ static int boot(struct boot_run *run) {
     case PROCESSOR_BUS_FAILED:
         return failure("%s", run->report.reason);
     case PROCESSOR_LOST:
+    case PROCESSOR_RESET:
     case PROCESSOR_LIMIT:
     case PROCESSOR_ENDS:
         break;
@@ -120,6 +151,10 @@ static int boot(struct boot_run *run) {
 static int write_results(struct boot_run *run) {
     const struct run_stats stats = {.session = &run->session, .processor = &run->report};
     int status = session_end_accesses(&run->session);
+    if (status == STATUS_DONE && run->screen.file != NULL) {
+        errno = 0;
+        status = output_finish(&run->screen, pc98_text_write(run->screen.file, &run->report.text));
+    }
     if (status == STATUS_DONE && !(session_commit_picture(&run->session) && stats_commit(&stats))) {
         status = STATUS_FAILED;
     }
@@ -147,6 +182,7 @@ static int run_boot(const struct options *options) {
         status = steps[i](&run);
     }
     session_free(&run.session);
+    output_discard(&run.screen);
     free(run.disk);
     return status;
 }
@@ -168,11 +204,22 @@ static const struct option_group group_own = {
                {.name = "escape",
                 .value = "N",
                 WHOLE_IN(struct boot_options, escape_after, 1, 1e15),
-                .help = "press Esc when the keyboard has been asked N times"})};
+                .help = "press Esc when the keyboard has been asked N times"},
+               {.name = "trace-accesses",
+                .value = "N",
+                WHOLE_IN(struct boot_options, trace_accesses, 1, 1e15),
+                .preset = "20000000", /* some twenty pictures of 640 x 400 */
+                .help = "end the trace after so many accesses"},
+               {.name = "screen",
+                .value = "FILE",
+                TEXT_IN(struct boot_options, screen),
+                .role = ROLE_RESULT,
+                .allowed = "a file's name or -",
+                .help = "write the text screen, with its colours, as text"})};
 
 const struct command command_boot = {
     .name = "boot",
-    COMMAND_OPERANDS("IMAGE.hdm", 1, 1, OPERANDS_FILES),
+    COMMAND_OPERANDS("IMAGE", 1, 1, OPERANDS_FILES),
     .summary = "Run a PC-98 floppy image on an emulated CPU.",
     .size = sizeof(struct boot_options),
     .groups = OPTION_GROUPS(&group_picture, &group_statistics, &group_recording, &group_own,

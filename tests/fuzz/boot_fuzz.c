@@ -15,7 +15,7 @@ enum {
     HALT = 0xF4 /* the instruction that ends a run which leaves the input */
 };
 
-static uint8_t disk[PC98_DISK_BYTES];
+static struct pc98_disk disk;
 static struct board board;
 
 /* Unicorn 2.0.1 loses 512 bytes where a program writes to its own code; that is not looked at. */
@@ -39,19 +39,20 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t count) {
     const size_t used = count < BYTES_MOST ? count : BYTES_MOST;
     struct board_bus board_bus;
     struct processor_report report;
+    memset(&disk, 0, sizeof disk); /* the program before may have written to it */
     if (used > 0) {
-        memcpy(disk, bytes, used);
+        memcpy(disk.bytes, bytes, used);
     }
-    memset(disk + used, HALT, BYTES_MOST - used);
+    memset(disk.bytes + used, HALT, BYTES_MOST - used);
     assert(board_init(&board, &desc));
     board_bus_init(&board_bus, &board);
-    const struct processor_job job = {.disk = disk,
+    const struct processor_job job = {.disk = &disk,
                                       .bus = &board_bus.bus,
                                       .instructions_most = INSTRUCTIONS_MOST,
                                       .escape_after = 1 + count % 4};
     processor_run(&job, &report);
     assert(report.end == PROCESSOR_HALTED || report.end == PROCESSOR_LOST ||
-           report.end == PROCESSOR_LIMIT);
+           report.end == PROCESSOR_RESET || report.end == PROCESSOR_LIMIT);
     assert(report.reason[0] != '\0');
     assert(memchr(report.reason, '\0', sizeof report.reason) != NULL);
     assert(report.instructions <= INSTRUCTIONS_MOST + BLOCK_MOST);

@@ -49,7 +49,7 @@ summary() {
 # profile NAME COLUMN OTHER MARK
 profile() {
     answers "$2" "$3" > "$work/$1.answers"
-    [ "$(wc -l < "$work/$1.answers")" -eq 50 ] || wrong 'docs/probe.md: not 50 experiments'
+    [ "$(wc -l < "$work/$1.answers")" -eq 52 ] || wrong 'docs/probe.md: not 52 experiments'
     # The screen has three columns of 26.
     sed -n 's/^screen: //p' "$work/$1.txt" | awk '{
         for (i = 0; i < 3; i++) { cell = substr($0, 26 * i + 1, 26); sub(/ *$/, "", cell); print cell }

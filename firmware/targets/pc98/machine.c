@@ -6,20 +6,27 @@
 
 /* The start code has pointed fs at A0000h. A cell is a word: the character there, the attribute
  * 2000h farther. */
-enum { ATTRIBUTES = 0x2000, WHITE = 0xE1 };
+enum { ATTRIBUTES = 0x2000, WHITE = 0xE1, SECRET = 0xE0 };
 
-/* The keyboard's 8251: data and status. */
-enum { KEYBOARD_DATA = 0x41, KEYBOARD_STATUS = 0x43, KEY_IS_WAITING = 0x02, KEY_ESCAPE = 0x00 };
+/* The keyboard's 8251: data and status. The status of one that is there and sends nothing has both
+ * bits of KEYBOARD_IS_THERE; no keyboard reads as FFh. */
+enum {
+    KEYBOARD_DATA = 0x41,
+    KEYBOARD_STATUS = 0x43,
+    KEYBOARD_IS_THERE = 0x05,
+    KEY_IS_WAITING = 0x02,
+    KEY_IS_RELEASED = 0x80, /* of a key's number */
+    KEY_ESCAPE = 0x00
+};
+
+static void text_word(uint32_t offset, uint16_t word) {
+    __asm__ volatile("movw %w0, %%fs:(%k1)" : : "r"(word), "r"(offset) : "memory");
+}
 
 static void text_cell(uint8_t row, uint8_t column, char letter) {
     uint32_t offset = 2 * ((uint32_t)row * TEXT_COLUMNS + column);
-    uint16_t character = (uint8_t)letter;
-    uint16_t attribute = WHITE;
-    __asm__ volatile("movw %w0, %%fs:(%k1)" : : "r"(character), "r"(offset) : "memory");
-    __asm__ volatile("movw %w0, %%fs:(%k1)"
-                     :
-                     : "r"(attribute), "r"(offset + ATTRIBUTES)
-                     : "memory");
+    text_word(offset, (uint8_t)letter);
+    text_word(offset + ATTRIBUTES, WHITE);
 }
 
 void text_clear(void) {
@@ -46,6 +53,24 @@ uint8_t text_put_number(uint8_t row, uint8_t column, uint16_t number) {
         number /= 10;
     } while (number != 0);
     return text_put(row, column, &digits[first]);
+}
+
+void text_show(bool is_shown) {
+    for (uint16_t cell = 0; cell < TEXT_ROWS * TEXT_COLUMNS; cell++) {
+        text_word(ATTRIBUTES + 2 * (uint32_t)cell, is_shown ? WHITE : SECRET);
+    }
+}
+
+bool key_wait(void) {
+    for (;;) {
+        uint8_t status = inp(KEYBOARD_STATUS);
+        if (status == 0xFF || (status & KEYBOARD_IS_THERE) != KEYBOARD_IS_THERE) {
+            return false;
+        }
+        if ((status & KEY_IS_WAITING) != 0 && (inp(KEYBOARD_DATA) & KEY_IS_RELEASED) == 0) {
+            return true;
+        }
+    }
 }
 
 bool escape_pressed(void) {

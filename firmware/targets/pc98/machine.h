@@ -18,6 +18,13 @@ uint8_t text_put(uint8_t row, uint8_t column, const char *text);
 /* Writes a number, 0..65535, as text_put() writes text. */
 uint8_t text_put_number(uint8_t row, uint8_t column, uint16_t number);
 
+/* Shows the text, or hides every cell without changing it. Text that was put while hidden is
+ * shown. */
+void text_show(bool is_shown);
+
+/* Waits until a key is pressed. Returns false at once if there is no keyboard. */
+bool key_wait(void);
+
 /* Tells whether Esc was pressed since the last call. Reads at most a few waiting keys. */
 bool escape_pressed(void);
 

@@ -72,6 +72,16 @@ static bool next_row(void *context, uint16_t y, uint8_t *rgb) {
     return true;
 }
 
+/* Leaves the picture alone on the screen. Each key shows the text, or hides it again. */
+static void show_without_text(void) {
+    bool is_shown = false;
+    text_show(is_shown);
+    while (key_wait()) {
+        is_shown = !is_shown;
+        text_show(is_shown);
+    }
+}
+
 void pc98_main(void) {
     struct scene scene = TARGET_SCENE;
     struct estimate estimate;
@@ -90,4 +100,7 @@ void pc98_main(void) {
     }
     TARGET_IMAGE.draw(&scene, &drawing);
     (void)text_put(PROGRESS_ROW, 0, run.is_ended ? "Ended by Esc.       " : "The picture is done.");
+    if (!run.is_ended && run.answer != ANSWER_WRONG) {
+        show_without_text();
+    }
 }

@@ -32,7 +32,7 @@ uint8_t inp(uint16_t port) {
 }
 
 uint16_t inpw(uint16_t port) {
-    return board_read(&board, port, WORD);
+    return (uint16_t)board_read(&board, port, WORD);
 }
 
 EXPORT("superframe_width") uint32_t superframe_width(void) {

@@ -371,8 +371,18 @@ static void random_accesses_do_no_harm(void **state) {
     }
 }
 
+/* The two observations on a real board contradict each other: a start is no better known. */
+static void a_display_start_is_inferred_on_later_boards(void **state) {
+    (void)state;
+    assert_int_equal(board_behaviour_grade(BOARD_START_ADDRESS, BOARD_LATER), GRADE_INFERRED);
+    assert_false(board_behaviour_is_violation(BOARD_START_ADDRESS, BOARD_LATER));
+    assert_int_equal(board_behaviour_grade(BOARD_START_ADDRESS, BOARD_1987), GRADE_ASSUMED);
+    assert_true(board_behaviour_is_violation(BOARD_START_ADDRESS, BOARD_1987));
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_display_start_is_inferred_on_later_boards),
         cmocka_unit_test(only_the_seven_bases_of_the_jumper_are_offered),
         cmocka_unit_test(another_base_moves_all_registers),
         cmocka_unit_test(memory_starts_black_or_with_seeded_noise),

@@ -282,7 +282,7 @@ static void in_1987_a_word_to_red_is_a_byte_and_reported(void **state) {
 }
 
 static void an_access_of_another_width_is_none(void **state) {
-    static const unsigned widths[] = {0, 3, 4, 256, UINT_MAX};
+    static const unsigned widths[] = {0, 3, 5, 8, 256, UINT_MAX};
     static struct board before;
     (void)state;
     for (int profile = 0; profile < BOARD_PROFILES; profile++) {
@@ -291,10 +291,30 @@ static void an_access_of_another_width_is_none(void **state) {
         for (unsigned port = 0x00CF; port <= 0x00E0; port++) {
             for (size_t i = 0; i < sizeof widths / sizeof widths[0]; i++) {
                 board_write(&board, (uint16_t)port, 0x1234, widths[i]);
-                assert_int_equal(board_read(&board, (uint16_t)port, widths[i]), 0xFFFF);
+                assert_int_equal(board_read(&board, (uint16_t)port, widths[i]), UINT32_MAX);
             }
         }
         assert_memory_equal(&board, &before, sizeof board);
+    }
+}
+
+/* At every port, also those that wrap: two words, the low one first. */
+static void an_access_of_four_bytes_is_two_words(void **state) {
+    static struct board wide;
+    (void)state;
+    for (int profile = 0; profile < BOARD_PROFILES; profile++) {
+        power_on_noise((enum board_profile)profile, 1);
+        wide = board;
+        for (unsigned port = 0; port <= 0xFFFF; port += port >= 0xC0 && port < 0xF0 ? 1 : 0x1FF) {
+            uint16_t next = (uint16_t)(port + 2);
+            board_write(&board, (uint16_t)port, 0x5678, 2);
+            board_write(&board, next, 0x1234, 2);
+            board_write(&wide, (uint16_t)port, 0x12345678, 4);
+            uint32_t low = board_read(&board, (uint16_t)port, 2);
+            uint32_t high = board_read(&board, next, 2);
+            assert_int_equal(board_read(&wide, (uint16_t)port, 4), high << 16 | low);
+        }
+        assert_memory_equal(&board, &wide, sizeof board);
     }
 }
 
@@ -345,6 +365,7 @@ int main(void) {
         cmocka_unit_test(a_fill_that_nobody_has_seen_rounds_x_down_and_is_reported),
         cmocka_unit_test(in_1987_a_word_to_red_is_a_byte_and_reported),
         cmocka_unit_test(an_access_of_another_width_is_none),
+        cmocka_unit_test(an_access_of_four_bytes_is_two_words),
         cmocka_unit_test(a_restored_board_with_a_bad_place_has_no_pixel_there),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -5,19 +5,23 @@
 #include "outp.h"
 #include "registers.h"
 
-enum { START_LOW = 0x0D, BAR_DOTS = 80, RAMP_LINES = 50 };
+enum { START_HIGH = 0x0C, START_LOW = 0x0D, BLOCKS = 2048, BAR_DOTS = 80, RAMP_LINES = 50 };
 
 const struct view views[VIEWS] = {
-    {0x01, 0xFF, "E1 mode 01: the bars, and this text on them"},
-    {0x03, 0xFF, "E2 mode 03: the bars without this text"},
-    {0x02, 0xFF, "E3 mode 02: not known"},
-    {0x00, 0xFF, "E4 mode 00: this text without the bars"},
-    {0x01, 0xFE, "E5 start address 1: the bars one column to the left"},
-    {0x09, 0xFF, "E6 mode 09: not known; grey bars?"},
+    {0x01, 0, "E1 mode 01: the bars, and this text on them"},
+    {0x03, 0, "E2 mode 03: the bars without this text"},
+    {0x02, 0, "E3 mode 02: not known"},
+    {0x00, 0, "E4 mode 00: this text without the bars"},
+    {0x01, 1, "E5 start 1: the bars one column to the left?"},
+    {0x01, 80, "E6 start 80: the bars up by 16 lines, or down?"},
+    {0x01, BLOCKS - 80, "E7 start 1968: the bars down by 16 lines, or up?"},
+    {0x09, 0, "E8 mode 09: not known; grey bars?"},
 };
 
+/* Writes the start address complemented, as the initialisation has it: FFFF is 0. */
 void view_show(const struct view *view) {
-    controller_write(START_LOW, view->start);
+    controller_write(START_HIGH, (uint8_t) ~(view->start >> 8));
+    controller_write(START_LOW, (uint8_t)~view->start);
     outp(MODE, view->mode);
 }
 

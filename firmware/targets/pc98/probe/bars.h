@@ -12,11 +12,11 @@ void bars_draw(void);
 /* A setting of the board to look at, and what is expected to be seen. */
 struct view {
     uint8_t mode;
-    uint8_t start; /* data of index 0Dh */
+    uint16_t start; /* the block that is shown first, 0..2047 */
     char expected[60];
 };
 
-enum { VIEWS = 6 };
+enum { VIEWS = 8 };
 extern const struct view views[VIEWS];
 
 /* Sets the board as a view says. */

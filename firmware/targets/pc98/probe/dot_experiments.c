@@ -86,12 +86,6 @@ uint32_t primary_words_read(void) {
 /* ---- Words to a primary ------------------------------------------------------------------------
  */
 
-static void bench_clear(void) {
-    for (uint16_t x = BENCH_X - 8; x < BENCH_X + 16; x++) {
-        dot_write(x, BENCH_Y, 0);
-    }
-}
-
 static uint32_t word_changes(uint16_t offset, uint16_t port, uint16_t value) {
     bench_prepare();
     dot_select(BENCH_X + offset, BENCH_Y);

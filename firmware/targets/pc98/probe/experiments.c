@@ -56,4 +56,6 @@ const struct experiment experiments[EXPERIMENTS] = {
     {"mode bit 20", 8, 0x11223300, 0x11223300, mode_bit_20},
     {"mode bit 80", 8, 0x11223300, 0x11223300, mode_bit_80},
     {"plane stolen", 8, 0x112233FF, 0x112233FF, steal},
+    {"mode reads", 4, 0xFFFF, 0xFFFF, mode_reads},
+    {"red run", 6, 0x200000, 0x200000, red_run},
 };

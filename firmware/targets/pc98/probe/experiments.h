@@ -16,7 +16,7 @@ struct experiment {
 
 /* The number of an experiment is its place here, from 1. The first ones come before the board is
  * initialised: EXPERIMENTS_BEFORE of them. */
-enum { EXPERIMENTS = 50, EXPERIMENTS_BEFORE = 3 };
+enum { EXPERIMENTS = 52, EXPERIMENTS_BEFORE = 3 };
 extern const struct experiment experiments[EXPERIMENTS];
 
 /* Asks about control 1 and 2, their controller, ports that should answer nothing
@@ -77,5 +77,7 @@ uint32_t mode_bit_10(void);
 uint32_t mode_bit_20(void);
 uint32_t mode_bit_80(void);
 uint32_t steal(void);
+uint32_t mode_reads(void);
+uint32_t red_run(void);
 
 #endif

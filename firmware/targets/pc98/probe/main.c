@@ -7,7 +7,7 @@
 #include "outp.h"
 #include "registers.h"
 
-enum { TITLE_ROW = 0, STATE_ROW = 1, ANSWERS_ROW = 2, ROWS = 17, CELL_COLUMNS = 26 };
+enum { TITLE_ROW = 0, STATE_ROW = 1, ANSWERS_ROW = 2, ROWS = 18, CELL_COLUMNS = 26 };
 enum { SUMMARY_ROW = 20, LEGEND_ROW = 21, VIEW_ROW = 23, END_ROW = 24 };
 
 /* The check is a sum of numbers times answers, modulo the largest prime below 2^16. */

@@ -104,3 +104,28 @@ uint32_t steal(void) {
     dot_write(BENCH_X, BENCH_Y, 0);
     return rgb << 8 | kept;
 }
+
+/* Reads the mode after 01 and 41 were written, a byte each. A driver's clear that is switched off
+ * reads the mode. */
+uint32_t mode_reads(void) {
+    outp(MODE, BOARD_MODE_BOTH);
+    uint32_t first = inp(MODE);
+    outp(MODE, MODE_STEP | BOARD_MODE_BOTH);
+    uint32_t second = inp(MODE);
+    outp(MODE, BOARD_MODE_BOTH);
+    return first << 8 | second;
+}
+
+/* Writes red four times without X while X may step, as a driver's clear does that is switched off.
+ * Returns which dots changed. */
+uint32_t red_run(void) {
+    bench_prepare();
+    stepping_begin();
+    for (uint8_t i = 0; i < 4; i++) {
+        outp(RED, MARKER);
+    }
+    outp(MODE, BOARD_MODE_BOTH);
+    uint32_t changes = bench_changes();
+    bench_clear();
+    return changes;
+}

@@ -83,3 +83,9 @@ uint32_t bench_changes(void) {
     }
     return changes;
 }
+
+void bench_clear(void) {
+    for (uint16_t x = BENCH_X - 8; x < BENCH_X + 16; x++) {
+        dot_write(x, BENCH_Y, 0);
+    }
+}

@@ -59,4 +59,7 @@ enum { BENCH_COLOUR = 0x112233 };
 void bench_prepare(void);
 uint32_t bench_changes(void);
 
+/* Makes the dots of the bench, and some on either side, black. */
+void bench_clear(void);
+
 #endif

@@ -189,6 +189,38 @@ static void faults_come_between_the_recorder_and_the_board(void **state) {
     assert_holds("t.txt", "# profile 1987, base 00D0\nout8 00D8 5A\n"); /* recorded before */
 }
 
+/* The trace has as many accesses as it may, and the board gets all of them. */
+static void a_limited_trace_ends_and_the_session_goes_on(void **state) {
+    (void)state;
+    static const struct {
+        uint64_t most;
+        const char *trace;
+    } cases[] = {
+        {1, "# profile 1987, base 00D0\nout8 00D8 5A\n"},
+        {2, "# profile 1987, base 00D0\nout8 00D8 5A\nin8 00D8 5A\n"},
+        {3, "# profile 1987, base 00D0\nout8 00D8 5A\nin8 00D8 5A\n"},
+    };
+    const struct session_files files = {.trace = "t.txt"};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct board_options options = {.picture = PICTURE_KIND_MEMORY};
+        struct session session;
+        begin(&session, &options);
+        assert_int_equal(session_open(&session, &files), STATUS_DONE);
+        session_limit_trace(&session, cases[i].most);
+        (void)bus_bind(session_bus(&session));
+        outp(0x00D8, 0x5A);
+        assert_int_equal(inp(0x00D8), 0x5A);
+        if (cases[i].most < 3) {
+            outp(0x00D8, 0xA5);
+            assert_int_equal(inp(0x00D8), 0xA5);
+        }
+        assert_int_equal(session.chain->board.accesses, cases[i].most < 3 ? 4 : 2);
+        assert_int_equal(session_end_accesses(&session), STATUS_DONE);
+        session_free(&session);
+        assert_holds("t.txt", cases[i].trace);
+    }
+}
+
 /* ---- Devices -------------------------------------------------------------------------------- */
 
 static void count_explanation(const void *context) {
@@ -289,6 +321,7 @@ int main(void) {
         cmocka_unit_test_setup_teardown(each_kind_of_picture_is_what_it_says, enter, leave),
         cmocka_unit_test_setup_teardown(a_screen_of_the_pc_that_cannot_be_read_is_bad_input, enter,
                                         leave),
+        cmocka_unit_test_setup_teardown(a_limited_trace_ends_and_the_session_goes_on, enter, leave),
         cmocka_unit_test_setup_teardown(faults_come_between_the_recorder_and_the_board, enter,
                                         leave),
         cmocka_unit_test(a_device_stands_in_the_boards_place_and_explains_its_failure),

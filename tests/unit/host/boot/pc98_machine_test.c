@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What a booting floppy meets: the disk's geometry, the text screen, the keyboard's ports. */
+/* The ports that a booting floppy meets: the keyboard, line 20, the reset, the board behind them.
+ */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdbool.h>
@@ -7,90 +8,21 @@
 #include <stdint.h>
 
 #include <cmocka.h>
-#include <string.h>
 
 #include "board.h"
 #include "boot/pc98_machine.h"
 
-static void sectors_lie_side_by_side(void **state) {
-    (void)state;
-    size_t offset = 1;
-    assert_true(pc98_disk_place(0, 0, 1, 1024, &offset));
-    assert_int_equal(offset, 0);
-    assert_true(pc98_disk_place(0, 0, 8, 1024, &offset));
-    assert_int_equal(offset, 7 * 1024);
-    assert_true(pc98_disk_place(0, 1, 1, 1024, &offset));
-    assert_int_equal(offset, 8 * 1024);
-    assert_true(pc98_disk_place(1, 0, 1, 1024, &offset));
-    assert_int_equal(offset, 16 * 1024);
-    assert_true(pc98_disk_place(76, 1, 8, 1024, &offset));
-    assert_int_equal(offset, 1261568 - 1024);
-}
-
-static void what_is_no_sector_is_refused(void **state) {
-    (void)state;
-    size_t offset;
-    assert_false(pc98_disk_place(77, 0, 1, 1024, &offset));
-    assert_false(pc98_disk_place(0, 2, 1, 1024, &offset));
-    assert_false(pc98_disk_place(0, 0, 0, 1024, &offset));
-    assert_false(pc98_disk_place(0, 0, 9, 1024, &offset));
-    assert_false(pc98_disk_place(76, 1, 8, 1025, &offset));
-    assert_false(pc98_disk_place(0, 0, 1, 1261569, &offset));
-}
-
-static void text_loses_its_blanks_and_keeps_its_rows(void **state) {
-    (void)state;
-    uint8_t vram[PC98_TEXT_BYTES] = {0};
-    static struct pc98_text text;
-    vram[2] = 'A';
-    vram[4] = ' ';
-    vram[6] = 0x41;
-    vram[7] = 0x09; /* half of a kanji */
-    vram[2 * 80 * 24 + 2 * 79] = 'Z';
-    pc98_text_read(vram, &text);
-    assert_string_equal(text.row[0], " A ?");
-    assert_string_equal(text.row[1], "");
-    assert_int_equal(strlen(text.row[24]), 80);
-    assert_int_equal(text.row[24][79], 'Z');
-}
-
-/* All 65,536 codes of a cell, 79 to a row; the last column keeps the blanks before it. */
-static void a_code_is_read_as_its_letter_a_blank_or_a_question_mark(void **state) {
-    static uint8_t vram[PC98_TEXT_BYTES];
-    static struct pc98_text text;
-    enum { CODES = 65536, IN_ROW = PC98_TEXT_COLUMNS - 1, IN_ALL = IN_ROW * PC98_TEXT_ROWS };
-    (void)state;
-    for (unsigned first = 0; first < CODES; first += IN_ALL) {
-        memset(vram, 0, sizeof vram);
-        for (unsigned i = 0; i < IN_ALL; i++) {
-            uint8_t *cell = vram + 2 * (i / IN_ROW * PC98_TEXT_COLUMNS + i % IN_ROW);
-            cell[0] = (uint8_t)(first + i);
-            cell[1] = (uint8_t)((first + i) >> 8);
-            vram[2 * (i / IN_ROW * PC98_TEXT_COLUMNS + IN_ROW)] = '.';
-        }
-        pc98_text_read(vram, &text);
-        for (unsigned i = 0; i < IN_ALL; i++) {
-            unsigned code = (first + i) % CODES;
-            bool is_letter = code >= ' ' && code <= '~';
-            assert_int_equal(text.row[i / IN_ROW][i % IN_ROW], is_letter   ? (char)code
-                                                               : code == 0 ? ' '
-                                                                           : '?');
-        }
-        assert_int_equal(strlen(text.row[0]), PC98_TEXT_COLUMNS);
-    }
-}
-
 static void escape_is_pressed_once(void **state) {
     (void)state;
     struct pc98_ports ports = {.escape_after = 2};
-    assert_int_equal(pc98_port_read(&ports, 0x43, 1), 0);
+    assert_int_equal(pc98_port_read(&ports, 0x43, 1), 0x85);
     assert_int_equal(pc98_port_read(&ports, 0x41, 1), 0xFF);
-    assert_int_equal(pc98_port_read(&ports, 0x43, 1), 2);
+    assert_int_equal(pc98_port_read(&ports, 0x43, 1), 0x87);
     assert_int_equal(pc98_port_read(&ports, 0x41, 1), 0);
-    assert_int_equal(pc98_port_read(&ports, 0x43, 1), 0);
+    assert_int_equal(pc98_port_read(&ports, 0x43, 1), 0x85);
     struct pc98_ports untouched = {.escape_after = 0};
     for (int i = 0; i < 10; i++) {
-        assert_int_equal(pc98_port_read(&untouched, 0x43, 1), 0);
+        assert_int_equal(pc98_port_read(&untouched, 0x43, 1), 0x85);
     }
 }
 
@@ -111,14 +43,71 @@ static void other_ports_are_the_boards(void **state) {
     assert_int_equal(board_violations(&board), 0);
 }
 
+/* A wait is so many reads of the status with nothing in between, and no key to come. */
+static void a_wait_for_a_key_is_seen(void **state) {
+    (void)state;
+    static struct board board;
+    const struct board_desc desc = board_default_desc(BOARD_1987);
+    struct board_bus bus;
+    assert_true(board_init(&board, &desc));
+    board_bus_init(&bus, &board);
+    struct pc98_ports ports = {.bus = &bus.bus, .polls = PC98_POLLS_OF_A_WAIT};
+    assert_false(pc98_ports_wait_in_vain(&ports));
+    (void)pc98_port_read(&ports, 0x43, 1);
+    assert_true(pc98_ports_wait_in_vain(&ports));
+    ports.escape_after = 1;
+    assert_false(pc98_ports_wait_in_vain(&ports));
+    (void)pc98_port_read(&ports, 0x41, 1);
+    assert_true(pc98_ports_wait_in_vain(&ports));
+    pc98_port_write(&ports, 0xD8, 0, 1);
+    assert_false(pc98_ports_wait_in_vain(&ports));
+    ports.polls = PC98_POLLS_OF_A_WAIT + 1;
+    (void)pc98_port_read(&ports, 0xD8, 1);
+    assert_false(pc98_ports_wait_in_vain(&ports));
+}
+
+/* The machine's own ports end here: a trace, and a hash, has those of the board alone. */
+static void own_ports_do_not_reach_the_bus(void **state) {
+    (void)state;
+    static const uint16_t own[] = {0xF0, 0xF2, 0xF6, 0x68, 0x6A, 0xA0, 0xA2,
+                                   0xA4, 0xA6, 0xA8, 0xAA, 0xAC, 0xAE};
+    static struct board board;
+    const struct board_desc desc = board_default_desc(BOARD_1987);
+    struct board_bus bus;
+    assert_true(board_init(&board, &desc));
+    board_bus_init(&bus, &board);
+    struct pc98_ports ports = {.bus = &bus.bus};
+    for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) {
+        pc98_port_write(&ports, own[i], 0, 1);
+    }
+    assert_int_equal(pc98_port_read(&ports, 0xF2, 1), 0xFE);
+    assert_int_equal(board.accesses, 0);
+    assert_true(ports.is_reset);
+    pc98_port_write(&ports, 0x5F, 0, 1);
+    assert_int_equal(board.accesses, 1);
+}
+
+static void line_20_is_switched(void **state) {
+    (void)state;
+    struct pc98_ports ports = {.is_line_20_on = false};
+    assert_int_equal(pc98_port_read(&ports, 0xF2, 1), 0xFF);
+    pc98_port_write(&ports, 0xF6, 2, 1);
+    assert_true(ports.is_line_20_on);
+    pc98_port_write(&ports, 0xF6, 1, 1);
+    assert_true(ports.is_line_20_on);
+    pc98_port_write(&ports, 0xF6, 3, 1);
+    assert_false(ports.is_line_20_on);
+    pc98_port_write(&ports, 0xF2, 0, 1);
+    assert_int_equal(pc98_port_read(&ports, 0xF2, 1), 0xFE);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(sectors_lie_side_by_side),
-        cmocka_unit_test(what_is_no_sector_is_refused),
-        cmocka_unit_test(text_loses_its_blanks_and_keeps_its_rows),
-        cmocka_unit_test(a_code_is_read_as_its_letter_a_blank_or_a_question_mark),
         cmocka_unit_test(escape_is_pressed_once),
         cmocka_unit_test(other_ports_are_the_boards),
+        cmocka_unit_test(a_wait_for_a_key_is_seen),
+        cmocka_unit_test(own_ports_do_not_reach_the_bus),
+        cmocka_unit_test(line_20_is_switched),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
