@@ -159,7 +159,7 @@ int features_emit(FILE *out, const struct compiled_scene *scene, const char *nam
         fprintf(out, "    FEATURE_%s = %d%s\n", features[i].name, features[i].value,
                 i + 1 < FEATURES ? "," : "");
     }
-    fprintf(out, "};\n\n#endif\n");
+    fprintf(out, "};\n\n#include \"sets/bits/primitive_set.h\"\n\n#endif\n");
     return ferror(out) ? -1 : 0;
 }
 
