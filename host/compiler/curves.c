@@ -101,7 +101,7 @@ static int curve_points(const struct quadric_axes *form, double points[POINTS_MO
     return count;
 }
 
-static struct quadric_axes form_of_quadric(const struct compiled_scene *scene, uint8_t frame,
+static struct quadric_axes form_of_quadric(const struct compiled_scene *scene, uint32_t frame,
                                            const struct compiled_quadric *quadric) {
     struct quadric_axes form = {{0}, {{0}}, {0}, 0, 0};
     for (int i = 0; i < 3; i++) {
@@ -115,7 +115,7 @@ static struct quadric_axes form_of_quadric(const struct compiled_scene *scene, u
 }
 
 /* Gives the form of a ball or a quadric, without the planes that cut it; false for other kinds. */
-static bool curve_of_primitive(const struct compiled_scene *scene, int index,
+static bool curve_of_primitive(const struct compiled_scene *scene, uint32_t index,
                                struct quadric_axes *form) {
     const struct compiled_primitive *primitive = &scene->primitives[index];
     struct compiled_quadric quadric = {.square = {1, 1, 1}};
@@ -144,7 +144,7 @@ static double stray(const struct quadric_axes *form, double points[][3], int cou
     return most;
 }
 
-double compiled_quadric_strays(const struct compiled_scene *scene, uint8_t frame,
+double compiled_quadric_strays(const struct compiled_scene *scene, uint32_t frame,
                                const struct compiled_quadric *from,
                                const struct compiled_quadric *other) {
     double points[POINTS_MOST + 1][3];
@@ -153,11 +153,11 @@ double compiled_quadric_strays(const struct compiled_scene *scene, uint8_t frame
     return stray(&moved, points, curve_points(&form, points));
 }
 
-int compile_same_curve(const struct compiler *compiler, const struct quadric_axes *form,
-                       bool *opposite) {
+uint32_t compile_same_curve(const struct compiler *compiler, const struct quadric_axes *form,
+                            bool *opposite) {
     double points[POINTS_MOST + 1][3];
     int count = curve_points(form, points);
-    for (int i = 0; i < compiler->scene->primitive_count && count >= POINTS_LEAST; i++) {
+    for (uint32_t i = 0; i < compiler->scene->primitive_count && count >= POINTS_LEAST; i++) {
         struct quadric_axes other;
         double here[3], there[3];
         if (curve_of_primitive(compiler->scene, i, &other) &&
@@ -168,17 +168,17 @@ int compile_same_curve(const struct compiler *compiler, const struct quadric_axe
             return i;
         }
     }
-    return -1;
+    return COMPILED_NONE;
 }
 
 /* Returns the number of the curved surface of a ball or a quadric. */
-static uint16_t curve_number(const struct compiled_scene *scene, int index) {
+static uint32_t curve_number(const struct compiled_scene *scene, uint32_t index) {
     const struct compiled_primitive *primitive = &scene->primitives[index];
     return primitive->kind == PRIMITIVE_BALL ? scene->balls[primitive->index].surface
                                              : scene->quadrics[primitive->index].surface;
 }
 
-double compile_curve_distance(const struct compiled_scene *scene, int one, int other) {
+double compile_curve_distance(const struct compiled_scene *scene, uint32_t one, uint32_t other) {
     struct quadric_axes form, there;
     double points[POINTS_MOST + 1][3];
     if (!curve_of_primitive(scene, one, &form) || !curve_of_primitive(scene, other, &there) ||

@@ -1,24 +1,17 @@
 /* SPDX-License-Identifier: MIT */
 /* The scene compiler: finds which primitives lie strictly within which. */
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "compiler/compiler_internal.h"
 
-bool compiled_set_has(const struct compiled_set *set, int primitive) {
-    return (set->word[primitive / 32] >> primitive % 32 & 1) != 0;
-}
-
-void compiled_set_include(struct compiled_set *set, int primitive) {
-    set->word[primitive / 32] |= (uint32_t)1 << primitive % 32;
-}
-
-static bool is_behind(const struct compiled_scene *scene, int inner, const double normal[3],
+static bool is_behind(const struct compiled_scene *scene, uint32_t inner, const double normal[3],
                       double offset) {
     return primitive_reach(scene, inner, normal) < offset - COMPILE_STRICTLY;
 }
 
-static bool is_within_box(const struct compiled_scene *scene, int inner, int outer) {
+static bool is_within_box(const struct compiled_scene *scene, uint32_t inner, uint32_t outer) {
     const struct compiled_primitive *primitive = &scene->primitives[outer];
     const struct compiled_box *box = &scene->boxes[primitive->index];
     for (int i = 0; i < 3; i++) {
@@ -36,7 +29,7 @@ static bool is_within_box(const struct compiled_scene *scene, int inner, int out
 }
 
 /* Tells whether a ball, or a box by its corners, lies within a ball; false for other kinds. */
-static bool is_within_ball(const struct compiled_scene *scene, int inner, int outer) {
+static bool is_within_ball(const struct compiled_scene *scene, uint32_t inner, uint32_t outer) {
     const struct compiled_ball *ball = &scene->balls[scene->primitives[outer].index];
     const struct compiled_primitive *primitive = &scene->primitives[inner];
     double square = 0;
@@ -59,10 +52,11 @@ static bool is_within_ball(const struct compiled_scene *scene, int inner, int ou
     return sqrt(square) < ball->radius - COMPILE_STRICTLY;
 }
 
-static bool is_within_polyhedron(const struct compiled_scene *scene, int inner, int outer) {
+static bool is_within_polyhedron(const struct compiled_scene *scene, uint32_t inner,
+                                 uint32_t outer) {
     const struct compiled_polyhedron *polyhedron =
         &scene->polyhedra[scene->primitives[outer].index];
-    for (int i = 0; i < polyhedron->count; i++) {
+    for (uint32_t i = 0; i < polyhedron->count; i++) {
         const struct compiled_plane *plane = &scene->planes[polyhedron->first + i];
         if (!is_behind(scene, inner, plane->normal, plane->offset)) {
             return false;
@@ -86,7 +80,7 @@ static double most_of_form(const struct compiled_quadric *quadric, const double 
 
 /* Finds a ball that a primitive lies within: the primitive itself, or a ball about its bounds in
  * its frame. */
-static void surrounding_ball(const struct compiled_scene *scene, int index, double centre[3],
+static void surrounding_ball(const struct compiled_scene *scene, uint32_t index, double centre[3],
                              double *radius) {
     const struct compiled_primitive *primitive = &scene->primitives[index];
     double square = 0;
@@ -111,7 +105,7 @@ static void surrounding_ball(const struct compiled_scene *scene, int index, doub
 
 /* Tells whether an ellipsoid holds a ball. Coordinates in which the ellipsoid is a ball are used,
  * with the ball's centre and the most that its radius becomes there. */
-static bool holds_ball(const struct compiled_scene *scene, int outer, const double centre[3],
+static bool holds_ball(const struct compiled_scene *scene, uint32_t outer, const double centre[3],
                        double radius) {
     const struct compiled_primitive *primitive = &scene->primitives[outer];
     const struct compiled_quadric *quadric = &scene->quadrics[primitive->index];
@@ -128,10 +122,10 @@ static bool holds_ball(const struct compiled_scene *scene, int outer, const doub
 
 /* Tells whether a primitive lies within a quadric's form, and behind the planes that cut the
  * quadric. */
-static bool is_within_quadric(const struct compiled_scene *scene, int inner, int outer) {
+static bool is_within_quadric(const struct compiled_scene *scene, uint32_t inner, uint32_t outer) {
     const struct compiled_primitive *primitive = &scene->primitives[outer];
     const struct compiled_quadric *quadric = &scene->quadrics[primitive->index];
-    const struct compiled_box *box = &scene->boxes[quadric->box];
+    const struct compiled_box *box = compiled_box_of(scene, quadric);
     double low[3], high[3], centre[3], radius;
     for (int i = 0; i < 3; i++) {
         const double *axis = compiled_axis(scene, primitive->frame, i);
@@ -155,7 +149,7 @@ static bool is_within_quadric(const struct compiled_scene *scene, int inner, int
 
 /* Tells whether one primitive lies within another. Only convex primitives enclose: from a point
  * within, a ray leaves them once. */
-bool primitive_is_within(const struct compiled_scene *scene, int inner, int outer) {
+bool primitive_is_within(const struct compiled_scene *scene, uint32_t inner, uint32_t outer) {
     switch (scene->primitives[outer].kind) {
     case PRIMITIVE_BOX:
         return is_within_box(scene, inner, outer);
@@ -171,7 +165,7 @@ bool primitive_is_within(const struct compiled_scene *scene, int inner, int oute
 
 /* Tells whether all of one primitive lies before another one along a direction of any length; false
  * for a null direction. */
-static bool lies_beyond(const struct compiled_scene *scene, int one, int other,
+static bool lies_beyond(const struct compiled_scene *scene, uint32_t one, uint32_t other,
                         const double direction[3]) {
     double there[3] = {direction[0], direction[1], direction[2]}, back[3];
     if (!vector_normalise(there)) {
@@ -186,9 +180,9 @@ static bool lies_beyond(const struct compiled_scene *scene, int one, int other,
 /* Tells whether a plane between two primitives was found, so that they have no point in common.
  * Planes across the axes of either and of the world are tried, then across the line from one to the
  * other. */
-bool primitives_are_apart(const struct compiled_scene *scene, int one, int other) {
-    const uint8_t frames[3] = {FRAME_WORLD, scene->primitives[one].frame,
-                               scene->primitives[other].frame};
+bool primitives_are_apart(const struct compiled_scene *scene, uint32_t one, uint32_t other) {
+    const uint32_t frames[3] = {COMPILED_FRAME_WORLD, scene->primitives[one].frame,
+                                scene->primitives[other].frame};
     double from[3], to[3], radius;
     for (int i = 0; i < 9; i++) {
         const double *axis = compiled_axis(scene, frames[i / 3], i % 3);
@@ -204,30 +198,57 @@ bool primitives_are_apart(const struct compiled_scene *scene, int one, int other
     return isfinite(vector_length(to)) && lies_beyond(scene, one, other, to);
 }
 
-/* Sets for each primitive what hides it and its enclosure: the innermost of those that it lies
- * within. The innermost one is that which itself lies within the most others. */
-void compile_enclosures(struct compiler *compiler) {
+/* Counts for each primitive how many it lies within, and sets its enclosure: the innermost of
+ * those. The innermost one is that which itself lies within the most others. */
+static bool find_enclosures(struct compiler *compiler) {
     struct compiled_scene *scene = compiler->scene;
-    int depth[COMPILED_PRIMITIVES_MOST] = {0};
-    for (int i = 0; i < scene->primitive_count; i++) {
-        for (int j = 0; j < scene->primitive_count; j++) {
-            bool within = i != j && primitive_is_within(scene, i, j);
-            depth[i] += within;
-            if (within || (i != j && primitives_are_apart(scene, i, j))) {
-                compiled_set_include(&scene->hidden_by[j], i);
-                scene->report.hidden++;
-            }
+    uint32_t *depth = calloc((size_t)scene->primitive_count + 1, sizeof *depth);
+    if (depth == NULL) {
+        return compile_fail_memory(compiler);
+    }
+    for (uint32_t i = 0; i < scene->primitive_count; i++) {
+        for (uint32_t j = 0; j < scene->primitive_count; j++) {
+            depth[i] += i != j && primitive_is_within(scene, i, j);
         }
     }
-    for (int i = 0; i < scene->primitive_count; i++) {
+    for (uint32_t i = 0; i < scene->primitive_count; i++) {
         struct compiled_primitive *primitive = &scene->primitives[i];
-        primitive->enclosure = ENCLOSURE_NONE;
-        for (int j = 0; j < scene->primitive_count; j++) {
+        primitive->enclosure = COMPILED_ENCLOSURE_NONE;
+        for (uint32_t j = 0; j < scene->primitive_count; j++) {
             if (i != j && primitive_is_within(scene, i, j) &&
-                (primitive->enclosure == ENCLOSURE_NONE ||
+                (primitive->enclosure == COMPILED_ENCLOSURE_NONE ||
                  depth[j] > depth[primitive->enclosure])) {
-                primitive->enclosure = (uint8_t)j;
+                primitive->enclosure = j;
             }
         }
     }
+    free(depth);
+    return true;
+}
+
+/* Sets for each of few primitives what hides it. */
+static bool find_hiders(struct compiler *compiler) {
+    struct compiled_scene *scene = compiler->scene;
+    scene->hidden_by = calloc((size_t)scene->primitive_count + 1, sizeof *scene->hidden_by);
+    if (scene->hidden_by == NULL) {
+        return compile_fail_memory(compiler);
+    }
+    for (uint32_t i = 0; i < scene->primitive_count; i++) {
+        for (uint32_t j = 0; j < scene->primitive_count; j++) {
+            if (i == j ||
+                (!primitive_is_within(scene, i, j) && !primitives_are_apart(scene, i, j))) {
+                continue;
+            }
+            if (!compiled_set_include(&scene->hidden_by[j], i)) {
+                return compile_fail_memory(compiler);
+            }
+            scene->report.hidden++;
+        }
+    }
+    return true;
+}
+
+bool compile_enclosures(struct compiler *compiler) {
+    return find_enclosures(compiler) &&
+           (compiler->scene->primitive_count > COMPILED_BITS_MOST || find_hiders(compiler));
 }

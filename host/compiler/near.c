@@ -9,7 +9,7 @@
  */
 #define NEAR_MOST 0x1p-10
 
-static void note(struct compiled_scene *scene, int one, int other, double distance) {
+static void note(struct compiled_scene *scene, uint32_t one, uint32_t other, double distance) {
     if (scene->near_count < COMPILED_NEAR_MOST) {
         scene->near[scene->near_count] = (struct compiled_near){
             scene->primitives[one].line, scene->primitives[other].line, distance};
@@ -18,7 +18,7 @@ static void note(struct compiled_scene *scene, int one, int other, double distan
 }
 
 /* Tells whether two primitives come so near that a ray may meet both at one place. */
-static bool meet(const struct compiled_scene *scene, int one, int other) {
+static bool meet(const struct compiled_scene *scene, uint32_t one, uint32_t other) {
     struct bounds a = primitive_bounds(scene, one), b = primitive_bounds(scene, other);
     for (int i = 0; i < 3; i++) {
         a.low[i] -= NEAR_MOST;
@@ -39,7 +39,7 @@ static double plane_distance(const struct compiled_face *a, const struct compile
 
 /* Returns the distance of the nearest two faces of different surfaces; infinite where there are no
  * such faces. */
-static double face_distance(const struct compiled_scene *scene, int one, int other) {
+static double face_distance(const struct compiled_scene *scene, uint32_t one, uint32_t other) {
     struct compiled_face faces[COMPILED_FACES_MOST], others[COMPILED_FACES_MOST];
     int count = compiled_faces(scene, one, faces), more = compiled_faces(scene, other, others);
     double least = HUGE_VAL;
@@ -55,8 +55,8 @@ static double face_distance(const struct compiled_scene *scene, int one, int oth
 
 void compile_near(struct compiler *compiler) {
     struct compiled_scene *scene = compiler->scene;
-    for (int i = 0; i < scene->primitive_count; i++) {
-        for (int j = 0; j <= i; j++) {
+    for (uint32_t i = 0; i < scene->primitive_count; i++) {
+        for (uint32_t j = 0; j <= i; j++) {
             double distance = face_distance(scene, i, j);
             if (i != j) {
                 distance = fmin(distance, compile_curve_distance(scene, i, j));

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/grow.h"
 #include "compiler/compiler_internal.h"
 
 /* Nearer to the end of a cell than this, an arithmetic may round a face's points to either side. */
@@ -28,7 +29,7 @@ bool compile_pattern(struct compiler *compiler, const struct scene_material *fro
     if (!pattern->present) {
         return true;
     }
-    material->pattern = scene->pattern_count;
+    material->pattern = (uint8_t)scene->pattern_count;
     struct compiled_pattern *compiled = &scene->patterns[scene->pattern_count++];
     compiled->line = from->line;
     memcpy(compiled->colour, pattern->colour, sizeof compiled->colour);
@@ -66,8 +67,8 @@ static bool find_cells(const struct compiler *compiler, const struct compiled_pa
 }
 
 static bool has_face(const struct compiled_scene *scene, const struct compiled_pattern *pattern,
-                     uint16_t surface) {
-    for (int i = pattern->first_face; i < scene->pattern_face_count; i++) {
+                     uint32_t surface) {
+    for (uint32_t i = pattern->first_face; i < scene->pattern_face_count; i++) {
         if (scene->pattern_faces[i].surface == surface) {
             return true;
         }
@@ -85,12 +86,8 @@ static bool note_face(struct compiler *compiler, struct compiled_pattern *patter
             !find_cells(compiler, pattern, axis, face->normal[axis] * face->offset, &found)) {
             continue;
         }
-        if (pattern->face_count == UINT8_MAX ||
-            scene->pattern_face_count == COMPILED_PATTERN_FACES_MOST) {
-            return compile_fail(compiler, pattern->line,
-                                "a pattern whose cells end in more than %d faces, or more than %d "
-                                "of all patterns: move its origin off the faces",
-                                UINT8_MAX, COMPILED_PATTERN_FACES_MOST);
+        if (!GROW(scene->pattern_faces, scene->pattern_face_count)) {
+            return compile_fail_memory(compiler);
         }
         found.surface = face->surface;
         scene->pattern_faces[scene->pattern_face_count++] = found;
@@ -101,9 +98,9 @@ static bool note_face(struct compiler *compiler, struct compiled_pattern *patter
 
 bool compile_pattern_faces(struct compiler *compiler) {
     struct compiled_scene *scene = compiler->scene;
-    for (int i = 0; i < scene->pattern_count; i++) {
+    for (uint32_t i = 0; i < scene->pattern_count; i++) {
         scene->patterns[i].first_face = scene->pattern_face_count;
-        for (int j = 0; j < scene->primitive_count; j++) {
+        for (uint32_t j = 0; j < scene->primitive_count; j++) {
             struct compiled_face faces[COMPILED_FACES_MOST];
             int count = compiled_faces(scene, j, faces);
             for (int k = 0; k < count; k++) {

@@ -22,11 +22,12 @@ struct solid {
 
 struct search {
     const struct compiled_scene *scene;
-    struct solid solids[COMPILED_OBJECTS_MOST];
+    struct solid *solids; /* by object */
     struct compile_reach *reach;
 };
 
-static const struct compiled_material *material_of(const struct compiled_scene *scene, int object) {
+static const struct compiled_material *material_of(const struct compiled_scene *scene,
+                                                   uint32_t object) {
     return &scene->materials[scene->objects[object].material];
 }
 
@@ -137,43 +138,45 @@ static bool is_in_view(const struct search *search, const struct solid *solid) {
 
 /* Returns true if a part of a solid lies strictly within a primitive. With may_be_it, a part that
  * is the primitive itself will do, too. */
-static bool lies_within(const struct search *search, const struct csg_tree *tree, uint8_t index,
-                        uint8_t primitive, bool may_be_it) {
+static bool lies_within(const struct search *search, const struct csg_tree *tree, uint32_t index,
+                        uint32_t primitive, bool may_be_it) {
     const struct csg_node *node = &tree->nodes[index];
     if (csg_is_leaf(tree, index)) {
         return node->code == primitive ? may_be_it
                                        : primitive_is_within(search->scene, node->code, primitive);
     }
     bool left = lies_within(search, tree, node->left, primitive, may_be_it);
-    if (node->code == PROGRAM_DIFFERENCE) {
+    if (node->code == COMPILED_DIFFERENCE) {
         return left;
     }
     bool right = lies_within(search, tree, node->right, primitive, may_be_it);
-    return node->code == PROGRAM_UNION ? left && right : left || right;
+    return node->code == COMPILED_UNION ? left && right : left || right;
 }
 
-static bool object_lies_within(const struct search *search, int inner, int outer, bool may_be_it) {
+static bool object_lies_within(const struct search *search, uint32_t inner, uint32_t outer,
+                               bool may_be_it) {
     const struct csg_tree *tree = &search->solids[inner].tree;
     const struct compiled_object *object = &search->scene->objects[outer];
     return object->length == 1 && lies_within(search, tree, tree->root,
                                               search->scene->programs[object->program], may_be_it);
 }
 
-static bool are_one_solid(const struct compiled_scene *scene, int one, int other) {
+static bool are_one_solid(const struct compiled_scene *scene, uint32_t one, uint32_t other) {
     const struct compiled_object *a = &scene->objects[one], *b = &scene->objects[other];
     return a->length == b->length &&
-           memcmp(&scene->programs[a->program], &scene->programs[b->program], a->length) == 0;
+           memcmp(&scene->programs[a->program], &scene->programs[b->program],
+                  a->length * sizeof *scene->programs) == 0;
 }
 
 /* Returns true if an opaque object is whole and the eye is outside. Whole means: no later object
  * reaches out of the opaque one, to let a ray come in. */
-static bool is_closed(const struct search *search, int object) {
+static bool is_closed(const struct search *search, uint32_t object) {
     const struct compiled_scene *scene = search->scene;
     if (material_of(scene, object)->transparent ||
-        compiled_object_holds(scene, (uint8_t)object, &scene->camera.inside)) {
+        compiled_object_holds(scene, object, scene->camera.eye)) {
         return false;
     }
-    for (int i = object + 1; i < scene->object_count; i++) {
+    for (uint32_t i = object + 1; i < scene->object_count; i++) {
         if (!bounds_are_apart(&search->solids[i].bounds, &search->solids[object].bounds,
                               COMPILE_GAP) &&
             !object_lies_within(search, i, object, false)) {
@@ -184,8 +187,8 @@ static bool is_closed(const struct search *search, int object) {
 }
 
 /* Returns the reason why no ray can meet an object; NULL if a ray may meet the object. */
-static const char *find_cover(const struct search *search, int object) {
-    for (int i = 1; i < search->scene->object_count; i++) {
+static const char *find_cover(const struct search *search, uint32_t object) {
+    for (uint32_t i = 1; i < search->scene->object_count; i++) {
         if (i > object && (are_one_solid(search->scene, i, object) ||
                            object_lies_within(search, object, i, true))) {
             return is_filled;
@@ -201,7 +204,7 @@ static const char *find_cover(const struct search *search, int object) {
 
 static bool sends_paths_anywhere(const struct search *search) {
     const struct compiled_scene *scene = search->scene;
-    for (int i = 1; i < scene->object_count; i++) {
+    for (uint32_t i = 1; i < scene->object_count; i++) {
         if (search->reach->is_seen[i] && material_turns_aside(scene, material_of(scene, i))) {
             return scene->depth > 0 || scene->estimates;
         }
@@ -212,12 +215,12 @@ static bool sends_paths_anywhere(const struct search *search) {
 static void follow_paths(struct search *search) {
     const struct compiled_scene *scene = search->scene;
     struct compile_reach *reach = search->reach;
-    for (int i = 1; i < scene->object_count; i++) {
+    for (uint32_t i = 1; i < scene->object_count; i++) {
         reach->lost[i] = find_cover(search, i);
         reach->is_seen[i] = reach->lost[i] == NULL && is_in_view(search, &search->solids[i]);
     }
     bool anywhere = sends_paths_anywhere(search);
-    for (int i = 1; i < scene->object_count; i++) {
+    for (uint32_t i = 1; i < scene->object_count; i++) {
         reach->is_seen[i] = reach->is_seen[i] || (anywhere && reach->lost[i] == NULL);
         if (reach->is_seen[i]) {
             reach->is_shown[scene->objects[i].material] = true;
@@ -229,8 +232,8 @@ static void follow_paths(struct search *search) {
 
 static void find_lights(struct search *search) {
     const struct compiled_scene *scene = search->scene;
-    for (int i = 0; i < scene->light_count; i++) {
-        for (int j = 1; j < scene->material_count; j++) {
+    for (uint32_t i = 0; i < scene->light_count; i++) {
+        for (uint32_t j = 1; j < scene->material_count; j++) {
             search->reach->lights[i] = search->reach->lights[i] ||
                                        (search->reach->is_shown[j] &&
                                         is_lit(scene, &scene->materials[j], &scene->lights[i]));
@@ -253,10 +256,10 @@ static struct bounds way_to_light(const struct solid *from, const struct compile
 }
 
 /* Returns true if an object may be met between something lit and a light. */
-static bool is_in_light(const struct search *search, int object) {
+static bool is_in_light(const struct search *search, uint32_t object) {
     const struct compiled_scene *scene = search->scene;
-    for (int i = 1; i < scene->object_count; i++) {
-        for (int j = 0; j < scene->light_count && search->reach->is_seen[i]; j++) {
+    for (uint32_t i = 1; i < scene->object_count; i++) {
+        for (uint32_t j = 0; j < scene->light_count && search->reach->is_seen[i]; j++) {
             struct bounds way = way_to_light(&search->solids[i], &scene->lights[j]);
             if (is_lit(scene, material_of(scene, i), &scene->lights[j]) &&
                 !bounds_are_apart(&way, &search->solids[object].bounds, COMPILE_GAP)) {
@@ -268,10 +271,10 @@ static bool is_in_light(const struct search *search, int object) {
 }
 
 /* Returns true if an object keeps light off, or may fill a part of an earlier object that does. */
-static bool matters_to_shadows(const struct search *search, int object) {
+static bool matters_to_shadows(const struct search *search, uint32_t object) {
     const struct compiled_scene *scene = search->scene;
     bool matters = material_of(scene, object)->casts_shadow;
-    for (int i = 1; i < object; i++) {
+    for (uint32_t i = 1; i < object; i++) {
         matters = matters || (material_of(scene, i)->casts_shadow &&
                               !bounds_are_apart(&search->solids[i].bounds,
                                                 &search->solids[object].bounds, COMPILE_GAP));
@@ -281,7 +284,7 @@ static bool matters_to_shadows(const struct search *search, int object) {
 
 static void follow_shadow_rays(struct search *search) {
     struct compile_reach *reach = search->reach;
-    for (int i = 1; i < search->scene->object_count; i++) {
+    for (uint32_t i = 1; i < search->scene->object_count; i++) {
         if (reach->is_seen[i] || reach->lost[i] != NULL) {
             continue;
         }
@@ -293,23 +296,49 @@ static void follow_shadow_rays(struct search *search) {
     }
 }
 
-bool compile_find_reach(struct compiler *compiler, struct compile_reach *reach) {
-    const struct compiled_scene *scene = compiler->scene;
-    struct search *search = calloc(1, sizeof *search);
-    if (search == NULL) {
-        return compile_fail(compiler, 0, "out of memory");
-    }
-    memset(reach, 0, sizeof *reach);
-    search->scene = scene;
-    search->reach = reach;
-    for (int i = 1; i < scene->object_count; i++) {
+/* Reads the objects' programs; false if memory is out. */
+static bool read_solids(struct search *search) {
+    const struct compiled_scene *scene = search->scene;
+    for (uint32_t i = 1; i < scene->object_count; i++) {
         struct solid *solid = &search->solids[i];
-        csg_read(scene, &scene->objects[i], &solid->tree);
+        if (!csg_read(scene, &scene->objects[i], &solid->tree)) {
+            return false;
+        }
         solid->bounds = csg_bounds(scene, &solid->tree, solid->tree.root);
     }
-    follow_paths(search);
-    find_lights(search);
-    follow_shadow_rays(search);
-    free(search);
     return true;
+}
+
+static void free_solids(struct search *search) {
+    for (uint32_t i = 0; i < search->scene->object_count && search->solids != NULL; i++) {
+        csg_free(&search->solids[i].tree);
+    }
+    free(search->solids);
+}
+
+bool compile_find_reach(struct compiler *compiler, struct compile_reach *reach) {
+    const struct compiled_scene *scene = compiler->scene;
+    const struct compile_reach found = {
+        .lost = calloc(scene->object_count, sizeof *reach->lost),
+        .is_seen = calloc(scene->object_count, sizeof *reach->is_seen),
+        .lights = calloc((size_t)scene->light_count + 1, sizeof *reach->lights)};
+    struct search search = {.scene = scene,
+                            .solids = calloc(scene->object_count, sizeof *search.solids),
+                            .reach = reach};
+    *reach = found;
+    bool is_read = found.lost != NULL && found.is_seen != NULL && found.lights != NULL &&
+                   search.solids != NULL && read_solids(&search);
+    if (is_read) {
+        follow_paths(&search);
+        find_lights(&search);
+        follow_shadow_rays(&search);
+    }
+    free_solids(&search);
+    return is_read || compile_fail_memory(compiler);
+}
+
+void reach_free(struct compile_reach *reach) {
+    free(reach->lost);
+    free(reach->is_seen);
+    free(reach->lights);
 }

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/grow.h"
 #include "compiler/compiler_internal.h"
 
 /* Tells whether two directions count as one, the second times the sign. A direction may be off by
@@ -23,7 +24,7 @@ bool compile_same(const struct compiler *compiler, double a, double b) {
 }
 
 bool compile_direction(struct compiler *compiler, double direction[3]) {
-    for (int i = 0; i < compiler->direction_count; i++) {
+    for (uint32_t i = 0; i < compiler->direction_count; i++) {
         const double *known = compiler->directions[i];
         double sign = vector_dot(direction, known) < 0 ? -1 : 1;
         if (same_direction(compiler, direction, known, sign)) {
@@ -33,58 +34,56 @@ bool compile_direction(struct compiler *compiler, double direction[3]) {
             return true;
         }
     }
-    if (compiler->direction_count == COMPILED_DIRECTIONS_MOST) {
-        return compile_fail(compiler, compiler->line,
-                            "more than %d different directions of faces and axes",
-                            COMPILED_DIRECTIONS_MOST);
+    if (!GROW(compiler->directions, compiler->direction_count)) {
+        return compile_fail_memory(compiler);
     }
     memcpy(compiler->directions[compiler->direction_count++], direction,
            sizeof compiler->directions[0]);
     return true;
 }
 
-int compile_new_surface(struct compiler *compiler) {
+uint32_t compile_new_surface(struct compiler *compiler) {
     struct compiled_scene *scene = compiler->scene;
-    if (scene->surface_count == COMPILED_SURFACES_MOST) {
-        compile_fail(compiler, compiler->line, "more than %d different surfaces",
-                     COMPILED_SURFACES_MOST);
-        return -1;
+    if (!GROW(compiler->planes, scene->surface_count)) {
+        (void)compile_fail_memory(compiler);
+        return COMPILED_NONE;
     }
     return scene->surface_count++;
 }
 
-int compile_fail_thin(struct compiler *compiler) {
+uint32_t compile_fail_thin(struct compiler *compiler) {
     compile_fail(compiler, compiler->line,
                  "a solid thinner than %g units: its faces are one; make it thicker, or 'weld' "
                  "smaller",
                  ldexp(compiler->same, -compiler->scene->exponent));
-    return -1;
+    return COMPILED_NONE;
 }
 
-int compile_plane_surface(struct compiler *compiler, const double normal[3], double offset) {
-    for (int i = 0; i < compiler->scene->surface_count; i++) {
+uint32_t compile_plane_surface(struct compiler *compiler, const double normal[3], double offset) {
+    for (uint32_t i = 0; i < compiler->scene->surface_count; i++) {
         const struct compile_plane *plane = &compiler->planes[i];
         double sign = vector_parallel(normal, plane->normal);
         if (sign != 0 && compile_same(compiler, sign * offset, plane->offset)) {
             return i;
         }
     }
-    int surface = compile_new_surface(compiler);
-    if (surface >= 0) {
+    uint32_t surface = compile_new_surface(compiler);
+    if (surface != COMPILED_NONE) {
         memcpy(compiler->planes[surface].normal, normal, 3 * sizeof *normal);
         compiler->planes[surface].offset = offset;
     }
     return surface;
 }
 
-double compile_place_of_plane(const struct compiler *compiler, int surface, const double axis[3]) {
+double compile_place_of_plane(const struct compiler *compiler, uint32_t surface,
+                              const double axis[3]) {
     const struct compile_plane *plane = &compiler->planes[surface];
     return vector_parallel(axis, plane->normal) < 0 ? -plane->offset : plane->offset;
 }
 
 /* Sorts axes into those of a frame, up to their order and signs. Returns false if they do not
  * match, or the third axis would have to stay and does not. */
-static bool sort_axes(const struct compiled_scene *scene, uint8_t frame, double axis[3][3],
+static bool sort_axes(const struct compiled_scene *scene, uint32_t frame, double axis[3][3],
                       bool third_stays, int permutation[3], double sign[3]) {
     for (int i = 0; i < 3; i++) {
         int j = 0;
@@ -100,33 +99,32 @@ static bool sort_axes(const struct compiled_scene *scene, uint8_t frame, double 
     return !third_stays || permutation[2] == 2;
 }
 
-int compile_frame(struct compiler *compiler, double axis[3][3], bool third_stays,
-                  int permutation[3], double sign[3]) {
+bool compile_frame(struct compiler *compiler, double axis[3][3], bool third_stays,
+                   int permutation[3], double sign[3], uint32_t *frame) {
     struct compiled_scene *scene = compiler->scene;
     for (int i = 0; i < 3; i++) {
         if (!compile_direction(compiler, axis[i])) {
-            return -1;
+            return false;
         }
     }
-    if (sort_axes(scene, FRAME_WORLD, axis, third_stays, permutation, sign)) {
-        return FRAME_WORLD;
+    if (sort_axes(scene, COMPILED_FRAME_WORLD, axis, third_stays, permutation, sign)) {
+        *frame = COMPILED_FRAME_WORLD;
+        return true;
     }
-    for (uint8_t i = 0; i < scene->frame_count; i++) {
+    for (uint32_t i = 0; i < scene->frame_count; i++) {
         if (sort_axes(scene, i, axis, third_stays, permutation, sign)) {
-            return i;
+            *frame = i;
+            return true;
         }
     }
-    if (scene->frame_count == COMPILED_FRAMES_MOST) {
-        compile_fail(compiler, compiler->line, "more than %d different places and rotations",
-                     COMPILED_FRAMES_MOST);
-        return -1;
+    if (!GROW(scene->frames, scene->frame_count)) {
+        return compile_fail_memory(compiler);
     }
-    struct compiled_frame *frame = &scene->frames[scene->frame_count];
-    memset(frame->origin, 0, sizeof frame->origin);
-    memcpy(frame->axis, axis, sizeof frame->axis);
+    memcpy(scene->frames[scene->frame_count].axis, axis, sizeof scene->frames[0].axis);
     for (int i = 0; i < 3; i++) {
         permutation[i] = i;
         sign[i] = 1;
     }
-    return scene->frame_count++;
+    *frame = scene->frame_count++;
+    return true;
 }

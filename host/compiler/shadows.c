@@ -1,32 +1,36 @@
 /* SPDX-License-Identifier: MIT */
 /* The scene compiler: what can keep light off a surface, and what is proved not to. */
 #include <math.h>
+#include <stdlib.h>
 
 #include "compiler/compiler_internal.h"
 
-static void collect_uses(struct compiled_scene *scene, struct compiled_object *object) {
-    for (uint8_t i = 0; i < object->length; i++) {
-        uint8_t code = scene->programs[object->program + i];
-        if (code < PROGRAM_UNION) {
-            compiled_set_include(&object->uses, code);
+/* Puts the primitives of an object's program into a set; false if memory is out. */
+static bool collect_uses(const struct compiled_scene *scene, const struct compiled_object *object,
+                         struct compiled_set *uses) {
+    for (uint32_t i = 0; i < object->length; i++) {
+        uint32_t code = scene->programs[object->program + i];
+        if (code < COMPILED_UNION && !compiled_set_include(uses, code)) {
+            return false;
         }
     }
+    return true;
 }
 
-static bool casts(const struct compiled_scene *scene, int object) {
+static bool casts(const struct compiled_scene *scene, uint32_t object) {
     return scene->materials[scene->objects[object].material].casts_shadow;
 }
 
 /* Tells whether all objects but one, and the light, lie on the far side of a plane. The plane has
  * all of that one object behind it. */
-static bool is_clear_of(const struct compiler *compiler, int object,
+static bool is_clear_of(const struct compiler *compiler, uint32_t object,
                         const struct compiled_light *light, int axis, double side, double place) {
     const struct compiled_scene *scene = compiler->scene;
     if (light->parallel ? side * light->towards[axis] < 0
                         : side * (light->position[axis] - place) < 0) {
         return false;
     }
-    for (int i = 1; i < scene->object_count; i++) {
+    for (uint32_t i = 1; i < scene->object_count; i++) {
         const struct bounds *bounds = &compiler->object_bounds[i];
         double nearest = side > 0 ? bounds->low[axis] : bounds->high[axis];
         if (i != object && !bounds_are_empty(bounds) && side * (nearest - place) < 0) {
@@ -40,13 +44,13 @@ static bool is_clear_of(const struct compiler *compiler, int object,
  * shadow on itself, nor on what lies, with the light, before one of its faces. A transparent body
  * throws one on its own far side. The proof is for boxes along the axes: the floors and boards of
  * most scenes. */
-static bool is_harmless(const struct compiler *compiler, int object,
+static bool is_harmless(const struct compiler *compiler, uint32_t object,
                         const struct compiled_light *light) {
     const struct compiled_scene *scene = compiler->scene;
     const struct compiled_primitive *primitive =
         &scene->primitives[scene->programs[scene->objects[object].program]];
     if (scene->objects[object].length != 1 || primitive->kind != PRIMITIVE_BOX ||
-        primitive->frame != FRAME_WORLD ||
+        primitive->frame != COMPILED_FRAME_WORLD ||
         scene->materials[scene->objects[object].material].transparent) {
         return false;
     }
@@ -60,30 +64,49 @@ static bool is_harmless(const struct compiler *compiler, int object,
     return false;
 }
 
-/* Finds the objects that cast shadows for some light, and the later objects that may fill some of
- * their place. A later object may put something there that casts no shadow. */
-void compile_shadows(struct compiler *compiler) {
+/* Finds the objects that cast shadows for some light. */
+static void find_casters(const struct compiler *compiler, bool harms[]) {
     struct compiled_scene *scene = compiler->scene;
-    bool harms[COMPILED_OBJECTS_MOST] = {false};
-    for (int i = 1; i < scene->object_count; i++) {
-        collect_uses(scene, &scene->objects[i]);
-        for (int j = 0; j < scene->light_count; j++) {
+    for (uint32_t i = 1; i < scene->object_count; i++) {
+        for (uint32_t j = 0; j < scene->light_count; j++) {
             bool harm = casts(scene, i) && !is_harmless(compiler, i, &scene->lights[j]);
             scene->lights[j].casts_shadows = scene->lights[j].casts_shadows || harm;
             harms[i] = harms[i] || harm;
             scene->has_shadows = scene->has_shadows || harm;
         }
     }
-    for (int i = 1; i < scene->object_count; i++) {
+}
+
+/* Marks the objects that cast shadows, and the later objects that may fill some of their place. A
+ * later object may put something there that casts no shadow. */
+static void mark_shadow_test(const struct compiler *compiler, const bool harms[]) {
+    struct compiled_scene *scene = compiler->scene;
+    for (uint32_t i = 1; i < scene->object_count; i++) {
         struct compiled_object *object = &scene->objects[i];
         object->in_shadow_test = harms[i];
-        for (int j = 1; j < i; j++) {
+        for (uint32_t j = 1; j < i; j++) {
             object->in_shadow_test =
                 object->in_shadow_test || (harms[j] && bounds_overlap(&compiler->object_bounds[i],
                                                                       &compiler->object_bounds[j]));
         }
-        for (int k = 0; k < COMPILED_PRIMITIVES_MOST / 32 && object->in_shadow_test; k++) {
-            scene->shadow_primitives.word[k] |= object->uses.word[k];
+    }
+}
+
+bool compile_shadows(struct compiler *compiler) {
+    struct compiled_scene *scene = compiler->scene;
+    bool *harms = calloc(scene->object_count, sizeof *harms);
+    if (harms == NULL) {
+        return compile_fail_memory(compiler);
+    }
+    find_casters(compiler, harms);
+    mark_shadow_test(compiler, harms);
+    free(harms);
+    for (uint32_t i = 1; i < scene->object_count; i++) {
+        struct compiled_object *object = &scene->objects[i];
+        if (!collect_uses(scene, object, &object->uses) ||
+            (object->in_shadow_test && !collect_uses(scene, object, &scene->shadow_primitives))) {
+            return compile_fail_memory(compiler);
         }
     }
+    return true;
 }

@@ -2,7 +2,6 @@
 /* The POV-Ray export: refuses by name what POV-Ray 3.7 can't show as it is. */
 #include <math.h>
 #include <stdarg.h>
-#include <string.h>
 
 #include "export/pov_internal.h"
 
@@ -79,19 +78,12 @@ static bool common_bounds(const struct compiled_object *a, const struct compiled
     return true;
 }
 
-static bool both_hold(const struct compiled_scene *scene, uint8_t a, uint8_t b,
+static bool both_hold(const struct compiled_scene *scene, uint32_t a, uint32_t b,
                       const double point[3]) {
-    struct compiled_set inside;
-    memset(&inside, 0, sizeof inside);
-    for (uint8_t i = 0; i < scene->primitive_count; i++) {
-        if (compiled_primitive_holds(scene, i, point)) {
-            inside.word[i / 32] |= (uint32_t)1 << i % 32;
-        }
-    }
-    return compiled_object_holds(scene, a, &inside) && compiled_object_holds(scene, b, &inside);
+    return compiled_object_holds(scene, a, point) && compiled_object_holds(scene, b, point);
 }
 
-static bool overlap(const struct compiled_scene *scene, uint8_t a, uint8_t b) {
+static bool overlap(const struct compiled_scene *scene, uint32_t a, uint32_t b) {
     double low[3], high[3];
     if (!common_bounds(&scene->objects[a], &scene->objects[b], low, high)) {
         return false;
@@ -112,7 +104,7 @@ static bool overlap(const struct compiled_scene *scene, uint8_t a, uint8_t b) {
 
 /* Refuses two opaque objects that fill one place up to the same face: POV-Ray shows either. */
 static bool check_opaque_pair(const struct scene_description *description,
-                              const struct compiled_scene *scene, uint8_t earlier, uint8_t later,
+                              const struct compiled_scene *scene, uint32_t earlier, uint32_t later,
                               struct scene_error *error) {
     const struct compiled_object *a = &scene->objects[earlier], *b = &scene->objects[later];
     double low[3], high[3];
@@ -130,7 +122,7 @@ static bool check_opaque_pair(const struct scene_description *description,
  * common with another one, which POV-Ray would show otherwise. But a later opaque object may fill a
  * part of a transparent one: no ray gets there. */
 static bool check_pair(const struct scene_description *description,
-                       const struct compiled_scene *scene, uint8_t earlier, uint8_t later,
+                       const struct compiled_scene *scene, uint32_t earlier, uint32_t later,
                        struct scene_error *error) {
     const struct compiled_object *a = &scene->objects[earlier], *b = &scene->objects[later];
     bool a_transparent = scene->materials[a->material].transparent;
@@ -160,12 +152,12 @@ static bool check_pair(const struct scene_description *description,
 
 /* Refuses an eye within glass that casts shadows: all rays would end at its opaque twin. */
 static bool check_eye(const struct scene_description *description,
-                      const struct compiled_scene *scene, uint8_t index,
+                      const struct compiled_scene *scene, uint32_t index,
                       struct scene_error *error) {
     const struct compiled_object *object = &scene->objects[index];
     const struct compiled_material *material = &scene->materials[object->material];
     if (!material->transparent || !material->casts_shadow ||
-        !compiled_object_holds(scene, index, &scene->camera.inside)) {
+        !compiled_object_holds(scene, index, scene->camera.eye)) {
         return true;
     }
     return refuse(error, description, object->line,
@@ -179,7 +171,7 @@ bool export_pov_check(const struct scene_description *description,
     if (!check_scene(description, error)) {
         return false;
     }
-    for (uint8_t i = 1; i < scene->object_count; i++) {
+    for (uint32_t i = 1; i < scene->object_count; i++) {
         uint8_t material = scene->objects[i].material;
         if (!check_material(description, &description->materials[scene->materials[material].file],
                             error)) {

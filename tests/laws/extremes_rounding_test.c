@@ -51,7 +51,7 @@ static void the_rounding_mode_does_not_show(void **state) {
                                       extreme_arithmetics[j]);
             }
         }
-        free(compiled);
+        compiled_scene_free(compiled);
         scene_description_free(description);
     }
 }

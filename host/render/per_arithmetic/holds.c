@@ -4,7 +4,9 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
+#include "base/grow.h"
 #include "scene.h"
 
 /* Compiled once for each arithmetic; the include path says which. */
@@ -32,11 +34,9 @@ static bool same_unit(double a, double b) {
  * arithmetic is positive: both sides of a wall look alike. */
 struct face {
     double normal[3], offset;
-    uint16_t surface;
+    uint32_t surface;
     unsigned line;
 };
-
-enum { FACES_MOST = 6 * COMPILED_PRIMITIVES_MOST + COMPILED_PLANES_MOST };
 
 static void set_face(struct face *face, const struct compiled_face *from, unsigned line) {
     int first = 0;
@@ -57,24 +57,45 @@ static bool same_faces(const struct face *a, const struct face *b) {
            same_unit(a->normal[1], b->normal[1]) && same_unit(a->normal[2], b->normal[2]);
 }
 
-static bool faces_are_distinct(const struct compiled_scene *scene, struct scene_error *error) {
-    struct face faces[FACES_MOST];
-    int count = 0;
-    for (int i = 0; i < scene->primitive_count; i++) {
+static bool fail_memory(const struct compiled_scene *scene, struct scene_error *error) {
+    snprintf(error->text, sizeof error->text, "%.200s: out of memory", scene->path);
+    return false;
+}
+
+/* All plane faces of a scene. */
+struct faces {
+    struct face *entries;
+    size_t count;
+};
+
+/* Lists the faces of all primitives; false if memory is out. */
+static bool list_faces(const struct compiled_scene *scene, struct faces *faces) {
+    for (uint32_t i = 0; i < scene->primitive_count; i++) {
         struct compiled_face own[COMPILED_FACES_MOST];
         int more = compiled_faces(scene, i, own);
         for (int j = 0; j < more; j++) {
-            set_face(&faces[count++], &own[j], scene->primitives[i].line);
-        }
-    }
-    for (int i = 0; i < count; i++) {
-        for (int j = 0; j < i; j++) {
-            if (faces[i].surface != faces[j].surface && same_faces(&faces[i], &faces[j])) {
-                return fail(scene, faces[i].line, "a wall thinner", "thicker", error);
+            if (!GROW(faces->entries, faces->count)) {
+                return false;
             }
+            set_face(&faces->entries[faces->count++], &own[j], scene->primitives[i].line);
         }
     }
     return true;
+}
+
+static bool faces_are_distinct(const struct compiled_scene *scene, struct scene_error *error) {
+    struct faces faces = {NULL, 0};
+    bool is_good = list_faces(scene, &faces) || fail_memory(scene, error);
+    for (size_t i = 0; i < faces.count && is_good; i++) {
+        for (size_t j = 0; j < i && is_good; j++) {
+            if (faces.entries[i].surface != faces.entries[j].surface &&
+                same_faces(&faces.entries[i], &faces.entries[j])) {
+                is_good = fail(scene, faces.entries[i].line, "a wall thinner", "thicker", error);
+            }
+        }
+    }
+    free(faces.entries);
+    return is_good;
 }
 
 static bool same_balls(const struct compiled_ball *a, const struct compiled_ball *b) {
@@ -106,21 +127,23 @@ static bool same_quadrics(const struct compiled_quadric *a, const struct compile
     return same;
 }
 
+static bool same_curves(const struct compiled_scene *scene, const struct compiled_primitive *a,
+                        const struct compiled_primitive *b) {
+    if (a->kind != b->kind) {
+        return false;
+    }
+    if (a->kind == PRIMITIVE_BALL) {
+        return same_balls(&scene->balls[a->index], &scene->balls[b->index]);
+    }
+    return a->kind == PRIMITIVE_QUADRIC && a->frame == b->frame &&
+           same_quadrics(&scene->quadrics[a->index], &scene->quadrics[b->index]);
+}
+
 static bool curves_are_distinct(const struct compiled_scene *scene, struct scene_error *error) {
-    for (int i = 0; i < scene->primitive_count; i++) {
-        const struct compiled_primitive *primitive = &scene->primitives[i];
-        const struct compiled_ball *ball = &scene->balls[primitive->index];
-        const struct compiled_quadric *quadric = &scene->quadrics[primitive->index];
-        for (int j = 0; j < i; j++) {
-            const struct compiled_primitive *other = &scene->primitives[j];
-            bool same =
-                other->kind == primitive->kind &&
-                ((primitive->kind == PRIMITIVE_BALL &&
-                  same_balls(ball, &scene->balls[other->index])) ||
-                 (primitive->kind == PRIMITIVE_QUADRIC && primitive->frame == other->frame &&
-                  same_quadrics(quadric, &scene->quadrics[other->index])));
-            if (same) {
-                return fail(scene, primitive->line, "a shell thinner", "thicker", error);
+    for (uint32_t i = 0; i < scene->primitive_count; i++) {
+        for (uint32_t j = 0; j < i; j++) {
+            if (same_curves(scene, &scene->primitives[i], &scene->primitives[j])) {
+                return fail(scene, scene->primitives[i].line, "a shell thinner", "thicker", error);
             }
         }
     }
@@ -164,7 +187,7 @@ static struct compiled_quadric rounded(const struct compiled_quadric *quadric) {
 #define STRAY_MOST        0.5
 #define SQUARE_STRAY_MOST (1.0 / 64)
 
-static bool keeps_shape(const struct compiled_scene *scene, uint8_t frame,
+static bool keeps_shape(const struct compiled_scene *scene, uint32_t frame,
                         const struct compiled_quadric *quadric) {
     struct compiled_quadric moved = rounded(quadric);
     for (int i = 0; i < 3; i++) {
@@ -177,9 +200,8 @@ static bool keeps_shape(const struct compiled_scene *scene, uint8_t frame,
 }
 
 static bool curves_keep_shape(const struct compiled_scene *scene, struct scene_error *error) {
-    for (int i = 0; i < scene->primitive_count; i++) {
+    for (uint32_t i = 0; i < scene->primitive_count; i++) {
         const struct compiled_primitive *primitive = &scene->primitives[i];
-        const struct compiled_quadric *quadric = &scene->quadrics[primitive->index];
         if (primitive->kind == PRIMITIVE_BALL &&
             is_too_small(scene->balls[primitive->index].radius)) {
             return fail(scene, primitive->line, "a ball smaller", "larger", error);
@@ -187,6 +209,7 @@ static bool curves_keep_shape(const struct compiled_scene *scene, struct scene_e
         if (primitive->kind != PRIMITIVE_QUADRIC) {
             continue;
         }
+        const struct compiled_quadric *quadric = &scene->quadrics[primitive->index];
         if (is_too_small(least_radius(quadric))) {
             return fail(scene, primitive->line, "a solid narrower", "wider", error);
         }
@@ -203,7 +226,7 @@ static bool curves_keep_shape(const struct compiled_scene *scene, struct scene_e
 /* Checks that cells keep size and place. Cells of no size have no number; rounded sizes add up to
  * boundaries elsewhere. */
 static bool cells_keep_place(const struct compiled_scene *scene, struct scene_error *error) {
-    for (int i = 0; i < scene->pattern_count; i++) {
+    for (uint32_t i = 0; i < scene->pattern_count; i++) {
         const struct compiled_pattern *pattern = &scene->patterns[i];
         for (int axis = 0; axis < 3; axis++) {
             if ((pattern->axes >> axis & 1) == 0) {

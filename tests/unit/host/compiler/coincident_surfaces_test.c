@@ -26,7 +26,7 @@ static int surfaces_of(const char *solid) {
         abort();
     }
     int count = compiled->surface_count;
-    free(compiled);
+    compiled_scene_free(compiled);
     scene_description_free(description);
     return count;
 }
