@@ -26,9 +26,8 @@ static int run_compile(const struct options *options) {
         return bad_input("%s", error.text);
     }
     int status = STATUS_FAILED;
-    if (!compiled_fits_bits(compiled)) {
-        status = bad_input("%s: more than %d different solids, which tables in C cannot hold",
-                           compiled->path, COMPILED_BITS_MOST);
+    if (!compiled_fits_bits(compiled, &error)) {
+        status = bad_input("%s", error.text);
     } else if (output_open(&output, options->output)) {
         const bool is_minimal = ((const struct compile_options *)options)->minimal;
         scene_short_name(options->operands[0], name, sizeof name);

@@ -11,7 +11,7 @@
 
 enum {
     PROGRAM_DEPTH_MOST = 32,
-    CHAIN_MOST = 32 /* children that are taken one after the other; more are halved first */
+    CHAIN_MOST = 64 /* children that are taken one after the other; more are halved first */
 };
 
 /* What is to be applied to a solid after the solid itself: all but the first child of a difference

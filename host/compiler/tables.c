@@ -2,6 +2,7 @@
 /* The tables of a compiled scene as data: their sets, and their memory. */
 #include "compiler/tables.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -64,18 +65,42 @@ uint32_t compiled_set_word(const struct compiled_set *set, uint32_t word) {
 
 /* ---- Numbers -------------------------------------------------------------------------------- */
 
-bool compiled_fits_bits(const struct compiled_scene *scene) {
-    bool fits = scene->primitive_count <= COMPILED_BITS_MOST && scene->frame_count < UINT8_MAX &&
-                scene->object_count < UINT8_MAX && scene->light_count < UINT8_MAX &&
-                scene->surface_count < UINT16_MAX && scene->program_length < UINT16_MAX &&
-                scene->plane_count < UINT16_MAX && scene->pattern_face_count < UINT16_MAX;
-    for (uint32_t i = 0; i < scene->object_count; i++) {
-        fits = fits && scene->objects[i].length <= UINT8_MAX;
-    }
+/* Tells whether the numbers of all tables but the primitives' are small. */
+static bool numbers_are_small(const struct compiled_scene *scene) {
     for (uint32_t i = 0; i < scene->pattern_count; i++) {
-        fits = fits && scene->patterns[i].face_count <= UINT8_MAX;
+        if (scene->patterns[i].face_count > UINT8_MAX) {
+            return false;
+        }
     }
-    return fits;
+    return scene->frame_count < UINT8_MAX && scene->object_count < UINT8_MAX &&
+           scene->light_count < UINT8_MAX && scene->surface_count < UINT16_MAX &&
+           scene->program_length < UINT16_MAX && scene->plane_count < UINT16_MAX &&
+           scene->pattern_face_count < UINT16_MAX;
+}
+
+bool compiled_fits_bits(const struct compiled_scene *scene, struct scene_error *error) {
+    if (scene->primitive_count > COMPILED_BITS_MOST) {
+        (void)snprintf(error->text, sizeof error->text, "%.200s:%u: more than %d different solids",
+                       scene->path, scene->primitives[COMPILED_BITS_MOST].line, COMPILED_BITS_MOST);
+        return false;
+    }
+    if (!numbers_are_small(scene)) {
+        (void)snprintf(
+            error->text, sizeof error->text,
+            "%.200s: more than %d objects, lights, rotations, or faces where a pattern's "
+            "cells end",
+            scene->path, UINT8_MAX - 1);
+        return false;
+    }
+    for (uint32_t i = 0; i < scene->object_count; i++) {
+        if (scene->objects[i].length > UINT8_MAX) {
+            (void)snprintf(error->text, sizeof error->text,
+                           "%.200s:%u: an object of more than %d solids", scene->path,
+                           scene->objects[i].line, UINT8_MAX / 2 + 1);
+            return false;
+        }
+    }
+    return true;
 }
 
 /* ---- Memory --------------------------------------------------------------------------------- */

@@ -167,7 +167,7 @@ static void an_eye_in_an_opaque_solid_without_an_end_is_refused(void **state) {
                          "line 5");
     write_eye(text, "m = { colour = (9, 9, 9); specular = 0.4; };",
               "{ half_space = { normal = (5, 0, 1); offset = -5; }; }");
-    free(compiled_of(text));
+    compiled_scene_free(compiled_of(text));
 }
 
 static void an_eye_inside_a_solid_is_told(void **state) {

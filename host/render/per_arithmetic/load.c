@@ -245,12 +245,7 @@ static void load_scene(struct scene *to, const struct compiled_scene *from) {
 }
 
 static struct scene *load(const struct compiled_scene *from, struct scene_error *error) {
-    if (!compiled_fits_bits(from)) {
-        snprintf(error->text, sizeof error->text, "%.200s: more than %d different solids",
-                 from->path, COMPILED_BITS_MOST);
-        return NULL;
-    }
-    if (!arithmetic_holds(from, error)) {
+    if (!compiled_fits_bits(from, error) || !arithmetic_holds(from, error)) {
         return NULL;
     }
     struct scene measured;

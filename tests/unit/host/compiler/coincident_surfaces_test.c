@@ -25,7 +25,7 @@ static int surfaces_of(const char *solid) {
         fail_msg("not compiled: %s", error.text);
         abort();
     }
-    int count = compiled->surface_count;
+    int count = (int)compiled->surface_count;
     compiled_scene_free(compiled);
     scene_description_free(description);
     return count;

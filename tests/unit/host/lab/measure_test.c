@@ -143,13 +143,13 @@ static void requirements_of_built_in_scenes(void **state) {
     fig3->simple = true;
     assert_false(requirements_total_reflection(fig3));
     fig3->simple = false;
-    for (int i = 0; i < fig3->material_count; i++) {
+    for (uint32_t i = 0; i < fig3->material_count; i++) {
         fig3->materials[i].optical = fig3->materials[0].optical;
         fig3->materials[i].specular = 0;
     }
     assert_false(requirements_total_reflection(fig3));
     assert_false(requirements_highlight(fig3));
-    free(fig3);
+    compiled_scene_free(fig3);
 }
 
 static void count_feature(void *context, const char *name, int value) {
@@ -183,7 +183,7 @@ static void check_and_compile_share_the_features(void **state) {
     int counts[3] = {0, 0, 0};
     features_tell(fig3, count_feature, counts);
     assert_true(counts[0] > 10 && counts[1] == 1 && counts[2] == 1);
-    free(fig3);
+    compiled_scene_free(fig3);
 }
 
 static void check_names_what_a_scene_requires(void **state) {
