@@ -9,9 +9,8 @@
 /* More entries have no numbers: the last numbers of 32 bits stand for something else. */
 #define ENTRIES_MOST (UINT32_MAX / 2)
 
-/* The pointer is read and written as bytes, for it may point to anything. */
 bool grow_table(void *table, size_t count, size_t size) {
-    char *entries;
+    char *entries; /* the pointer is read and written as bytes, for it may point to anything */
     memcpy(&entries, table, sizeof entries);
     if ((count & (count - 1)) == 0) {
         size_t room = count > 0 ? 2 * count : 1;

@@ -6,8 +6,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* A table of n entries has room for n rounded up to a power of two: nothing but n is kept with it.
- * NULL is a table without entries. free() frees a table. */
+/* A table of n entries has room for n rounded up to a power of two, so that n tells the room. NULL
+ * is a table without entries. free() frees a table. */
 
 /* Makes room in a table of `count` entries for one more, which is all zero. The table may move:
  * pointers into it are lost. Returns false if memory is out, with the table as it was. */

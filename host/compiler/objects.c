@@ -14,8 +14,8 @@ enum {
     CHAIN_MOST = 64 /* children that are taken one after the other; more are halved first */
 };
 
-/* What is to be applied to a solid after the solid itself: all but the first child of a difference
- * or an intersection. Cutters come from the inside out. */
+/* What is to be applied to a solid after the solid itself. That is all but the first child of a
+ * difference or an intersection. Cutters come from the inside out. */
 struct cutter {
     const struct solid_node *node;
     struct affine placement; /* of the node, to scaled coordinates */

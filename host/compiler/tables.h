@@ -304,8 +304,8 @@ void compiled_set_clear(struct compiled_set *set);
 /* Returns 32 bits of a set: bit i of that word stands for primitive 32 word + i. */
 uint32_t compiled_set_word(const struct compiled_set *set, uint32_t word);
 
-/* Tells whether a scene has few enough primitives for images whose sets are bits, and few enough of
- * all else for the small numbers of such an image. If not, *error says why. */
+/* Tells whether images whose sets are bits can hold a scene. Such an image has small numbers for all
+ * that the tables have. If not, *error says why. */
 bool compiled_fits_bits(const struct compiled_scene *scene, struct scene_error *error);
 
 /* Frees the tables and leaves an empty scene. */

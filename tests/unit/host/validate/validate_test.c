@@ -218,86 +218,14 @@ static void every_step_agrees_with_the_built_in_scenes(void **state) {
 
 /* One scene that has something of each table: solids that lie within one another, apart and in each
  * other's way. */
-static const char damaged_objects[] = BOARD ",\n" OBJECT(
-    "glass",
-    LESS(
-        BOX
-        ", { ball = { centre = (0.1, 0, 0); "
-        "radius = 0.3; }; }")) ",\n" OBJECT("smoke",
-                                            "{ polyhedron = { " PLANES
-                                            "}; translate = (3, 0, 0); }") ",\n" OBJECT("board",
-                                                                                        "{ "
-                                                                                        "hyperbolo"
-                                                                                        "id = { "
-                                                                                        "from = "
-                                                                                        "(0, 3, "
-                                                                                        "-1); to "
-                                                                                        "= "
-                                                                                        "(0.3, "
-                                                                                        "3.2, 1); "
-                                                                                        "radius = "
-                                                                                        "1; "
-                                                                                        "waist = "
-                                                                                        "0.3; }; "
-                                                                                        "}") ","
-                                                                                             "\n" OBJECT(
-                                                                                                 "g"
-                                                                                                 "l"
-                                                                                                 "a"
-                                                                                                 "s"
-                                                                                                 "s",
-                                                                                                 "{"
-                                                                                                 " "
-                                                                                                 "b"
-                                                                                                 "a"
-                                                                                                 "l"
-                                                                                                 "l"
-                                                                                                 " "
-                                                                                                 "="
-                                                                                                 " "
-                                                                                                 "{"
-                                                                                                 " "
-                                                                                                 "c"
-                                                                                                 "e"
-                                                                                                 "n"
-                                                                                                 "t"
-                                                                                                 "r"
-                                                                                                 "e"
-                                                                                                 " "
-                                                                                                 "="
-                                                                                                 " "
-                                                                                                 "("
-                                                                                                 "3"
-                                                                                                 "."
-                                                                                                 "1"
-                                                                                                 ","
-                                                                                                 " "
-                                                                                                 "-"
-                                                                                                 "7"
-                                                                                                 "."
-                                                                                                 "3"
-                                                                                                 ","
-                                                                                                 " "
-                                                                                                 "5"
-                                                                                                 ")"
-                                                                                                 ";"
-                                                                                                 " "
-                                                                                                 "r"
-                                                                                                 "a"
-                                                                                                 "d"
-                                                                                                 "i"
-                                                                                                 "u"
-                                                                                                 "s"
-                                                                                                 " "
-                                                                                                 "="
-                                                                                                 " "
-                                                                                                 "1"
-                                                                                                 ";"
-                                                                                                 " "
-                                                                                                 "}"
-                                                                                                 ";"
-                                                                                                 " "
-                                                                                                 "}");
+#define SMALL_BALL "{ ball = { centre = (0.1, 0, 0); radius = 0.3; }; }"
+#define PRISM      "{ polyhedron = { " PLANES "}; translate = (3, 0, 0); }"
+#define WAIST                                                                                      \
+    "{ hyperboloid = { from = (0, 3, -1); to = (0.3, 3.2, 1); radius = 1; waist = 0.3; }; }"
+#define ABOUT_EYE "{ ball = { centre = (3.1, -7.3, 5); radius = 1; }; }"
+static const char damaged_objects[] =
+    BOARD ",\n" OBJECT("glass", LESS(BOX ", " SMALL_BALL)) ",\n" OBJECT(
+        "smoke", PRISM) ",\n" OBJECT("board", WAIST) ",\n" OBJECT("glass", ABOUT_EYE);
 
 /* Takes a primitive out of a set, or puts it in where it is not there. */
 static void toggle(struct compiled_set *set, uint32_t primitive) {
