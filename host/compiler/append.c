@@ -17,6 +17,18 @@ bool compile_append(struct compiler *compiler, uint32_t code) {
     return true;
 }
 
+uint64_t compile_key(enum known kind) {
+    return bucket_key(0, (uint64_t)kind);
+}
+
+uint32_t compile_note(struct compiler *compiler, uint64_t key, uint32_t entry) {
+    if (entry != COMPILED_NONE && !buckets_add(&compiler->known, key, entry)) {
+        (void)compile_fail_memory(compiler);
+        return COMPILED_NONE;
+    }
+    return entry;
+}
+
 uint32_t compile_new_primitive(struct compiler *compiler, enum primitive_kind kind, uint32_t index,
                                uint32_t frame, bool left_for_good) {
     struct compiled_scene *scene = compiler->scene;
@@ -33,6 +45,15 @@ uint32_t compile_new_primitive(struct compiler *compiler, enum primitive_kind ki
     return scene->primitive_count++;
 }
 
+uint64_t compile_quadric_key(const struct compiled_quadric *quadric, uint32_t frame,
+                             const struct compiled_box *box) {
+    uint64_t key = bucket_key(bucket_key(compile_key(KNOWN_QUADRIC), frame), quadric->surface);
+    for (int i = 0; i < 6 && quadric->cuts != 0; i++) {
+        key = bucket_key(key, (quadric->cuts >> i % 3 & 1) != 0 ? box->surface[i] : COMPILED_NONE);
+    }
+    return key;
+}
+
 uint32_t compile_new_quadric(struct compiler *compiler, const struct compiled_quadric *quadric,
                              uint32_t frame, bool left_for_good) {
     struct compiled_scene *scene = compiler->scene;
@@ -41,8 +62,10 @@ uint32_t compile_new_quadric(struct compiler *compiler, const struct compiled_qu
         return COMPILED_NONE;
     }
     scene->quadrics[scene->quadric_count++] = *quadric;
-    return compile_new_primitive(compiler, PRIMITIVE_QUADRIC, scene->quadric_count - 1, frame,
-                                 left_for_good);
+    const uint64_t key = compile_quadric_key(quadric, frame, compiled_box_of(scene, quadric));
+    return compile_note(compiler, key,
+                        compile_new_primitive(compiler, PRIMITIVE_QUADRIC, scene->quadric_count - 1,
+                                              frame, left_for_good));
 }
 
 /* Sets the faces of a box: faces of one surface lie at the same place to the last bit. Returns
@@ -63,6 +86,14 @@ static bool set_faces(struct compiler *compiler, struct compiled_box *box, uint3
     return true;
 }
 
+static uint64_t box_key(uint32_t frame, const struct compiled_box *box) {
+    uint64_t key = bucket_key(compile_key(KNOWN_BOX), frame);
+    for (int i = 0; i < 6; i++) {
+        key = bucket_key(key, box->surface[i]);
+    }
+    return key;
+}
+
 uint32_t compile_box_in(struct compiler *compiler, uint32_t frame, const double low[3],
                         const double high[3]) {
     struct compiled_scene *scene = compiler->scene;
@@ -75,11 +106,14 @@ uint32_t compile_box_in(struct compiler *compiler, uint32_t frame, const double 
             return compile_fail_thin(compiler);
         }
     }
-    for (uint32_t i = 0; i < scene->primitive_count; i++) {
-        const struct compiled_primitive *other = &scene->primitives[i];
+    const uint64_t key = box_key(frame, &box);
+    uint32_t slot = buckets_first(&compiler->known, key);
+    for (; slot != COMPILED_NONE; slot = buckets_next(&compiler->known, slot)) {
+        const uint32_t known = compiler->known.slots[slot].entry;
+        const struct compiled_primitive *other = &scene->primitives[known];
         if (other->kind == PRIMITIVE_BOX && other->frame == frame &&
             memcmp(box.surface, scene->boxes[other->index].surface, sizeof box.surface) == 0) {
-            return i;
+            return known;
         }
     }
     if (!GROW(scene->boxes, scene->box_count)) {
@@ -87,7 +121,9 @@ uint32_t compile_box_in(struct compiler *compiler, uint32_t frame, const double 
         return COMPILED_NONE;
     }
     scene->boxes[scene->box_count++] = box;
-    return compile_new_primitive(compiler, PRIMITIVE_BOX, scene->box_count - 1, frame, false);
+    return compile_note(
+        compiler, key,
+        compile_new_primitive(compiler, PRIMITIVE_BOX, scene->box_count - 1, frame, false));
 }
 
 uint32_t compile_world_box(struct compiler *compiler, const double low[3], const double high[3]) {

@@ -10,18 +10,15 @@
 /* A scene whose contents reach less far has no scale. */
 #define REACH_LEAST 1e-12
 
-/* Returns true if every part of an object of the file is dead. */
-static bool object_is_dead(const struct compile_dead *dead, size_t object) {
-    bool has_part = false;
-    for (uint32_t i = 0; i < dead->part_count; i++) {
-        if (dead->object_of_part[i] == object) {
-            has_part = true;
-            if (dead->part[i] == NULL) {
-                return false;
-            }
-        }
+/* Tells whether every part of an object of the file is dead, and there are some. *part is the first
+ * of the part's numbers that may be its own, and becomes that of the next object. */
+static bool object_is_dead(const struct compile_dead *dead, size_t object, uint32_t *part) {
+    bool has_part = false, is_dead = true;
+    for (; *part < dead->part_count && dead->object_of_part[*part] == object; ++*part) {
+        has_part = true;
+        is_dead = is_dead && dead->part[*part] != NULL;
     }
-    return has_part;
+    return has_part && is_dead;
 }
 
 /* Returns the bounds of all that has an end: finite solids, the eye, the point lights. Leaves out
@@ -29,6 +26,7 @@ static bool object_is_dead(const struct compile_dead *dead, size_t object) {
 static struct bounds content_bounds(const struct scene_description *description,
                                     const struct compile_dead *dead) {
     struct bounds all = bounds_nothing;
+    uint32_t part = 0;
     bounds_include(&all, description->camera.eye);
     for (size_t i = 0; i < description->light_count; i++) {
         if (!description->lights[i].parallel && (dead == NULL || dead->light[i] == NULL)) {
@@ -36,7 +34,7 @@ static struct bounds content_bounds(const struct scene_description *description,
         }
     }
     for (size_t i = 0; i < description->object_count; i++) {
-        if (dead != NULL && object_is_dead(dead, i)) {
+        if (dead != NULL && object_is_dead(dead, i, &part)) {
             continue;
         }
         struct bounds solid =
@@ -141,9 +139,20 @@ static bool step(struct compiler *compiler, bool (*work)(struct compiler *compil
     return true;
 }
 
+/* Meets the world's axes first: what counts as one of these is it. */
+static bool meet_axes(struct compiler *compiler) {
+    for (int i = 0; i < 3; i++) {
+        double axis[3] = {i == 0, i == 1, i == 2};
+        if (!compile_direction(compiler, axis)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 /* Makes the tables of what is not dead so far. */
 static bool compile_tables(struct compiler *compiler) {
-    if (!compile_scaling(compiler) || !compile_materials(compiler) ||
+    if (!compile_scaling(compiler) || !meet_axes(compiler) || !compile_materials(compiler) ||
         !step(compiler, compile_objects, STEP_OBJECTS) ||
         !step(compiler, compile_optimise, STEP_COMPACT) || !compile_pattern_faces(compiler) ||
         !step(compiler, compile_view, STEP_VIEW) || !compile_colour(compiler)) {
@@ -157,10 +166,14 @@ static void end(struct compiler *compiler) {
     free(compiler->planes);
     free(compiler->directions);
     free(compiler->object_bounds);
+    buckets_clear(&compiler->known);
+    neighbours_clear(&compiler->curves);
+    compiled_set_clear(&compiler->endless);
+    neighbours_clear(&compiler->solids);
 }
 
-/* Forgets all of the last round but what is dead; false with the failure recorded. */
-static bool begin(struct compiler *compiler) {
+/* Forgets all of the last round but what is dead. */
+static void begin(struct compiler *compiler) {
     const struct compiler fresh = {.description = compiler->description,
                                    .scene = compiler->scene,
                                    .error = compiler->error,
@@ -171,26 +184,21 @@ static bool begin(struct compiler *compiler) {
     compiled_scene_clear(compiler->scene);
     snprintf(compiler->scene->path, sizeof compiler->scene->path, "%s",
              compiler->description->path);
-    for (int i = 0; i < 3; i++) {
-        double axis[3] = {i == 0, i == 1, i == 2};
-        if (!compile_direction(compiler, axis)) {
-            return false;
-        }
-    }
-    return true;
 }
 
 /* Makes the tables. Where what is left fails at its own scale, makes them again at the whole
  * scene's. */
 static bool compile_round(struct compiler *compiler) {
-    if (begin(compiler) && compile_tables(compiler)) {
+    begin(compiler);
+    if (compile_tables(compiler)) {
         return true;
     }
     if (compiler->dead->count == 0 || compiler->dead->keeps_scale) {
         return false;
     }
     compiler->dead->keeps_scale = true;
-    return begin(compiler) && compile_tables(compiler);
+    begin(compiler);
+    return compile_tables(compiler);
 }
 
 /* Checks that the file's materials have room. */
@@ -226,12 +234,9 @@ static bool compile_live(struct compiler *compiler) {
         return false;
     }
     compile_brightest(compiler);
-    if (!step(compiler, compile_shadows, STEP_SHADOWS) ||
-        !step(compiler, compile_enclosures, STEP_ENCLOSURES)) {
-        return false;
-    }
-    compile_near(compiler);
-    return true;
+    return step(compiler, compile_shadows, STEP_SHADOWS) && compile_solids(compiler) &&
+           step(compiler, compile_enclosures, STEP_ENCLOSURES) && compile_near(compiler) &&
+           compile_nesting(compiler);
 }
 
 struct compiled_scene *scene_compile_observed(const struct scene_description *description,

@@ -5,7 +5,9 @@
 
 #include "compiler/affine.h"
 #include "compiler/bounds.h"
+#include "compiler/buckets.h"
 #include "compiler/extents.h"
+#include "compiler/neighbours.h"
 #include "compiler/quadric_form.h"
 #include "compiler/tables.h"
 
@@ -61,6 +63,16 @@ struct compile_dead {
     bool lacks_memory; /* not all could be listed */
 };
 
+/* What is found again by the hash of its numbers. */
+enum known {
+    KNOWN_DIRECTION,
+    KNOWN_PLANE,
+    KNOWN_FRAME,
+    KNOWN_BOX,
+    KNOWN_POLYHEDRON,
+    KNOWN_QUADRIC
+};
+
 struct compiler {
     const struct scene_description *description;
     struct compiled_scene *scene;
@@ -78,6 +90,10 @@ struct compiler {
     double (*directions)[3];      /* the world's axes, and others that were met, up to their sign */
     uint32_t direction_count;
     struct bounds *object_bounds; /* by compiled object, scaled */
+    struct buckets known;         /* directions, planes, frames and solids, by enum known */
+    struct neighbours curves;     /* primitives whose curved surface has an end, by its bounds */
+    struct compiled_set endless;  /* primitives whose curved surface has none */
+    struct neighbours solids;     /* all primitives, when the tables are done */
 };
 
 /* Records why the scene is refused (line 0: of the whole file) and returns false. */
@@ -89,6 +105,13 @@ bool compile_fail(struct compiler *compiler, unsigned line, const char *format, 
 
 /* Records that memory is out and returns false. */
 bool compile_fail_memory(struct compiler *compiler);
+
+/* Returns what the keys of a kind begin with. */
+uint64_t compile_key(enum known kind);
+
+/* Notes an entry under the key of what it is, and returns the entry. Returns COMPILED_NONE for
+ * COMPILED_NONE, or with the failure recorded. */
+uint32_t compile_note(struct compiler *compiler, uint64_t key, uint32_t entry);
 
 /* Shows the tables to the observer, if there is one. */
 void compile_show(const struct compiler *compiler, enum compile_step step);
@@ -138,6 +161,10 @@ bool compile_general_quadric(struct compiler *compiler, const struct solid_node 
 uint32_t compile_new_primitive(struct compiler *compiler, enum primitive_kind kind, uint32_t index,
                                uint32_t frame, bool left_for_good);
 
+/* Returns the key under which quadrics with that surface and those cuts are noted. */
+uint64_t compile_quadric_key(const struct compiled_quadric *quadric, uint32_t frame,
+                             const struct compiled_box *box);
+
 /* Adds a quadric, likewise. */
 uint32_t compile_new_quadric(struct compiler *compiler, const struct compiled_quadric *quadric,
                              uint32_t frame, bool left_for_good);
@@ -172,11 +199,15 @@ uint32_t compile_plane_surface(struct compiler *compiler, const double normal[3]
 double compile_place_of_plane(const struct compiler *compiler, uint32_t surface,
                               const double axis[3]);
 
-/* Finds the ball or quadric whose curved surface is that of a form. Returns its number, or
- * COMPILED_NONE if there is none. *opposite says whether it lies on the other side of that
- * surface. */
-uint32_t compile_same_curve(const struct compiler *compiler, const struct quadric_axes *form,
-                            bool *opposite);
+/* Finds the ball or quadric whose curved surface is that of a form. *twin becomes its
+ * number, or COMPILED_NONE if there is none. *opposite says whether it lies on the other side of
+ * that surface. Returns false with the failure recorded. */
+bool compile_same_curve(struct compiler *compiler, const struct quadric_axes *form, uint32_t *twin,
+                        bool *opposite);
+
+/* Notes the curved surface of a primitive, for the function above to find, and returns the
+ * primitive. Returns COMPILED_NONE for COMPILED_NONE, or with the failure recorded. */
+uint32_t compile_note_curve(struct compiler *compiler, uint32_t primitive);
 
 /* Records that faces of one solid have become one surface; returns COMPILED_NONE. */
 uint32_t compile_fail_thin(struct compiler *compiler);
@@ -191,8 +222,9 @@ bool compile_pattern(struct compiler *compiler, const struct scene_material *fro
 /* Notes the faces in which patterns' cells end, once surfaces have their final numbers. */
 bool compile_pattern_faces(struct compiler *compiler);
 
-/* Notes faces that are so near to each other that they were probably meant as one. */
-void compile_near(struct compiler *compiler);
+/* Notes faces that are so near to each other that they were probably meant as one. Returns false
+ * with the failure recorded. */
+bool compile_near(struct compiler *compiler);
 
 /* Returns the largest distance between the curved surfaces of two primitives. It is infinite where
  * one of them has none or both have the same. It is also infinite where too few points of the first
@@ -212,6 +244,14 @@ bool compile_shadows(struct compiler *compiler);
 
 /* Makes the tables cheaper to render, and says so in the scene's report. */
 bool compile_optimise(struct compiler *compiler);
+
+/* Finds which primitives may meet which, for the two steps below and the nesting; false with the
+ * failure recorded. */
+bool compile_solids(struct compiler *compiler);
+
+/* Finds how many primitives a point may be strictly inside of, at most; false with the failure
+ * recorded. */
+bool compile_nesting(struct compiler *compiler);
 
 /* Finds which primitives lie within or apart from which, so that a ray need not be tried against
  * all. False with the failure recorded. */

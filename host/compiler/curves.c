@@ -153,22 +153,97 @@ double compiled_quadric_strays(const struct compiled_scene *scene, uint32_t fram
     return stray(&moved, points, curve_points(&form, points));
 }
 
-uint32_t compile_same_curve(const struct compiler *compiler, const struct quadric_axes *form,
-                            bool *opposite) {
-    double points[POINTS_MOST + 1][3];
-    int count = curve_points(form, points);
-    for (uint32_t i = 0; i < compiler->scene->primitive_count && count >= POINTS_LEAST; i++) {
-        struct quadric_axes other;
-        double here[3], there[3];
-        if (curve_of_primitive(compiler->scene, i, &other) &&
-            stray(&other, points, count) <= compiler->same) {
-            (void)form_at(form, points[0], here);
-            (void)form_at(&other, points[0], there);
-            *opposite = vector_dot(here, there) < 0;
-            return i;
+/* Tells whether all points are as near to a primitive's curved surface as if the two were one. */
+static bool is_same_curve(const struct compiler *compiler, uint32_t primitive, double points[][3],
+                          int count) {
+    struct quadric_axes form;
+    if (!curve_of_primitive(compiler->scene, primitive, &form)) {
+        return false;
+    }
+    for (int i = 0; i < count; i++) {
+        if (stray(&form, &points[i], 1) > compiler->same) {
+            return false;
         }
     }
-    return COMPILED_NONE;
+    return true;
+}
+
+/* Finds bounds beyond which no point counts as one of a form's surface. Returns false where the
+ * surface has no end, or is so small that the distance from it is not known. Off an ellipsoid, the
+ * gradient is never less than on its flattest place. While the gradient is eight times the
+ * tolerance, the value over the gradient is at least half of the distance. */
+static bool curve_bounds(const struct compiler *compiler, const struct quadric_axes *form,
+                         struct bounds *bounds) {
+    double least = fmin(form->square[0], fmin(form->square[1], form->square[2]));
+    if (!(least > 0 && form->constant < 0) ||
+        2 * sqrt(-form->constant * least) < 8 * compiler->same) {
+        return false;
+    }
+    for (int i = 0; i < 3; i++) {
+        double square = 0;
+        for (int j = 0; j < 3; j++) {
+            square -= form->axis[j][i] * form->axis[j][i] * form->constant / form->square[j];
+        }
+        double reach = sqrt(square) * (1 + 0x1p-40) + 4 * compiler->same;
+        bounds->low[i] = form->origin[i] - reach;
+        bounds->high[i] = form->origin[i] + reach;
+    }
+    return true;
+}
+
+uint32_t compile_note_curve(struct compiler *compiler, uint32_t primitive) {
+    struct quadric_axes form;
+    struct bounds bounds;
+    if (primitive == COMPILED_NONE || !curve_of_primitive(compiler->scene, primitive, &form)) {
+        return primitive;
+    }
+    bool is_noted = curve_bounds(compiler, &form, &bounds)
+                        ? neighbours_add(&compiler->curves, &bounds, primitive)
+                        : compiled_set_include(&compiler->endless, primitive);
+    if (!is_noted) {
+        (void)compile_fail_memory(compiler);
+        return COMPILED_NONE;
+    }
+    return primitive;
+}
+
+/* Returns the first of some primitives on whose curved surface all points are; COMPILED_NONE: there
+ * is none. */
+static uint32_t first_same(const struct compiler *compiler, const struct compiled_set *set,
+                           double points[][3], int count) {
+    uint32_t i = 0;
+    while (i < set->count && !is_same_curve(compiler, set->members[i], points, count)) {
+        i++;
+    }
+    return i < set->count ? set->members[i] : COMPILED_NONE;
+}
+
+bool compile_same_curve(struct compiler *compiler, const struct quadric_axes *form, uint32_t *twin,
+                        bool *opposite) {
+    double points[POINTS_MOST + 1][3], here[3], there[3];
+    struct compiled_set found = {NULL, 0};
+    struct bounds place = bounds_nothing;
+    int count = curve_points(form, points);
+    *twin = COMPILED_NONE;
+    if (count < POINTS_LEAST) {
+        return true;
+    }
+    bounds_include(&place, points[0]);
+    if (!neighbours_find(&compiler->curves, &place, 0, &found)) {
+        compiled_set_clear(&found);
+        return compile_fail_memory(compiler);
+    }
+    const uint32_t near = first_same(compiler, &found, points, count);
+    const uint32_t endless = first_same(compiler, &compiler->endless, points, count);
+    compiled_set_clear(&found);
+    *twin = near < endless ? near : endless;
+    struct quadric_axes other;
+    if (*twin != COMPILED_NONE && curve_of_primitive(compiler->scene, *twin, &other)) {
+        (void)form_at(form, points[0], here);
+        (void)form_at(&other, points[0], there);
+        *opposite = vector_dot(here, there) < 0;
+    }
+    return true;
 }
 
 /* Returns the number of the curved surface of a ball or a quadric. */

@@ -178,10 +178,16 @@ uint32_t cut_finish(struct compiler *compiler, struct cut_quadric *cut) {
     if (!find_surfaces(compiler, cut)) {
         return COMPILED_NONE;
     }
-    for (uint32_t i = 0; i < scene->primitive_count; i++) {
-        if (is_same(scene, &scene->primitives[i], cut)) {
-            return i;
+    const uint64_t key = compile_quadric_key(&cut->quadric, cut->frame, &cut->box);
+    uint32_t slot = buckets_first(&compiler->known, key), twin = COMPILED_NONE;
+    for (; slot != COMPILED_NONE; slot = buckets_next(&compiler->known, slot)) {
+        const uint32_t known = compiler->known.slots[slot].entry;
+        if (known < twin && is_same(scene, &scene->primitives[known], cut)) {
+            twin = known;
         }
+    }
+    if (twin != COMPILED_NONE) {
+        return twin;
     }
     return keep_box(compiler, cut) ? compile_new_quadric(compiler, &cut->quadric, cut->frame, false)
                                    : COMPILED_NONE;

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/grow.h"
 #include "compiler/compiler_internal.h"
 
 static bool is_behind(const struct compiled_scene *scene, uint32_t inner, const double normal[3],
@@ -198,32 +199,75 @@ bool primitives_are_apart(const struct compiled_scene *scene, uint32_t one, uint
     return isfinite(vector_length(to)) && lies_beyond(scene, one, other, to);
 }
 
-/* Counts for each primitive how many it lies within, and sets its enclosure: the innermost of
- * those. The innermost one is that which itself lies within the most others. */
-static bool find_enclosures(struct compiler *compiler) {
-    struct compiled_scene *scene = compiler->scene;
-    uint32_t *depth = calloc((size_t)scene->primitive_count + 1, sizeof *depth);
-    if (depth == NULL) {
-        return compile_fail_memory(compiler);
-    }
-    for (uint32_t i = 0; i < scene->primitive_count; i++) {
-        for (uint32_t j = 0; j < scene->primitive_count; j++) {
-            depth[i] += i != j && primitive_is_within(scene, i, j);
+bool compile_solids(struct compiler *compiler) {
+    for (uint32_t i = 0; i < compiler->scene->primitive_count; i++) {
+        const struct bounds bounds = primitive_bounds(compiler->scene, i);
+        if (!neighbours_add(&compiler->solids, &bounds, i)) {
+            return compile_fail_memory(compiler);
         }
     }
-    for (uint32_t i = 0; i < scene->primitive_count; i++) {
-        struct compiled_primitive *primitive = &scene->primitives[i];
-        primitive->enclosure = COMPILED_ENCLOSURE_NONE;
-        for (uint32_t j = 0; j < scene->primitive_count; j++) {
-            if (i != j && primitive_is_within(scene, i, j) &&
-                (primitive->enclosure == COMPILED_ENCLOSURE_NONE ||
-                 depth[j] > depth[primitive->enclosure])) {
-                primitive->enclosure = j;
+    return true;
+}
+
+/* The primitives that each primitive lies within: those of primitive i stand from first[i] on, up
+ * to first[i + 1]. */
+struct holders {
+    size_t *first;
+    uint32_t *holder;
+    size_t count;
+};
+
+/* Finds what each primitive lies within, among what it may meet; false if memory is out. */
+static bool find_holders(struct compiler *compiler, struct holders *holders) {
+    const struct compiled_scene *scene = compiler->scene;
+    struct compiled_set found = {NULL, 0};
+    bool is_found = true;
+    for (uint32_t i = 0; i < scene->primitive_count && is_found; i++) {
+        const struct bounds *bounds = &compiler->solids.entries[i].bounds;
+        holders->first[i] = holders->count;
+        is_found = neighbours_find(&compiler->solids, bounds, 0, &found);
+        for (uint32_t k = 0; k < found.count && is_found; k++) {
+            const uint32_t j = found.members[k];
+            if (i != j && primitive_is_within(scene, i, j)) {
+                is_found = GROW(holders->holder, holders->count);
+                if (is_found) {
+                    holders->holder[holders->count++] = j;
+                }
             }
         }
     }
-    free(depth);
-    return true;
+    holders->first[scene->primitive_count] = holders->count;
+    compiled_set_clear(&found);
+    return is_found;
+}
+
+/* Returns the innermost of the primitives that a primitive lies within: that which itself lies
+ * within the most others. */
+static uint32_t innermost(const struct holders *holders, uint32_t primitive) {
+    uint32_t enclosure = COMPILED_ENCLOSURE_NONE;
+    size_t deepest = 0;
+    for (size_t k = holders->first[primitive]; k < holders->first[primitive + 1]; k++) {
+        const uint32_t j = holders->holder[k];
+        const size_t depth = holders->first[j + 1] - holders->first[j];
+        if (enclosure == COMPILED_ENCLOSURE_NONE || depth > deepest) {
+            enclosure = j;
+            deepest = depth;
+        }
+    }
+    return enclosure;
+}
+
+static bool find_enclosures(struct compiler *compiler) {
+    struct compiled_scene *scene = compiler->scene;
+    struct holders holders = {malloc(((size_t)scene->primitive_count + 1) * sizeof(size_t)), NULL,
+                              0};
+    const bool is_found = holders.first != NULL && find_holders(compiler, &holders);
+    for (uint32_t i = 0; i < scene->primitive_count && is_found; i++) {
+        scene->primitives[i].enclosure = innermost(&holders, i);
+    }
+    free(holders.first);
+    free(holders.holder);
+    return is_found || compile_fail_memory(compiler);
 }
 
 /* Sets for each of few primitives what hides it. */

@@ -53,17 +53,31 @@ static double face_distance(const struct compiled_scene *scene, uint32_t one, ui
     return least;
 }
 
-void compile_near(struct compiler *compiler) {
+/* Notes whether two primitives, or faces of one, are nearer to each other than meant. */
+static void check_pair(struct compiled_scene *scene, uint32_t one, uint32_t other) {
+    if (!meet(scene, one, other)) {
+        return;
+    }
+    double distance = face_distance(scene, one, other);
+    if (one != other) {
+        distance = fmin(distance, compile_curve_distance(scene, one, other));
+    }
+    if (distance <= NEAR_MOST) {
+        note(scene, other, one, ldexp(distance, -scene->exponent));
+    }
+}
+
+bool compile_near(struct compiler *compiler) {
     struct compiled_scene *scene = compiler->scene;
-    for (uint32_t i = 0; i < scene->primitive_count; i++) {
-        for (uint32_t j = 0; j <= i; j++) {
-            double distance = face_distance(scene, i, j);
-            if (i != j) {
-                distance = fmin(distance, compile_curve_distance(scene, i, j));
-            }
-            if (distance <= NEAR_MOST && meet(scene, i, j)) {
-                note(scene, j, i, ldexp(distance, -scene->exponent));
-            }
+    struct compiled_set found = {NULL, 0};
+    bool is_found = true;
+    for (uint32_t i = 0; i < scene->primitive_count && is_found; i++) {
+        const struct bounds *bounds = &compiler->solids.entries[i].bounds;
+        is_found = neighbours_find(&compiler->solids, bounds, NEAR_MOST, &found);
+        for (uint32_t k = 0; k < found.count && is_found && found.members[k] <= i; k++) {
+            check_pair(scene, i, found.members[k]);
         }
     }
+    compiled_set_clear(&found);
+    return is_found || compile_fail_memory(compiler);
 }

@@ -19,15 +19,14 @@ static bool count_uses(struct optimiser *optimiser) {
     return true;
 }
 
-/* Takes an object out of the tables, and moves the later ones up. */
-static void remove_object(struct compiler *compiler, uint32_t object) {
+/* Moves an object to a lower number. */
+static void move_object(struct compiler *compiler, uint32_t from, uint32_t to) {
     struct compiled_scene *scene = compiler->scene;
-    size_t later = (size_t)(--scene->object_count - object);
-    memmove(&scene->objects[object], &scene->objects[object + 1], later * sizeof scene->objects[0]);
-    memmove(&scene->object_names[object], &scene->object_names[object + 1],
-            later * sizeof scene->object_names[0]);
-    memmove(&compiler->object_bounds[object], &compiler->object_bounds[object + 1],
-            later * sizeof compiler->object_bounds[0]);
+    if (from != to) {
+        scene->objects[to] = scene->objects[from];
+        memcpy(scene->object_names[to], scene->object_names[from], sizeof scene->object_names[0]);
+        compiler->object_bounds[to] = compiler->object_bounds[from];
+    }
 }
 
 static bool fuse(struct optimiser *optimiser) {
@@ -40,18 +39,18 @@ static bool fuse(struct optimiser *optimiser) {
 static bool rewrite_programs(struct optimiser *optimiser, bool (*pass)(struct optimiser *optimiser),
                              enum compile_step step) {
     struct compiled_scene *scene = optimiser->compiler->scene;
-    uint32_t place = 0, object = 1;
-    while (object < scene->object_count) {
-        if (!csg_read(scene, &scene->objects[object], &optimiser->tree)) {
+    uint32_t place = 0, kept = 1;
+    for (uint32_t i = 1; i < scene->object_count; i++) {
+        if (!csg_read(scene, &scene->objects[i], &optimiser->tree)) {
             return compile_fail_memory(optimiser->compiler);
         }
         if (pass(optimiser)) {
-            place = csg_write(scene, &scene->objects[object], &optimiser->tree, place);
-            object++;
-        } else {
-            remove_object(optimiser->compiler, object);
+            move_object(optimiser->compiler, i, kept);
+            place = csg_write(scene, &scene->objects[kept], &optimiser->tree, place);
+            kept++;
         }
     }
+    scene->object_count = kept;
     scene->program_length = place;
     compile_show(optimiser->compiler, step);
     return true;

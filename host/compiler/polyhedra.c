@@ -61,6 +61,14 @@ static bool same_planes(const struct compiled_scene *scene,
     return true;
 }
 
+static uint64_t polyhedron_key(const uint32_t *surfaces, size_t count) {
+    uint64_t key = bucket_key(compile_key(KNOWN_POLYHEDRON), count);
+    for (size_t i = 0; i < count; i++) {
+        key = bucket_key(key, surfaces[i]);
+    }
+    return key;
+}
+
 /* Sets the bounds of a polyhedron: everything for a slab, which has no end. */
 static void set_bounds(struct compiled_polyhedron *polyhedron, const struct scene_plane *planes,
                        size_t count) {
@@ -88,11 +96,14 @@ uint32_t compile_placed_polyhedron(struct compiler *compiler, const struct scene
             }
         }
     }
-    for (uint32_t i = 0; i < scene->primitive_count; i++) {
-        const struct compiled_primitive *other = &scene->primitives[i];
+    const uint64_t key = polyhedron_key(surfaces, count);
+    uint32_t slot = buckets_first(&compiler->known, key);
+    for (; slot != COMPILED_NONE; slot = buckets_next(&compiler->known, slot)) {
+        const uint32_t known = compiler->known.slots[slot].entry;
+        const struct compiled_primitive *other = &scene->primitives[known];
         if (other->kind == PRIMITIVE_POLYHEDRON &&
             same_planes(scene, &scene->polyhedra[other->index], planes, surfaces, count)) {
-            return i;
+            return known;
         }
     }
     if (!GROW(scene->polyhedra, scene->polyhedron_count)) {
@@ -113,8 +124,10 @@ uint32_t compile_placed_polyhedron(struct compiler *compiler, const struct scene
         plane->offset = compile_place_of_plane(compiler, surfaces[i], plane->normal);
         plane->surface = surfaces[i];
     }
-    return compile_new_primitive(compiler, PRIMITIVE_POLYHEDRON, scene->polyhedron_count - 1,
-                                 COMPILED_FRAME_WORLD, false);
+    return compile_note(compiler, key,
+                        compile_new_primitive(compiler, PRIMITIVE_POLYHEDRON,
+                                              scene->polyhedron_count - 1, COMPILED_FRAME_WORLD,
+                                              false));
 }
 
 uint32_t compile_polyhedron(struct compiler *compiler, const struct scene_plane *planes,

@@ -20,21 +20,23 @@ static uint32_t compile_ball(struct compiler *compiler, const double centre[3], 
     memcpy(ball->centre, centre, sizeof ball->centre);
     ball->radius = radius;
     ball->surface = surface;
-    return compile_new_primitive(compiler, PRIMITIVE_BALL, scene->ball_count - 1,
-                                 COMPILED_FRAME_WORLD, true);
+    return compile_note_curve(compiler,
+                              compile_new_primitive(compiler, PRIMITIVE_BALL, scene->ball_count - 1,
+                                                    COMPILED_FRAME_WORLD, true));
 }
 
 static uint32_t add_quadric(struct compiler *compiler, const struct compiled_quadric *quadric,
                             uint32_t frame) {
     const double *square = quadric->square;
     bool convex = square[0] >= 0 && square[1] >= 0 && square[2] >= 0;
-    return compile_new_quadric(compiler, quadric, frame, convex);
+    return compile_note_curve(compiler, compile_new_quadric(compiler, quadric, frame, convex));
 }
 
 /* Makes a quadric of a ball, so that the other side of the ball's surface rounds as this side
  * does. */
-static bool make_quadric(struct compiler *compiler, struct compiled_primitive *primitive) {
+static bool make_quadric(struct compiler *compiler, uint32_t index) {
     struct compiled_scene *scene = compiler->scene;
+    struct compiled_primitive *primitive = &scene->primitives[index];
     if (!GROW(scene->quadrics, scene->quadric_count)) {
         return compile_fail_memory(compiler);
     }
@@ -45,13 +47,14 @@ static bool make_quadric(struct compiler *compiler, struct compiled_primitive *p
     primitive->kind = PRIMITIVE_QUADRIC;
     primitive->index = scene->quadric_count;
     scene->quadrics[scene->quadric_count++] = quadric;
-    return true;
+    const uint64_t key = compile_quadric_key(&quadric, primitive->frame, NULL);
+    return compile_note(compiler, key, index) != COMPILED_NONE;
 }
 
 /* Adds the other side of a surface that exists already, by the same numbers. */
 static uint32_t add_opposite(struct compiler *compiler, uint32_t twin) {
     struct compiled_primitive *primitive = &compiler->scene->primitives[twin];
-    if (primitive->kind == PRIMITIVE_BALL && !make_quadric(compiler, primitive)) {
+    if (primitive->kind == PRIMITIVE_BALL && !make_quadric(compiler, twin)) {
         return COMPILED_NONE;
     }
     struct compiled_quadric quadric = compiler->scene->quadrics[primitive->index];
@@ -219,7 +222,10 @@ uint32_t compile_quadric(struct compiler *compiler, const struct solid_node *lea
         compile_fail(compiler, compiler->line, "%s", fault);
         return COMPILED_NONE;
     }
-    uint32_t twin = compile_same_curve(compiler, &axes, &opposite);
+    uint32_t twin;
+    if (!compile_same_curve(compiler, &axes, &twin, &opposite)) {
+        return COMPILED_NONE;
+    }
     if (twin != COMPILED_NONE) {
         return opposite ? add_opposite(compiler, twin) : twin;
     }

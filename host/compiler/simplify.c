@@ -47,7 +47,8 @@ static void simplify_node(struct optimiser *optimiser, uint32_t index) {
     const bool equal = both && are_equal(tree, left, right);
     const bool right_covers = equal || (both && is_within(scene, tree, left, right));
     const bool left_covers = equal || (both && is_within(scene, tree, right, left));
-    const bool apart = both && !equal && are_apart(scene, tree, left, right);
+    const bool apart =
+        code != COMPILED_UNION && both && !equal && are_apart(scene, tree, left, right);
     struct csg_node result = *node;
     if (code == COMPILED_UNION) {
         result = no_left || right_covers   ? tree->nodes[right]

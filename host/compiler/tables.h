@@ -207,6 +207,7 @@ struct compiled_scene {
     unsigned near_count; /* of all; the first ones are kept */
     struct compiled_near near[COMPILED_NEAR_MOST];
     bool has_shadows; /* some light casts them; no part of the firmware's tables */
+    uint32_t nesting; /* no point is strictly inside of more primitives; nor is this in those */
 
     /* No part of the firmware's tables either. */
     bool has_world;      /* the file says how far the world goes */
@@ -304,8 +305,8 @@ void compiled_set_clear(struct compiled_set *set);
 /* Returns 32 bits of a set: bit i of that word stands for primitive 32 word + i. */
 uint32_t compiled_set_word(const struct compiled_set *set, uint32_t word);
 
-/* Tells whether images whose sets are bits can hold a scene. Such an image has small numbers for all
- * that the tables have. If not, *error says why. */
+/* Tells whether images whose sets are bits can hold a scene. Such an image has small numbers for
+ * all that the tables have. If not, *error says why. */
 bool compiled_fits_bits(const struct compiled_scene *scene, struct scene_error *error);
 
 /* Frees the tables and leaves an empty scene. */
