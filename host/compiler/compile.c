@@ -167,8 +167,7 @@ static void end(struct compiler *compiler) {
     free(compiler->directions);
     free(compiler->object_bounds);
     buckets_clear(&compiler->known);
-    neighbours_clear(&compiler->curves);
-    compiled_set_clear(&compiler->endless);
+    curves_clear(&compiler->curves);
     neighbours_clear(&compiler->solids);
 }
 

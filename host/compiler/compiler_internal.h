@@ -73,6 +73,19 @@ enum known {
     KNOWN_QUADRIC
 };
 
+/* Primitives with a curved surface. Those of `along` go on along one of the world's axes alone:
+ * their bounds have that axis at 0. */
+struct curves {
+    struct neighbours ended, along[3];
+    struct endless_curve *endless; /* the others; grows as base/grow.h says */
+    uint32_t endless_count;
+};
+
+struct endless_curve {
+    struct quadric_axes form;
+    uint32_t primitive;
+};
+
 struct compiler {
     const struct scene_description *description;
     struct compiled_scene *scene;
@@ -91,9 +104,8 @@ struct compiler {
     uint32_t direction_count;
     struct bounds *object_bounds; /* by compiled object, scaled */
     struct buckets known;         /* directions, planes, frames and solids, by enum known */
-    struct neighbours curves;     /* primitives whose curved surface has an end, by its bounds */
-    struct compiled_set endless;  /* primitives whose curved surface has none */
-    struct neighbours solids;     /* all primitives, when the tables are done */
+    struct curves curves;
+    struct neighbours solids; /* all primitives, when the tables are done */
 };
 
 /* Records why the scene is refused (line 0: of the whole file) and returns false. */
@@ -209,6 +221,9 @@ bool compile_same_curve(struct compiler *compiler, const struct quadric_axes *fo
  * primitive. Returns COMPILED_NONE for COMPILED_NONE, or with the failure recorded. */
 uint32_t compile_note_curve(struct compiler *compiler, uint32_t primitive);
 
+/* Frees all memory and leaves nothing in it. */
+void curves_clear(struct curves *curves);
+
 /* Records that faces of one solid have become one surface; returns COMPILED_NONE. */
 uint32_t compile_fail_thin(struct compiler *compiler);
 
@@ -226,10 +241,22 @@ bool compile_pattern_faces(struct compiler *compiler);
  * with the failure recorded. */
 bool compile_near(struct compiler *compiler);
 
-/* Returns the largest distance between the curved surfaces of two primitives. It is infinite where
- * one of them has none or both have the same. It is also infinite where too few points of the first
- * are found. */
-double compile_curve_distance(const struct compiled_scene *scene, uint32_t one, uint32_t other);
+/* Points spread over the curved surface of a primitive; none where it has none. */
+enum { CURVE_POINTS_MOST = 24 };
+struct curve_sample {
+    double points[CURVE_POINTS_MOST + 1][3];
+    int count;
+    uint32_t primitive;
+};
+
+void compile_sample_curve(const struct compiled_scene *scene, uint32_t primitive,
+                          struct curve_sample *sample);
+
+/* Returns the largest distance of a sample from the curved surface of another primitive. It is
+ * infinite where one of the two has none or both have the same, and for too few points. */
+double compile_curve_distance(const struct compiled_scene *scene, struct curve_sample *sample,
+                              uint32_t other);
+
 /* Returns the largest level of a channel that the material's own colour has, or its pattern's. */
 double compiled_colour_most(const struct compiled_scene *scene,
                             const struct compiled_material *material, int channel);

@@ -54,13 +54,14 @@ static double face_distance(const struct compiled_scene *scene, uint32_t one, ui
 }
 
 /* Notes whether two primitives, or faces of one, are nearer to each other than meant. */
-static void check_pair(struct compiled_scene *scene, uint32_t one, uint32_t other) {
+static void check_pair(struct compiled_scene *scene, struct curve_sample *sample, uint32_t other) {
+    const uint32_t one = sample->primitive;
     if (!meet(scene, one, other)) {
         return;
     }
     double distance = face_distance(scene, one, other);
     if (one != other) {
-        distance = fmin(distance, compile_curve_distance(scene, one, other));
+        distance = fmin(distance, compile_curve_distance(scene, sample, other));
     }
     if (distance <= NEAR_MOST) {
         note(scene, other, one, ldexp(distance, -scene->exponent));
@@ -74,8 +75,12 @@ bool compile_near(struct compiler *compiler) {
     for (uint32_t i = 0; i < scene->primitive_count && is_found; i++) {
         const struct bounds *bounds = &compiler->solids.entries[i].bounds;
         is_found = neighbours_find(&compiler->solids, bounds, NEAR_MOST, &found);
+        struct curve_sample sample = {.count = 0, .primitive = i};
+        if (is_found && found.count > 1) { /* not by itself */
+            compile_sample_curve(scene, i, &sample);
+        }
         for (uint32_t k = 0; k < found.count && is_found && found.members[k] <= i; k++) {
-            check_pair(scene, i, found.members[k]);
+            check_pair(scene, &sample, found.members[k]);
         }
     }
     compiled_set_clear(&found);
