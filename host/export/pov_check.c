@@ -2,7 +2,9 @@
 /* The POV-Ray export: refuses by name what POV-Ray 3.7 can't show as it is. */
 #include <math.h>
 #include <stdarg.h>
+#include <string.h>
 
+#include "compiler/neighbours.h"
 #include "export/pov_internal.h"
 
 /* Points along each axis where two objects are tested for an overlap. The bounds of the two have a
@@ -166,31 +168,48 @@ static bool check_eye(const struct scene_description *description,
                   scene->object_names[index]);
 }
 
-bool export_pov_check(const struct scene_description *description,
-                      const struct compiled_scene *scene, struct scene_error *error) {
-    if (!check_scene(description, error)) {
+static bool check_object(const struct scene_description *description,
+                         const struct compiled_scene *scene, uint32_t index,
+                         struct scene_error *error) {
+    const uint8_t material = scene->objects[index].material;
+    if (!check_material(description, &description->materials[scene->materials[material].file],
+                        error) ||
+        !check_eye(description, scene, index, error)) {
         return false;
     }
-    for (uint32_t i = 1; i < scene->object_count; i++) {
-        uint8_t material = scene->objects[i].material;
-        if (!check_material(description, &description->materials[scene->materials[material].file],
-                            error)) {
-            return false;
-        }
-        if (!check_eye(description, scene, i, error)) {
-            return false;
-        }
-        if (export_pov_has_seam(scene, i)) {
-            return refuse(error, description, scene->objects[i].line,
-                          "object \"%s\" is made of solids with a common face: POV-Ray takes noise "
-                          "for its inside there; allowed is: solids that reach over each other",
-                          scene->object_names[i]);
-        }
-        for (uint8_t j = 1; j < i; j++) {
-            if (!check_pair(description, scene, j, i, error)) {
-                return false;
-            }
-        }
+    return !export_pov_has_seam(scene, index) ||
+           refuse(error, description, scene->objects[index].line,
+                  "object \"%s\" is made of solids with a common face: POV-Ray takes noise "
+                  "for its inside there; allowed is: solids that reach over each other",
+                  scene->object_names[index]);
+}
+
+/* Checks an object with each earlier one that it may meet, and adds it to those. */
+static bool check_with_earlier(const struct scene_description *description,
+                               const struct compiled_scene *scene, uint32_t index,
+                               struct neighbours *earlier, struct scene_error *error) {
+    struct compiled_set found = {NULL, 0};
+    struct bounds bounds;
+    memcpy(bounds.low, scene->objects[index].low, sizeof bounds.low);
+    memcpy(bounds.high, scene->objects[index].high, sizeof bounds.high);
+    bool is_good =
+        (neighbours_find(earlier, &bounds, 0, &found) && neighbours_add(earlier, &bounds, index)) ||
+        refuse(error, description, 0, "out of memory");
+    for (uint32_t k = 0; k < found.count && is_good; k++) {
+        is_good = check_pair(description, scene, found.members[k], index, error);
     }
-    return true;
+    compiled_set_clear(&found);
+    return is_good;
+}
+
+bool export_pov_check(const struct scene_description *description,
+                      const struct compiled_scene *scene, struct scene_error *error) {
+    struct neighbours earlier = {NULL};
+    bool is_good = check_scene(description, error);
+    for (uint32_t i = 1; i < scene->object_count && is_good; i++) {
+        is_good = check_object(description, scene, i, error) &&
+                  check_with_earlier(description, scene, i, &earlier, error);
+    }
+    neighbours_clear(&earlier);
+    return is_good;
 }

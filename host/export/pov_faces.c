@@ -101,27 +101,45 @@ static bool lie_on_each_other(const struct compiled_scene *scene, uint32_t a, ui
     return false;
 }
 
+/* Tells whether a face of a primitive lies on one of a primitive of a set. The primitive itself is
+ * none of the set where it is to be another one. */
+static bool touches(const struct compiled_scene *scene, uint32_t a, uint32_t surface,
+                    const struct compiled_set *set, bool another, const double low[3],
+                    const double high[3]) {
+    const struct compiled_set *bounded = &scene->surfaces[surface];
+    const bool is_less = bounded->count < set->count;
+    const struct compiled_set *few = is_less ? bounded : set, *many = is_less ? set : bounded;
+    struct face face;
+    bool is_flat = face_of(scene, a, surface, &face);
+    for (uint32_t i = 0; i < few->count; i++) {
+        const uint32_t b = few->members[i];
+        if ((a != b || !another) && compiled_set_has(many, b) &&
+            (!is_flat || lie_on_each_other(scene, a, b, &face, low, high))) {
+            return true;
+        }
+    }
+    return false;
+}
+
 /* Tells whether a primitive of one set and one of the other have a common face. A curved surface of
  * both counts as a common face, wherever it lies. Of a set and itself, two primitives are asked
  * for. */
 static bool sets_touch(const struct compiled_scene *scene, const struct compiled_set *first,
                        const struct compiled_set *second, const double low[3],
                        const double high[3]) {
-    struct face face;
-    for (uint32_t surface = 0; surface < scene->surface_count; surface++) {
-        const struct compiled_set *bounded = &scene->surfaces[surface];
-        for (uint32_t i = 0; i < bounded->count; i++) {
-            const uint32_t a = bounded->members[i];
-            if (!compiled_set_has(first, a)) {
-                continue;
-            }
-            bool is_flat = face_of(scene, a, surface, &face);
-            for (uint32_t j = 0; j < bounded->count; j++) {
-                const uint32_t b = bounded->members[j];
-                if ((a != b || first != second) && compiled_set_has(second, b) &&
-                    (!is_flat || lie_on_each_other(scene, a, b, &face, low, high))) {
-                    return true;
-                }
+    for (uint32_t i = 0; i < first->count; i++) {
+        const uint32_t a = first->members[i];
+        const struct compiled_primitive *primitive = &scene->primitives[a];
+        struct compiled_face faces[COMPILED_FACES_MOST];
+        int count = compiled_faces(scene, a, faces);
+        if (primitive->kind == PRIMITIVE_BALL) {
+            faces[count++].surface = scene->balls[primitive->index].surface;
+        } else if (primitive->kind == PRIMITIVE_QUADRIC) {
+            faces[count++].surface = scene->quadrics[primitive->index].surface;
+        }
+        for (int j = 0; j < count; j++) {
+            if (touches(scene, a, faces[j].surface, second, first == second, low, high)) {
+                return true;
             }
         }
     }

@@ -7,6 +7,9 @@
 /* Crossings nearer together than this, along a path to a light, count as one place. */
 #define SHORT_WAY 0x1p-16
 
+/* Places on a way are passed over so that no more parts are asked for them. */
+enum { PLACES_MOST = 1 << 16 };
+
 /* The distance before and behind a boundary at which the objects on its sides are looked up. */
 #define ASIDE 0x1p-18
 
@@ -89,12 +92,13 @@ static void check_way(struct validator *validator, uint32_t light, const struct 
                       double distance) {
     struct table_crossing crossings[TABLE_CROSSINGS_MOST];
     const int count = table_crossings(&validator->table, way, 0, crossings);
+    const int step = 1 + count * validator->described.part_count / PLACES_MOST;
     double before = 0;
     for (int i = 0; i <= count && before < distance; i++) {
         const double t = fmin(i < count ? crossings[i].t : HUGE_VAL, distance);
         double point[3];
         along(way, before + (t - before) / 2, point);
-        if (t - before > SHORT_WAY && validate_is_in_world(point)) {
+        if (i % step == 0 && t - before > SHORT_WAY && validate_is_in_world(point)) {
             check_place(validator, light, point);
         }
         before = fmax(before, t);

@@ -10,7 +10,7 @@
 
 /* The numbers of points and of lines that are drawn: fewer where there is more to check for
  * each. */
-enum { POINTS_MOST = 2048, POINTS_LEAST = 512, LINES_MOST = 1024, LINES_LEAST = 128 };
+enum { POINTS_MOST = 2048, POINTS_LEAST = 128, LINES_MOST = 1024, LINES_LEAST = 32 };
 enum { LEAVES_ASKED = 500000, FACES_ASKED = 100000 };
 
 const char *compile_step_name(enum compile_step step) {
