@@ -301,8 +301,8 @@ static void what_a_primitive_hides_has_no_face_in_it(void **state) {
                        pair[0].text, pair[1].text);
         struct loaded_scene loaded = load_solid(solid, pair);
         const struct compiled_scene *scene = loaded.compiled;
-        for (uint32_t j = 0; j < scene->primitive_count; j++) {
-            for (uint32_t k = 0; k < scene->primitive_count; k++) {
+        for (uint8_t j = 0; j < scene->primitive_count; j++) {
+            for (uint8_t k = 0; k < scene->primitive_count; k++) {
                 bool hides = compiled_set_has(&scene->hidden_by[k], j);
                 bool encloses = scene->primitives[j].enclosure == k;
                 struct overlap overlap = overlap_of(scene, j, k, pair);

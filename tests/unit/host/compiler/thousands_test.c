@@ -17,8 +17,8 @@ static double between(uint64_t *seed, double low, double high) {
 static struct bounds random_bounds(uint64_t *seed) {
     struct bounds bounds;
     for (int i = 0; i < 3; i++) {
-        double size = ldexp(between(seed, 0, 1), (int)between(seed, -20, 10));
-        bounds.low[i] = between(seed, -500, 500);
+        double size = ldexp(between(seed, 0, 1), (int)between(seed, -20, 7));
+        bounds.low[i] = between(seed, -60, 60);
         bounds.high[i] = bounds.low[i] + (splitmix64(seed) % 8 == 0 ? 0 : size);
         if (splitmix64(seed) % 32 == 0) {
             *(splitmix64(seed) % 2 == 0 ? &bounds.low[i] : &bounds.high[i]) =
@@ -182,8 +182,11 @@ static unsigned check_enclosures(const struct compiled_scene *scene) {
 static unsigned check_nesting(const struct compiled_scene *scene, uint64_t *seed) {
     unsigned most = 0;
     for (int i = 0; i < 2000; i++) {
-        const double point[3] = {between(seed, -512, 512), between(seed, -512, 512),
-                                 between(seed, -64, 64)};
+        const struct compiled_object *object =
+            &scene->objects[1 + splitmix64(seed) % (scene->object_count - 1)];
+        const double point[3] = {between(seed, object->low[0], object->high[0]),
+                                 between(seed, object->low[1], object->high[1]),
+                                 between(seed, object->low[2], object->high[2])};
         unsigned in = 0;
         for (uint32_t j = 0; j < scene->primitive_count; j++) {
             in += compiled_primitive_holds(scene, j, point);
