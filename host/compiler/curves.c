@@ -168,8 +168,8 @@ static bool is_same_curve(const struct compiler *compiler, const struct quadric_
 
 /* ---- Where curves are --------------------------------------------------------------------- */
 
-/* Returns the axis of the world that a form's surface goes on along; -1: none, or there are others
- * that it goes on along. */
+/* Returns the one axis of the world that a form's surface goes on along. Returns -1 if it has an
+ * end, or goes on along others. */
 static int axis_along(const struct quadric_axes *form) {
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3 && form->linear == 0; j++) {

@@ -5,7 +5,7 @@
 #include "base/grow.h"
 #include "compiler/compiler_internal.h"
 
-/* The most is looked for in regions of space that are halved until each is held by all bounds that
+/* The most is looked for in regions of space. They are halved until each is held by all bounds that
  * reach into it. No point of a region is inside of more primitives than reach into it. The region
  * with the most is always the next: once it cannot be halved, no other one has more. */
 

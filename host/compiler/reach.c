@@ -288,8 +288,8 @@ static struct bounds way_to_light(const struct solid *from, const struct compile
     return way;
 }
 
-/* Returns bounds of all from which the path to a light may meet what lies within some bounds:
- * these, without an end on the side that is turned away from the light. */
+/* Returns bounds of all that has what lies within some bounds on its path to a light. They are
+ * these bounds without an end on the side that is turned away from the light. */
 static struct bounds shade_of(const struct bounds *bounds, const struct compiled_light *light) {
     struct bounds shade = *bounds;
     for (int i = 0; i < 3; i++) {

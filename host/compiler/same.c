@@ -54,8 +54,8 @@ static uint64_t direction_key(const double cell[3]) {
     return key;
 }
 
-/* Returns the lowest number of a known direction in a cell that counts as one with another
- * direction, if it is lower than `lowest`; else that. */
+/* Returns the lowest number of a direction in a cell that counts as one with another direction.
+ * Returns `lowest` if that is lower. */
 static uint32_t find_in_cell(const struct compiler *compiler, const double cell[3],
                              const double direction[3], uint32_t lowest) {
     const struct buckets *known = &compiler->known;

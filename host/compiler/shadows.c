@@ -114,7 +114,7 @@ static void find_casters(const struct compiler *compiler, bool harms[]) {
  * later object may put something there that casts no shadow. Returns false if memory is out. */
 static bool mark_shadow_test(const struct compiler *compiler, const bool harms[]) {
     struct compiled_scene *scene = compiler->scene;
-    struct neighbours casters = {NULL};
+    struct neighbours casters = {.count = 0};
     struct compiled_set found = {NULL, 0};
     bool has_memory = true;
     for (uint32_t i = 1; i < scene->object_count && has_memory; i++) {

@@ -204,7 +204,7 @@ static bool check_with_earlier(const struct scene_description *description,
 
 bool export_pov_check(const struct scene_description *description,
                       const struct compiled_scene *scene, struct scene_error *error) {
-    struct neighbours earlier = {NULL};
+    struct neighbours earlier = {.count = 0};
     bool is_good = check_scene(description, error);
     for (uint32_t i = 1; i < scene->object_count && is_good; i++) {
         is_good = check_object(description, scene, i, error) &&

@@ -37,7 +37,7 @@ static void neighbours_are_those_that_a_look_at_all_finds(void **state) {
     static const double gaps[] = {0, 1e-3, 20};
     uint64_t seed = 1;
     struct bounds all[BOUNDS];
-    struct neighbours neighbours = {NULL};
+    struct neighbours neighbours = {.count = 0};
     struct compiled_set found = {NULL, 0};
     unsigned sum = 0;
     for (uint32_t i = 0; i < BOUNDS; i++) {
