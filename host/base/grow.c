@@ -17,11 +17,12 @@ bool grow_table(void *table, size_t count, size_t size) {
         if (count >= ENTRIES_MOST || room > SIZE_MAX / size) {
             return false;
         }
-        entries = realloc(entries, room * size);
-        if (entries == NULL) {
+        char *moved = realloc(entries, room * size);
+        if (moved == NULL) {
             return false;
         }
-        memcpy(table, &entries, sizeof entries);
+        entries = moved;
+        memcpy(table, &moved, sizeof moved);
     }
     memset(entries + count * size, 0, size);
     return true;

@@ -287,7 +287,7 @@ static bool find_twin(const struct compiler *compiler, double points[][3], int c
 
 bool compile_same_curve(struct compiler *compiler, const struct quadric_axes *form, uint32_t *twin,
                         bool *opposite) {
-    double points[POINTS_MOST + 1][3], here[3], there[3];
+    double points[POINTS_MOST + 1][3];
     int count = curve_points(form, points);
     *twin = COMPILED_NONE;
     if (count >= POINTS_LEAST && !find_twin(compiler, points, count, twin)) {
@@ -295,6 +295,7 @@ bool compile_same_curve(struct compiler *compiler, const struct quadric_axes *fo
     }
     struct quadric_axes other;
     if (*twin != COMPILED_NONE && curve_of_primitive(compiler->scene, *twin, &other)) {
+        double here[3], there[3];
         (void)form_at(form, points[0], here);
         (void)form_at(&other, points[0], there);
         *opposite = vector_dot(here, there) < 0;

@@ -151,9 +151,10 @@ uint32_t compile_plane_surface(struct compiler *compiler, const double normal[3]
     const uint64_t key = axis_key(compile_key(KNOWN_PLANE), normal);
     const double place = side_of(normal) * offset, same = compiler->same;
     uint32_t surface = COMPILED_NONE;
-    for (double cell = cell_of(place - 2 * same, same); cell <= cell_of(place + 2 * same, same);
-         cell++) {
-        uint32_t slot = buckets_first(known, bucket_key_of(key, cell));
+    const double first = cell_of(place - 2 * same, same);
+    const int cells = 1 + (int)(cell_of(place + 2 * same, same) - first);
+    for (int i = 0; i < cells; i++) {
+        uint32_t slot = buckets_first(known, bucket_key_of(key, first + i));
         for (; slot != COMPILED_NONE; slot = buckets_next(known, slot)) {
             const uint32_t entry = known->slots[slot].entry;
             const struct compile_plane *plane = &compiler->planes[entry];

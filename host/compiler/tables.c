@@ -89,14 +89,14 @@ bool compiled_fits_bits(const struct compiled_scene *scene, struct scene_error *
             error->text, sizeof error->text,
             "%.200s: more than %d objects, lights, rotations, or faces where a pattern's "
             "cells end",
-            scene->path, UINT8_MAX - 1);
+            scene->path, (int)UINT8_MAX - 1);
         return false;
     }
     for (uint32_t i = 0; i < scene->object_count; i++) {
         if (scene->objects[i].length > UINT8_MAX) {
             (void)snprintf(error->text, sizeof error->text,
                            "%.200s:%u: an object of more than %d solids", scene->path,
-                           scene->objects[i].line, UINT8_MAX / 2 + 1);
+                           scene->objects[i].line, (int)UINT8_MAX / 2 + 1);
             return false;
         }
     }
