@@ -96,7 +96,7 @@ static struct compiled_scene *compile_text(void) {
 /* Makes a solid on a coarse lattice, where many have faces, axes and surfaces in common. */
 static void random_solid(uint64_t *seed, char solid[256]) {
     const int x = (int)between(seed, 0, 24), y = (int)between(seed, 0, 24);
-    const int size = 1 + (int)between(seed, 0, 3), turn = 15 * (int)between(seed, 0, 6);
+    const int size = 1 + (int)between(seed, 0, 3), turn = 30 * (int)between(seed, 0, 12);
     switch (splitmix64(seed) % 4) {
     case 0:
         (void)snprintf(solid, 256, "{ ball = { centre = (%d, %d, 0); radius = %d.5; }; }", x, y,
