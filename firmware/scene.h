@@ -7,7 +7,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "primitive_set.h"
+#include "feature_set.h"
 #include "scene_constants.h"
 #include "scene_fields.h"
 #include "vector.h"
@@ -34,8 +34,13 @@
 #define SCENE_LONG(name)         uint32_t name;
 #define SCENE_SIGNED(name)       int8_t name;
 #define SCENE_TRUTH(name)        bool name;
-#define SCENE_SURFACES(name)     uint16_t name[6];
+#define SCENE_ENTRY(name)        entry_number name;
+#define SCENE_SURFACE(name)      surface_number name;
+#define SCENE_SURFACES(name)     surface_number name[6];
+#define SCENE_FIRST(name)        run_first name;
+#define SCENE_COUNT(name)        run_count name;
 #define SCENE_SET(name)          struct primitive_set name;
+#define SCENE_MARKS(name)        PRIMITIVE_MARKS(name)
 
 struct frame {
     FRAME_FIELDS(SCENE_MEMBER)
@@ -108,7 +113,7 @@ struct scene {
     SCENE_FIELDS_AFTER(SCENE_MEMBER)
     struct camera camera;
 
-    uint8_t primitive_count, object_count, light_count;
+    entry_number primitive_count, object_count, light_count;
     const struct frame *frames;
     const struct primitive *primitives;
     const struct box *boxes;
@@ -116,10 +121,8 @@ struct scene {
     const struct polyhedron *polyhedra;
     const struct plane *planes;
     const struct quadric *quadrics;
-    const struct primitive_set *surfaces; /* by surface: the primitives that it bounds */
-    /* By primitive: those that a ray leaves before it can cross this one. */
-    const struct primitive_set *hidden_by;
-    const uint8_t *programs;
+    PRIMITIVE_TABLES /* by which rays are led to primitives */
+    const program_code *programs;
     const struct object *objects;     /* [OBJECT_AIR] first */
     const struct material *materials; /* [MATERIAL_AIR] first */
     const struct pattern *patterns;

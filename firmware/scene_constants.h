@@ -4,10 +4,6 @@
 #ifndef SUPERFRAME_SCENE_CONSTANTS_H
 #define SUPERFRAME_SCENE_CONSTANTS_H
 
-#include <stdint.h>
-
-#define SURFACE_NONE UINT16_C(0xFFFF) /* more than an int of 16 bits holds: no enumerator */
-
 /* Object 0 is around everything: no program describes it, and its material is 0. */
 enum { OBJECT_AIR = 0, MATERIAL_AIR = 0 };
 
@@ -15,14 +11,11 @@ enum { OBJECT_AIR = 0, MATERIAL_AIR = 0 };
  * new kind has to be told of. */
 enum primitive_kind { PRIMITIVE_BOX, PRIMITIVE_BALL, PRIMITIVE_POLYHEDRON, PRIMITIVE_QUADRIC };
 
-/* Bytes of a program: below PROGRAM_UNION the number of a primitive. */
-enum { PROGRAM_UNION = 0xFD, PROGRAM_INTERSECTION = 0xFE, PROGRAM_DIFFERENCE = 0xFF };
-
 /* The face of a quadric that is curved; the faces 0 to 5 are those of the box that cuts it. */
 enum { QUADRIC_FACE = 6 };
 
 /* These numbers stand for no entry of a table. */
-enum { FRAME_WORLD = 0xFF, ENCLOSURE_NONE = 0xFF, PATTERN_NONE = 0xFF, SPECULAR_CONSTANT = 0xFF };
+enum { PATTERN_NONE = 0xFF, SPECULAR_CONSTANT = 0xFF };
 
 /* w(theta) is given at so many angles from 0 to 90 degrees. */
 enum { SPECULAR_STEPS = 17 };

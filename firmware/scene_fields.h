@@ -11,7 +11,10 @@
  * UNIT_STEPS, ENERGY_STEPS: SPECULAR_STEPS numbers.
  * COLOURS, ENERGIES, INDICES, EXTINCTIONS: three numbers, for red, green and blue.
  * BYTE, WORD, LONG: 8, 16 and 32 bits. SIGNED: 8 bits with a sign. TRUTH: a bool.
- * SURFACES: six numbers of surfaces. SET: a set of primitives.
+ * ENTRY: the number of an entry of a table. SURFACE: that of a surface. SURFACES: six of those.
+ * FIRST, COUNT: where a run of entries begins, and how long the run is.
+ * SET: a set of primitives. MARKS: a set that has room for all primitives. Where rays carry lists,
+ * nothing goes by marks, and there are none.
  * Lengths are in scaled units. */
 #ifndef SUPERFRAME_SCENE_FIELDS_H
 #define SUPERFRAME_SCENE_FIELDS_H
@@ -24,10 +27,10 @@
 
 /* Names an entry of the table of its kind; the kind, an enum primitive_kind, comes first. */
 #define PRIMITIVE_FIELDS(F)                                                                        \
-    F(BYTE, index)          /* into the table of that kind */                                      \
-    F(BYTE, frame)          /* into frames, or FRAME_WORLD */                                      \
+    F(ENTRY, index)         /* into the table of that kind */                                      \
+    F(ENTRY, frame)         /* into frames, or FRAME_WORLD */                                      \
     F(TRUTH, left_for_good) /* curved, convex: a ray that has left it never returns */             \
-    F(BYTE, enclosure)      /* the primitive that it lies strictly within, or ENCLOSURE_NONE */
+    F(ENTRY, enclosure)     /* the primitive that it lies strictly within, or ENCLOSURE_NONE */
 
 /* The points with minimum <= p < maximum. Faces: 0 1 2 the low ones of x y z, 3 4 5 the high ones.
  */
@@ -40,16 +43,16 @@
 #define PLANE_FIELDS(F)                                                                            \
     F(DIRECTION, normal)                                                                           \
     F(LENGTH, offset)                                                                              \
-    F(WORD, surface)
+    F(SURFACE, surface)
 
 /* The points behind all of its planes, at most 255; its faces are numbered like them. */
 #define POLYHEDRON_FIELDS(F)                                                                       \
-    F(WORD, first) /* into planes */                                                               \
+    F(FIRST, first) /* into planes */                                                              \
     F(BYTE, count)
 
 /* |p - centre|^2 < radius^2. The firmware has square_radius between the two. */
 #define BALL_FIELDS_BEFORE(F) F(POINT, centre)
-#define BALL_FIELDS_AFTER(F)  F(WORD, surface)
+#define BALL_FIELDS_AFTER(F)  F(SURFACE, surface)
 
 /* square . (x^2, y^2, z^2) + 2 linear z + constant < 0. The centre is the origin of x y z, which
  * run along the frame's axes. The largest of |square| is 1. A box in the same frame may cut it: one
@@ -61,26 +64,26 @@
     F(LENGTH, linear)                                                                              \
     F(AREA, constant)
 #define QUADRIC_FIELDS_AMID(F)                                                                     \
-    F(WORD, surface) /* the curved one */                                                          \
-    F(BYTE, box)     /* into boxes, if any of its faces cuts */                                    \
-    F(BYTE, cuts)    /* bit 0, 1, 2: the box's faces across x, y, z cut */
+    F(SURFACE, surface) /* the curved one */                                                       \
+    F(ENTRY, box)       /* into boxes, if any of its faces cuts */                                 \
+    F(BYTE, cuts)       /* bit 0, 1, 2: the box's faces across x, y, z cut */
 #define QUADRIC_FIELDS_AFTER(F)                                                                    \
     F(TRUTH, left_for_good) /* by its curved face, though not by the others */
 
 /* A CSG object: a Boolean function of the primitives that a point is in, as a postfix program.
  * Where objects overlap, the later one in the table fills the place. */
 #define OBJECT_FIELDS(F)                                                                           \
-    F(WORD, program) /* first byte in programs */                                                  \
-    F(BYTE, length)                                                                                \
+    F(FIRST, program) /* first code in programs */                                                 \
+    F(COUNT, length)                                                                               \
     F(BYTE, material)                                                                              \
     F(TRUTH, in_shadow_test) /* it, or what it may cut away from, can keep light off a surface */  \
-    F(SET, uses)             /* the primitives of its program */
+    F(MARKS, uses)           /* the primitives of its program */
 
 /* Cells of two colours, along the world's axes. */
 #define PATTERN_FIELDS(F)                                                                          \
     F(BYTE, axes) /* bit 0, 1, 2: the colour changes along x, y, z */                              \
-    F(BYTE, face_count)                                                                            \
-    F(WORD, first_face) /* into pattern_faces */                                                   \
+    F(COUNT, face_count)                                                                           \
+    F(FIRST, first_face) /* into pattern_faces */                                                  \
     F(POINT, origin)                                                                               \
     F(POINT, size)                                                                                 \
     F(COLOURS, colour) /* of the odd cells */
@@ -88,7 +91,7 @@
 /* A plane face across an axis of a pattern, in which cells end, or nearly. A point of such a face
  * is rounded to either cell. So the side of the face says which cell the face has. */
 #define PATTERN_FACE_FIELDS(F)                                                                     \
-    F(WORD, surface)                                                                               \
+    F(SURFACE, surface)                                                                            \
     F(BYTE, axis)                                                                                  \
     F(TRUTH, odd_above) /* the cell along that axis where the solid is above */                    \
     F(TRUTH, odd_below) /* or below */
@@ -137,8 +140,8 @@
     F(DIRECTION, row)                                                                              \
     F(DIRECTION, up) /* in space, of length 1, wherever the eye looks */                           \
     F(BYTE, shift)                                                                                 \
-    F(SET, inside)  /* the primitives that the eye is strictly inside of */                        \
-    F(BYTE, object) /* and the object there */
+    F(SET, inside)   /* the primitives that the eye is strictly inside of */                       \
+    F(ENTRY, object) /* and the object there */
 
 /* Lists the scene's own members that stand before the estimate of pruned branches. */
 #define SCENE_FIELDS_BEFORE(F)                                                                     \
@@ -163,9 +166,9 @@
 
 /* At its end. */
 #define SCENE_FIELDS_SHOWN(F)                                                                      \
-    F(SET, shadow_primitives) /* of the objects that are marked in_shadow_test */                  \
-    F(BYTE, show)             /* enum show */                                                      \
-    F(BYTE, show_bits)        /* 1..8, of SHOW_BITS; 8 otherwise */                                \
-    F(LONG, seed)             /* of SHOW_DITHER */
+    F(MARKS, shadow_primitives) /* of the objects that are marked in_shadow_test */                \
+    F(BYTE, show)               /* enum show */                                                    \
+    F(BYTE, show_bits)          /* 1..8, of SHOW_BITS; 8 otherwise */                              \
+    F(LONG, seed)               /* of SHOW_DITHER */
 
 #endif

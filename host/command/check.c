@@ -234,7 +234,7 @@ static int run_check(const struct options *options) {
     int status = compiled == NULL ? bad_input("%s", error.text)
                  : options->json  ? write_check(scene, compiled, found)
                                   : print_check(scene, compiled, found);
-    free(compiled);
+    compiled_scene_free(compiled);
     scene_description_free(scene);
     return status;
 }

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* superframe compile: a scene as const tables in C. */
 #include <errno.h>
-#include <stdlib.h>
 
 #include "base/output.h"
 #include "command/command.h"
@@ -27,7 +26,9 @@ static int run_compile(const struct options *options) {
         return bad_input("%s", error.text);
     }
     int status = STATUS_FAILED;
-    if (output_open(&output, options->output)) {
+    if (!compiled_fits_bits(compiled, &error)) {
+        status = bad_input("%s", error.text);
+    } else if (output_open(&output, options->output)) {
         const bool is_minimal = ((const struct compile_options *)options)->minimal;
         scene_short_name(options->operands[0], name, sizeof name);
         errno = 0;
@@ -35,7 +36,7 @@ static int run_compile(const struct options *options) {
                                  : scene_emit(output.file, compiled, name);
         status = output_finish(&output, emitted == 0);
     }
-    free(compiled);
+    compiled_scene_free(compiled);
     return status;
 }
 

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* superframe export: a scene as source for another renderer. */
 #include <errno.h>
-#include <stdlib.h>
 
 #include "base/output.h"
 #include "command/command.h"
@@ -21,8 +20,8 @@ static int write_source(const char *path, const struct scene_description *descri
         return STATUS_FAILED;
     }
     errno = 0;
-    export_pov_write(output.file, description, scene);
-    return output_finish(&output, !ferror(output.file));
+    bool is_written = export_pov_write(output.file, description, scene);
+    return output_finish(&output, is_written && !ferror(output.file));
 }
 
 static int run_export(const struct options *options) {
@@ -39,7 +38,7 @@ static int run_export(const struct options *options) {
     } else {
         status = write_source(options->output, description, scene);
     }
-    free(scene);
+    compiled_scene_free(scene);
     scene_description_free(description);
     return status;
 }

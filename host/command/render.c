@@ -311,7 +311,7 @@ static int run_render(const struct options *options) {
     camera_free(run.camera);
     session_free(&run.session);
     adapter_bus_close(&run.adapter);
-    free(run.compiled);
+    compiled_scene_free(run.compiled);
     return status;
 }
 

@@ -72,7 +72,7 @@ static int run_tree(const struct options *options) {
     } else {
         status = grow_and_print(options, compiled, (uint16_t)x, (uint16_t)y);
     }
-    free(compiled);
+    compiled_scene_free(compiled);
     return status;
 }
 

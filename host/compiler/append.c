@@ -4,31 +4,37 @@
 
 #include <string.h>
 
-bool compile_append(struct compiler *compiler, uint8_t code) {
+#include "base/grow.h"
+
+bool compile_append(struct compiler *compiler, uint32_t code) {
     struct compiled_scene *scene = compiler->scene;
     struct compiled_object *object = &scene->objects[scene->object_count];
-    if (object->length == 255) {
-        return compile_fail(compiler, compiler->line,
-                            "an object of more than 128 solids: split it into several objects");
-    }
-    if (scene->program_length == COMPILED_PROGRAM_BYTES_MOST) {
-        return compile_fail(compiler, compiler->line,
-                            "more than %d solids and operations in all objects: leave some out",
-                            COMPILED_PROGRAM_BYTES_MOST);
+    if (!GROW(scene->programs, scene->program_length)) {
+        return compile_fail_memory(compiler);
     }
     scene->programs[scene->program_length++] = code;
     object->length++;
     return true;
 }
 
-int compile_new_primitive(struct compiler *compiler, enum primitive_kind kind, uint8_t index,
-                          uint8_t frame, bool left_for_good) {
+uint64_t compile_key(enum known kind) {
+    return bucket_key(0, (uint64_t)kind);
+}
+
+uint32_t compile_note(struct compiler *compiler, uint64_t key, uint32_t entry) {
+    if (entry != COMPILED_NONE && !buckets_add(&compiler->known, key, entry)) {
+        (void)compile_fail_memory(compiler);
+        return COMPILED_NONE;
+    }
+    return entry;
+}
+
+uint32_t compile_new_primitive(struct compiler *compiler, enum primitive_kind kind, uint32_t index,
+                               uint32_t frame, bool left_for_good) {
     struct compiled_scene *scene = compiler->scene;
-    if (scene->primitive_count == COMPILED_DRAFTS_MOST ||
-        scene->box_count == COMPILED_DRAFTS_MOST) {
-        compile_fail(compiler, compiler->line, "more than %d different solids",
-                     COMPILED_PRIMITIVES_MOST);
-        return -1;
+    if (!GROW(scene->primitives, scene->primitive_count)) {
+        (void)compile_fail_memory(compiler);
+        return COMPILED_NONE;
     }
     struct compiled_primitive *primitive = &scene->primitives[scene->primitive_count];
     primitive->kind = kind;
@@ -39,49 +45,87 @@ int compile_new_primitive(struct compiler *compiler, enum primitive_kind kind, u
     return scene->primitive_count++;
 }
 
+uint64_t compile_quadric_key(const struct compiled_quadric *quadric, uint32_t frame,
+                             const struct compiled_box *box) {
+    uint64_t key = bucket_key(bucket_key(compile_key(KNOWN_QUADRIC), frame), quadric->surface);
+    for (int i = 0; i < 6 && quadric->cuts != 0; i++) {
+        key = bucket_key(key, (quadric->cuts >> i % 3 & 1) != 0 ? box->surface[i] : COMPILED_NONE);
+    }
+    return key;
+}
+
+uint32_t compile_new_quadric(struct compiler *compiler, const struct compiled_quadric *quadric,
+                             uint32_t frame, bool left_for_good) {
+    struct compiled_scene *scene = compiler->scene;
+    if (!GROW(scene->quadrics, scene->quadric_count)) {
+        (void)compile_fail_memory(compiler);
+        return COMPILED_NONE;
+    }
+    scene->quadrics[scene->quadric_count++] = *quadric;
+    const uint64_t key = compile_quadric_key(quadric, frame, compiled_box_of(scene, quadric));
+    return compile_note(compiler, key,
+                        compile_new_primitive(compiler, PRIMITIVE_QUADRIC, scene->quadric_count - 1,
+                                              frame, left_for_good));
+}
+
 /* Sets the faces of a box: faces of one surface lie at the same place to the last bit. Returns
  * false with the failure recorded. */
-static bool set_faces(struct compiler *compiler, struct compiled_box *box, uint8_t frame,
+static bool set_faces(struct compiler *compiler, struct compiled_box *box, uint32_t frame,
                       const double low[3], const double high[3]) {
     for (int face = 0; face < 6; face++) {
         const double *axis = compiled_axis(compiler->scene, frame, face % 3);
-        int surface = compile_plane_surface(compiler, axis, face < 3 ? low[face] : high[face - 3]);
-        if (surface < 0) {
+        uint32_t surface =
+            compile_plane_surface(compiler, axis, face < 3 ? low[face] : high[face - 3]);
+        if (surface == COMPILED_NONE) {
             return false;
         }
         double place = compile_place_of_plane(compiler, surface, axis);
         *(face < 3 ? &box->minimum[face] : &box->maximum[face - 3]) = place;
-        box->surface[face] = (uint16_t)surface;
+        box->surface[face] = surface;
     }
     return true;
 }
 
-int compile_box_in(struct compiler *compiler, uint8_t frame, const double low[3],
-                   const double high[3]) {
+static uint64_t box_key(uint32_t frame, const struct compiled_box *box) {
+    uint64_t key = bucket_key(compile_key(KNOWN_BOX), frame);
+    for (int i = 0; i < 6; i++) {
+        key = bucket_key(key, box->surface[i]);
+    }
+    return key;
+}
+
+uint32_t compile_box_in(struct compiler *compiler, uint32_t frame, const double low[3],
+                        const double high[3]) {
     struct compiled_scene *scene = compiler->scene;
     struct compiled_box box = {{0}, {0}, {0}};
     if (!set_faces(compiler, &box, frame, low, high)) {
-        return -1;
+        return COMPILED_NONE;
     }
     for (int i = 0; i < 3; i++) {
         if (box.surface[i] == box.surface[i + 3]) {
             return compile_fail_thin(compiler);
         }
     }
-    for (int i = 0; i < scene->primitive_count; i++) {
-        const struct compiled_primitive *other = &scene->primitives[i];
+    const uint64_t key = box_key(frame, &box);
+    uint32_t slot = buckets_first(&compiler->known, key);
+    for (; slot != COMPILED_NONE; slot = buckets_next(&compiler->known, slot)) {
+        const uint32_t known = compiler->known.slots[slot].entry;
+        const struct compiled_primitive *other = &scene->primitives[known];
         if (other->kind == PRIMITIVE_BOX && other->frame == frame &&
             memcmp(box.surface, scene->boxes[other->index].surface, sizeof box.surface) == 0) {
-            return i;
+            return known;
         }
     }
-    int primitive = compile_new_primitive(compiler, PRIMITIVE_BOX, scene->box_count, frame, false);
-    if (primitive >= 0) {
-        scene->boxes[scene->box_count++] = box;
+    if (!GROW(scene->boxes, scene->box_count)) {
+        (void)compile_fail_memory(compiler);
+        return COMPILED_NONE;
     }
-    return primitive;
+    scene->boxes[scene->box_count++] = box;
+    return compile_note(
+        compiler, key,
+        compile_new_primitive(compiler, PRIMITIVE_BOX, scene->box_count - 1, frame, false));
 }
 
-int compile_world_box(struct compiler *compiler, const double low[3], const double high[3]) {
-    return compile_box_in(compiler, FRAME_WORLD, low, high);
+uint32_t compile_world_box(struct compiler *compiler, const double low[3], const double high[3]) {
+    return compile_box_in(compiler, COMPILED_FRAME_WORLD, low, high);
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The scene compiler: cuts off solids that reach beyond what their objects can show. */
 #include <math.h>
-#include <string.h>
+#include <stdlib.h>
 
 #include "compiler/cut.h"
 #include "compiler/optimise.h"
@@ -9,12 +9,12 @@
 /* The bounds of what may be seen of each primitive: the union over its uses. */
 struct views {
     const struct compiled_scene *scene;
-    struct bounds of[COMPILED_DRAFTS_MOST];
+    struct bounds *of;
 };
 
 /* Adds to the view of each leaf below a node. `within` bounds what the operations above the node
  * let through. */
-static void look_at(struct views *views, const struct csg_tree *tree, uint8_t index,
+static void look_at(struct views *views, const struct csg_tree *tree, uint32_t index,
                     const struct bounds *within) {
     const struct csg_node *node = &tree->nodes[index];
     if (csg_is_leaf(tree, index)) {
@@ -22,11 +22,11 @@ static void look_at(struct views *views, const struct csg_tree *tree, uint8_t in
         return;
     }
     struct bounds left = *within, right = *within;
-    if (node->code != PROGRAM_UNION) {
+    if (node->code != COMPILED_UNION) {
         struct bounds first = csg_bounds(views->scene, tree, node->left);
         right = bounds_intersection(within, &first);
     }
-    if (node->code == PROGRAM_INTERSECTION) {
+    if (node->code == COMPILED_INTERSECTION) {
         struct bounds second = csg_bounds(views->scene, tree, node->right);
         left = bounds_intersection(within, &second);
     }
@@ -46,7 +46,8 @@ static double bounds_reach(const struct bounds *bounds, const double axis[3], do
     return reach;
 }
 
-static bool bound_quadric(struct compiler *compiler, int primitive, const struct bounds *view) {
+static bool bound_quadric(struct compiler *compiler, uint32_t primitive,
+                          const struct bounds *view) {
     const struct compiled_scene *scene = compiler->scene;
     struct cut_quadric cut;
     bool changed = false;
@@ -64,7 +65,7 @@ static bool bound_quadric(struct compiler *compiler, int primitive, const struct
     return changed && cut_replace(compiler, &cut, primitive);
 }
 
-static bool bound_box(struct compiler *compiler, int index, const struct bounds *view) {
+static bool bound_box(struct compiler *compiler, uint32_t index, const struct bounds *view) {
     struct compiled_scene *scene = compiler->scene;
     const struct compiled_primitive *primitive = &scene->primitives[index];
     struct compiled_box *box = &scene->boxes[primitive->index];
@@ -75,10 +76,10 @@ static bool bound_box(struct compiler *compiler, int index, const struct bounds 
         double *place = face < 3 ? &box->minimum[face] : &box->maximum[face - 3];
         double end = bounds_reach(view, axis, sign);
         if (sign * *place > end) {
-            int surface = compile_plane_surface(compiler, axis, sign * end);
-            if (surface >= 0) {
+            uint32_t surface = compile_plane_surface(compiler, axis, sign * end);
+            if (surface != COMPILED_NONE) {
                 *place = compile_place_of_plane(compiler, surface, axis);
-                box->surface[face] = (uint16_t)surface;
+                box->surface[face] = surface;
                 changed = true;
             }
         }
@@ -99,18 +100,18 @@ static void cut_bounds(struct compiled_polyhedron *polyhedron, const struct comp
 
 /* Moves the planes that end a half-space at the world's end to where its view ends. Returns true if
  * one was moved. */
-static bool bound_polyhedron(struct compiler *compiler, int index, const struct bounds *view) {
+static bool bound_polyhedron(struct compiler *compiler, uint32_t index, const struct bounds *view) {
     struct compiled_scene *scene = compiler->scene;
     struct compiled_polyhedron *polyhedron = &scene->polyhedra[scene->primitives[index].index];
     bool changed = false;
-    for (int i = 0; i < polyhedron->count; i++) {
+    for (uint32_t i = 0; i < polyhedron->count; i++) {
         struct compiled_plane *plane = &scene->planes[polyhedron->first + i];
         double end = bounds_reach(view, plane->normal, 1);
         if (plane->offset >= COMPILE_WORLD && end < COMPILE_WORLD) {
-            int surface = compile_plane_surface(compiler, plane->normal, end);
-            if (surface >= 0) {
+            uint32_t surface = compile_plane_surface(compiler, plane->normal, end);
+            if (surface != COMPILED_NONE) {
                 plane->offset = compile_place_of_plane(compiler, surface, plane->normal);
-                plane->surface = (uint16_t)surface;
+                plane->surface = surface;
                 changed = true;
                 cut_bounds(polyhedron, plane);
             }
@@ -119,7 +120,8 @@ static bool bound_polyhedron(struct compiler *compiler, int index, const struct 
     return changed;
 }
 
-static bool bound_primitive(struct compiler *compiler, int primitive, const struct bounds *view) {
+static bool bound_primitive(struct compiler *compiler, uint32_t primitive,
+                            const struct bounds *view) {
     compiler->line = compiler->scene->primitives[primitive].line;
     switch (compiler->scene->primitives[primitive].kind) {
     case PRIMITIVE_BOX:
@@ -134,21 +136,28 @@ static bool bound_primitive(struct compiler *compiler, int primitive, const stru
     return false;
 }
 
-void optimise_bound(struct optimiser *optimiser) {
+bool optimise_bound(struct optimiser *optimiser) {
     struct compiler *compiler = optimiser->compiler;
     struct compiled_scene *scene = compiler->scene;
-    struct views views;
-    views.scene = scene;
-    for (int i = 0; i < scene->primitive_count; i++) {
+    struct views views = {scene, malloc(((size_t)scene->primitive_count + 1) * sizeof *views.of)};
+    if (views.of == NULL) {
+        return compile_fail_memory(compiler);
+    }
+    for (uint32_t i = 0; i < scene->primitive_count; i++) {
         views.of[i] = bounds_nothing;
     }
-    for (int i = 1; i < scene->object_count; i++) {
-        csg_read(scene, &scene->objects[i], &optimiser->tree);
+    for (uint32_t i = 1; i < scene->object_count; i++) {
+        if (!csg_read(scene, &scene->objects[i], &optimiser->tree)) {
+            free(views.of);
+            return compile_fail_memory(compiler);
+        }
         look_at(&views, &optimiser->tree, optimiser->tree.root, &bounds_everything);
     }
-    for (int i = 0; i < scene->primitive_count; i++) {
+    for (uint32_t i = 0; i < scene->primitive_count; i++) {
         if (!bounds_are_empty(&views.of[i]) && bound_primitive(compiler, i, &views.of[i])) {
             scene->report.bounded++;
         }
     }
+    free(views.of);
+    return true;
 }

@@ -3,35 +3,26 @@
  * programs. */
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
+#include "base/grow.h"
 #include "compiler/optimise.h"
 
-enum { NOWHERE = 0xFFFF };
-
-/* The new numbers of the entries of each table. */
+/* The tables as they were, and the new numbers of their entries: COMPILED_NONE is none yet. */
 struct moves {
     struct compiled_scene old;
-    uint16_t primitive[COMPILED_DRAFTS_MOST];
-    uint16_t frame[COMPILED_FRAMES_MOST];
-    uint16_t surface[COMPILED_SURFACES_MOST];
+    uint32_t *primitive, *frame, *surface;
 };
 
-static uint16_t move(uint16_t *moved, uint16_t *count) {
-    if (*moved == NOWHERE) {
+/* Returns the new number of an entry, which is the next one where the entry has none yet. */
+static uint32_t move(uint32_t *moved, uint32_t *count) {
+    if (*moved == COMPILED_NONE) {
         *moved = (*count)++;
     }
     return *moved;
 }
 
-static uint16_t move_surface(struct moves *moves, struct compiled_scene *scene, uint16_t surface) {
+static uint32_t move_surface(struct moves *moves, struct compiled_scene *scene, uint32_t surface) {
     return move(&moves->surface[surface], &scene->surface_count);
-}
-
-static uint8_t move_box(struct moves *moves, struct compiled_scene *scene, uint8_t index) {
-    struct compiled_box *box = &scene->boxes[scene->box_count];
-    *box = moves->old.boxes[index];
-    return scene->box_count++;
 }
 
 static void move_faces(struct moves *moves, struct compiled_scene *scene, struct compiled_box *box,
@@ -42,134 +33,184 @@ static void move_faces(struct moves *moves, struct compiled_scene *scene, struct
     }
 }
 
-static uint8_t move_polyhedron(struct moves *moves, struct compiled_scene *scene, uint8_t index) {
-    const struct compiled_polyhedron *from = &moves->old.polyhedra[index];
+static bool move_box(struct moves *moves, struct compiled_scene *scene, uint32_t *index,
+                     unsigned axes) {
+    if (!GROW(scene->boxes, scene->box_count)) {
+        return false;
+    }
+    struct compiled_box *box = &scene->boxes[scene->box_count];
+    *box = moves->old.boxes[*index];
+    *index = scene->box_count++;
+    move_faces(moves, scene, box, axes);
+    return true;
+}
+
+static bool move_polyhedron(struct moves *moves, struct compiled_scene *scene, uint32_t *index) {
+    const struct compiled_polyhedron *from = &moves->old.polyhedra[*index];
+    if (!GROW(scene->polyhedra, scene->polyhedron_count)) {
+        return false;
+    }
     struct compiled_polyhedron *to = &scene->polyhedra[scene->polyhedron_count];
     *to = *from;
+    *index = scene->polyhedron_count++;
     to->first = scene->plane_count;
-    for (int i = 0; i < from->count; i++) {
+    for (uint32_t i = 0; i < from->count; i++) {
+        if (!GROW(scene->planes, scene->plane_count)) {
+            return false;
+        }
         struct compiled_plane *plane = &scene->planes[scene->plane_count++];
         *plane = moves->old.planes[from->first + i];
         plane->surface = move_surface(moves, scene, plane->surface);
     }
-    return scene->polyhedron_count++;
+    return true;
 }
 
-static uint8_t move_quadric(struct moves *moves, struct compiled_scene *scene, uint8_t index) {
+static bool move_quadric(struct moves *moves, struct compiled_scene *scene, uint32_t *index) {
+    if (!GROW(scene->quadrics, scene->quadric_count)) {
+        return false;
+    }
     struct compiled_quadric *quadric = &scene->quadrics[scene->quadric_count];
-    *quadric = moves->old.quadrics[index];
+    *quadric = moves->old.quadrics[*index];
+    *index = scene->quadric_count++;
     quadric->surface = move_surface(moves, scene, quadric->surface);
     if (quadric->cuts != 0) {
-        quadric->box = move_box(moves, scene, quadric->box);
-        move_faces(moves, scene, &scene->boxes[quadric->box], quadric->cuts);
-    } else {
-        quadric->box = 0;
+        return move_box(moves, scene, &quadric->box, quadric->cuts);
     }
-    return scene->quadric_count++;
+    quadric->box = 0;
+    return true;
 }
 
-static uint8_t move_ball(struct moves *moves, struct compiled_scene *scene, uint8_t index) {
+static bool move_ball(struct moves *moves, struct compiled_scene *scene, uint32_t *index) {
+    if (!GROW(scene->balls, scene->ball_count)) {
+        return false;
+    }
     struct compiled_ball *ball = &scene->balls[scene->ball_count];
-    *ball = moves->old.balls[index];
+    *ball = moves->old.balls[*index];
+    *index = scene->ball_count++;
     ball->surface = move_surface(moves, scene, ball->surface);
-    return scene->ball_count++;
+    return true;
 }
 
-static void move_frame(struct moves *moves, struct compiled_scene *scene,
-                       struct compiled_primitive *primitive) {
-    if (primitive->frame != FRAME_WORLD) {
-        uint16_t count = scene->frame_count;
-        uint8_t from = primitive->frame;
-        primitive->frame = (uint8_t)move(&moves->frame[from], &count);
-        scene->frames[primitive->frame] = moves->old.frames[from];
-        scene->frame_count = (uint8_t)count;
+static bool move_frame(struct moves *moves, struct compiled_scene *scene, uint32_t *frame) {
+    const uint32_t from = *frame;
+    if (from == COMPILED_FRAME_WORLD) {
+        return true;
     }
+    if (moves->frame[from] == COMPILED_NONE && !GROW(scene->frames, scene->frame_count)) {
+        return false;
+    }
+    *frame = move(&moves->frame[from], &scene->frame_count);
+    scene->frames[*frame] = moves->old.frames[from];
+    return true;
 }
 
-/* Moves a primitive with all that belongs to it. */
-static void move_primitive(struct moves *moves, struct compiled_scene *scene, uint8_t index) {
-    struct compiled_primitive *primitive = &scene->primitives[scene->primitive_count++];
+/* Moves a primitive with all that belongs to it; false if memory is out. */
+static bool move_primitive(struct moves *moves, struct compiled_scene *scene, uint32_t index) {
+    if (!GROW(scene->primitives, scene->primitive_count)) {
+        return false;
+    }
+    struct compiled_primitive *primitive = &scene->primitives[scene->primitive_count];
     *primitive = moves->old.primitives[index];
-    move_frame(moves, scene, primitive);
+    moves->primitive[index] = scene->primitive_count++;
+    if (!move_frame(moves, scene, &primitive->frame)) {
+        return false;
+    }
     switch (primitive->kind) {
     case PRIMITIVE_BOX:
-        primitive->index = move_box(moves, scene, primitive->index);
-        move_faces(moves, scene, &scene->boxes[primitive->index], 7);
-        break;
+        return move_box(moves, scene, &primitive->index, 7);
     case PRIMITIVE_BALL:
-        primitive->index = move_ball(moves, scene, primitive->index);
-        break;
+        return move_ball(moves, scene, &primitive->index);
     case PRIMITIVE_QUADRIC:
-        primitive->index = move_quadric(moves, scene, primitive->index);
-        break;
+        return move_quadric(moves, scene, &primitive->index);
     case PRIMITIVE_POLYHEDRON:
-        primitive->index = move_polyhedron(moves, scene, primitive->index);
         break;
     }
+    return move_polyhedron(moves, scene, &primitive->index);
 }
 
-static void clear_tables(struct compiled_scene *scene) {
+/* Takes the tables that are to be made anew out of the scene. */
+static void take_tables(struct compiled_scene *scene) {
     scene->primitive_count = scene->frame_count = scene->box_count = scene->ball_count = 0;
     scene->polyhedron_count = scene->quadric_count = 0;
     scene->surface_count = scene->plane_count = 0;
+    scene->frames = NULL;
+    scene->primitives = NULL;
+    scene->boxes = NULL;
+    scene->balls = NULL;
+    scene->polyhedra = NULL;
+    scene->planes = NULL;
+    scene->quadrics = NULL;
 }
 
-static bool move_all(struct compiler *compiler, struct moves *moves) {
-    struct compiled_scene *scene = compiler->scene;
-    moves->old = *scene;
-    memset(moves->primitive, 0xFF, sizeof moves->primitive);
-    memset(moves->frame, 0xFF, sizeof moves->frame);
-    memset(moves->surface, 0xFF, sizeof moves->surface);
-    clear_tables(scene);
-    for (int i = 0; i < scene->program_length; i++) {
-        uint8_t code = scene->programs[i];
-        if (code >= PROGRAM_UNION) {
+static void free_moves(struct moves *moves) {
+    free(moves->old.frames);
+    free(moves->old.primitives);
+    free(moves->old.boxes);
+    free(moves->old.balls);
+    free(moves->old.polyhedra);
+    free(moves->old.planes);
+    free(moves->old.quadrics);
+    free(moves->primitive);
+    free(moves->frame);
+    free(moves->surface);
+}
+
+/* Returns new numbers for so many entries, none of which has one yet; NULL if memory is out. */
+static uint32_t *no_numbers(uint32_t count) {
+    uint32_t *numbers = malloc(((size_t)count + 1) * sizeof *numbers);
+    for (uint32_t i = 0; i < count && numbers != NULL; i++) {
+        numbers[i] = COMPILED_NONE;
+    }
+    return numbers;
+}
+
+static bool move_all(struct moves *moves, struct compiled_scene *scene) {
+    moves->primitive = no_numbers(moves->old.primitive_count);
+    moves->frame = no_numbers(moves->old.frame_count);
+    moves->surface = no_numbers(moves->old.surface_count);
+    if (moves->primitive == NULL || moves->frame == NULL || moves->surface == NULL) {
+        return false;
+    }
+    for (uint32_t i = 0; i < scene->program_length; i++) {
+        uint32_t code = scene->programs[i];
+        if (code >= COMPILED_UNION) {
             continue;
         }
-        if (moves->primitive[code] == NOWHERE) {
-            if (scene->primitive_count == COMPILED_PRIMITIVES_MOST) {
-                return compile_fail(compiler, moves->old.primitives[code].line,
-                                    "more than %d different solids", COMPILED_PRIMITIVES_MOST);
-            }
-            moves->primitive[code] = scene->primitive_count;
-            move_primitive(moves, scene, code);
+        if (moves->primitive[code] == COMPILED_NONE && !move_primitive(moves, scene, code)) {
+            return false;
         }
-        scene->programs[i] = (uint8_t)moves->primitive[code];
+        scene->programs[i] = moves->primitive[code];
     }
     return true;
 }
 
-/* Notes which primitives each surface bounds. */
-static void bind_surfaces(struct compiled_scene *scene) {
-    for (int i = 0; i < scene->primitive_count; i++) {
+/* Notes which primitives each surface bounds; false if memory is out. */
+static bool bind_surfaces(struct compiled_scene *scene) {
+    scene->surfaces = calloc((size_t)scene->surface_count + 1, sizeof *scene->surfaces);
+    bool is_bound = scene->surfaces != NULL;
+    for (uint32_t i = 0; i < scene->primitive_count && is_bound; i++) {
         const struct compiled_primitive *primitive = &scene->primitives[i];
         struct compiled_face faces[COMPILED_FACES_MOST];
         int count = compiled_faces(scene, i, faces);
         for (int j = 0; j < count; j++) {
-            compiled_set_include(&scene->surfaces[faces[j].surface], i);
+            is_bound = is_bound && compiled_set_include(&scene->surfaces[faces[j].surface], i);
         }
         if (primitive->kind == PRIMITIVE_BALL) {
-            compiled_set_include(&scene->surfaces[scene->balls[primitive->index].surface], i);
+            uint32_t surface = scene->balls[primitive->index].surface;
+            is_bound = is_bound && compiled_set_include(&scene->surfaces[surface], i);
         } else if (primitive->kind == PRIMITIVE_QUADRIC) {
-            compiled_set_include(&scene->surfaces[scene->quadrics[primitive->index].surface], i);
+            uint32_t surface = scene->quadrics[primitive->index].surface;
+            is_bound = is_bound && compiled_set_include(&scene->surfaces[surface], i);
         }
     }
-}
-
-static bool is_only_in(const struct compiled_set *set, int primitive) {
-    for (int i = 0; i < COMPILED_PRIMITIVES_MOST; i++) {
-        if (i != primitive && compiled_set_has(set, i)) {
-            return false;
-        }
-    }
-    return true;
+    return is_bound;
 }
 
 /* Sets each quadric's reach, with room for rounding, and whether rays that leave it by its curved
  * face leave it for good. They do not if it shares that surface: the other primitive may go on
  * where it is cut. A ray can then leave the other one by that surface and enter it. */
 static void finish_quadrics(struct compiled_scene *scene) {
-    for (int i = 0; i < scene->primitive_count; i++) {
+    for (uint32_t i = 0; i < scene->primitive_count; i++) {
         const struct compiled_primitive *primitive = &scene->primitives[i];
         if (primitive->kind != PRIMITIVE_QUADRIC) {
             continue;
@@ -177,24 +218,24 @@ static void finish_quadrics(struct compiled_scene *scene) {
         struct compiled_quadric *quadric = &scene->quadrics[primitive->index];
         const double *square = quadric->square;
         double low[3], high[3];
-        quadric_extent(scene, quadric, &scene->boxes[quadric->box], primitive->frame, low, high);
+        quadric_extent(scene, quadric, compiled_box_of(scene, quadric), primitive->frame, low,
+                       high);
         double reach = quadric_ball(quadric, low, high) * (1 + 0x1p-10) + 0x1p-10;
         quadric->reach = reach < COMPILE_FAR ? reach : 0;
         quadric->left_for_good = square[0] >= 0 && square[1] >= 0 && square[2] >= 0 &&
-                                 is_only_in(&scene->surfaces[quadric->surface], i);
+                                 scene->surfaces[quadric->surface].count == 1;
     }
 }
 
 bool optimise_compact(struct compiler *compiler) {
-    struct moves *moves = calloc(1, sizeof *moves);
-    if (moves == NULL) {
-        return compile_fail(compiler, 0, "out of memory");
+    struct compiled_scene *scene = compiler->scene;
+    struct moves moves = {.old = *scene};
+    take_tables(scene);
+    bool is_done = move_all(&moves, scene);
+    free_moves(&moves);
+    if (!is_done || !bind_surfaces(scene)) {
+        return compile_fail_memory(compiler);
     }
-    bool good = move_all(compiler, moves);
-    free(moves);
-    if (good) {
-        bind_surfaces(compiler->scene);
-        finish_quadrics(compiler->scene);
-    }
-    return good;
+    finish_quadrics(scene);
+    return true;
 }

@@ -6,23 +6,19 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* A scene whose contents reach less far has no scale. */
 #define REACH_LEAST 1e-12
 
-/* Returns true if every part of an object of the file is dead. */
-static bool object_is_dead(const struct compile_dead *dead, size_t object) {
-    bool has_part = false;
-    for (int i = 0; i < dead->part_count; i++) {
-        if (dead->object_of_part[i] == object) {
-            has_part = true;
-            if (dead->part[i] == NULL) {
-                return false;
-            }
-        }
+/* Tells whether every part of an object of the file is dead, and there are some. *part is the first
+ * of the part's numbers that may be its own, and becomes that of the next object. */
+static bool object_is_dead(const struct compile_dead *dead, size_t object, uint32_t *part) {
+    bool has_part = false, is_dead = true;
+    for (; *part < dead->part_count && dead->object_of_part[*part] == object; ++*part) {
+        has_part = true;
+        is_dead = is_dead && dead->part[*part] != NULL;
     }
-    return has_part;
+    return has_part && is_dead;
 }
 
 /* Returns the bounds of all that has an end: finite solids, the eye, the point lights. Leaves out
@@ -30,6 +26,7 @@ static bool object_is_dead(const struct compile_dead *dead, size_t object) {
 static struct bounds content_bounds(const struct scene_description *description,
                                     const struct compile_dead *dead) {
     struct bounds all = bounds_nothing;
+    uint32_t part = 0;
     bounds_include(&all, description->camera.eye);
     for (size_t i = 0; i < description->light_count; i++) {
         if (!description->lights[i].parallel && (dead == NULL || dead->light[i] == NULL)) {
@@ -37,7 +34,7 @@ static struct bounds content_bounds(const struct scene_description *description,
         }
     }
     for (size_t i = 0; i < description->object_count; i++) {
-        if (dead != NULL && object_is_dead(dead, i)) {
+        if (dead != NULL && object_is_dead(dead, i, &part)) {
             continue;
         }
         struct bounds solid =
@@ -142,16 +139,36 @@ static bool step(struct compiler *compiler, bool (*work)(struct compiler *compil
     return true;
 }
 
+/* Meets the world's axes first: what counts as one of these is it. */
+static bool meet_axes(struct compiler *compiler) {
+    for (int i = 0; i < 3; i++) {
+        double axis[3] = {i == 0, i == 1, i == 2};
+        if (!compile_direction(compiler, axis)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 /* Makes the tables of what is not dead so far. */
 static bool compile_tables(struct compiler *compiler) {
-    if (!compile_scaling(compiler) || !compile_materials(compiler) ||
+    if (!compile_scaling(compiler) || !meet_axes(compiler) || !compile_materials(compiler) ||
         !step(compiler, compile_objects, STEP_OBJECTS) ||
         !step(compiler, compile_optimise, STEP_COMPACT) || !compile_pattern_faces(compiler) ||
         !step(compiler, compile_view, STEP_VIEW) || !compile_colour(compiler)) {
         return false;
     }
-    compile_lights(compiler);
-    return true;
+    return compile_lights(compiler);
+}
+
+/* Frees the tables of a round that are not the scene's. */
+static void end(struct compiler *compiler) {
+    free(compiler->planes);
+    free(compiler->directions);
+    free(compiler->object_bounds);
+    buckets_clear(&compiler->known);
+    curves_clear(&compiler->curves);
+    neighbours_clear(&compiler->solids);
 }
 
 /* Forgets all of the last round but what is dead. */
@@ -160,11 +177,10 @@ static void begin(struct compiler *compiler) {
                                    .scene = compiler->scene,
                                    .error = compiler->error,
                                    .observer = compiler->observer,
-                                   .dead = compiler->dead,
-                                   .directions = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
-                                   .direction_count = 3};
+                                   .dead = compiler->dead};
+    end(compiler);
     *compiler = fresh;
-    memset(compiler->scene, 0, sizeof *compiler->scene);
+    compiled_scene_clear(compiler->scene);
     snprintf(compiler->scene->path, sizeof compiler->scene->path, "%s",
              compiler->description->path);
 }
@@ -184,8 +200,7 @@ static bool compile_round(struct compiler *compiler) {
     return compile_tables(compiler);
 }
 
-/* Checks that the file's materials and lights have room; what else there is a table for is checked
- * where it is added. */
+/* Checks that the file's materials have room. */
 static bool check_room(struct compiler *compiler) {
     const struct scene_description *from = compiler->description;
     if (from->material_count >= COMPILED_MATERIALS_MOST) {
@@ -193,10 +208,7 @@ static bool check_room(struct compiler *compiler) {
                             "the scene has %zu materials: at most %d are allowed",
                             from->material_count, COMPILED_MATERIALS_MOST - 1);
     }
-    return from->light_count <= COMPILED_LIGHTS_MOST ||
-           compile_fail(compiler, from->lights[COMPILED_LIGHTS_MOST].line,
-                        "the scene has %zu lights: at most %d are allowed", from->light_count,
-                        COMPILED_LIGHTS_MOST);
+    return true;
 }
 
 /* Makes the tables, and makes them anew as long as they prove more to be dead. What is left may
@@ -206,43 +218,47 @@ static bool compile_live(struct compiler *compiler) {
     if (!check_room(compiler)) {
         return false;
     }
+    compiler->dead->light =
+        calloc(compiler->description->light_count + 1, sizeof *compiler->dead->light);
+    if (compiler->dead->light == NULL) {
+        return compile_fail_memory(compiler);
+    }
     do {
         known = compiler->dead->count;
         if (!compile_round(compiler) || !compile_find_dead(compiler)) {
             return false;
         }
     } while (compiler->dead->count > known);
-    compile_settle(compiler);
+    if (!compile_settle(compiler)) {
+        return false;
+    }
     compile_brightest(compiler);
-    compile_shadows(compiler);
-    compile_show(compiler, STEP_SHADOWS);
-    compile_enclosures(compiler);
-    compile_show(compiler, STEP_ENCLOSURES);
-    compile_near(compiler);
-    return true;
+    return step(compiler, compile_shadows, STEP_SHADOWS) && compile_solids(compiler) &&
+           step(compiler, compile_enclosures, STEP_ENCLOSURES) && compile_near(compiler) &&
+           compile_nesting(compiler);
 }
 
 struct compiled_scene *scene_compile_observed(const struct scene_description *description,
                                               const struct compile_observer *observer,
                                               struct scene_error *error) {
     struct compiled_scene *scene = calloc(1, sizeof *scene);
-    struct compiler *compiler = calloc(1, sizeof *compiler);
-    struct compile_dead *dead = calloc(1, sizeof *dead);
-    bool good = scene && compiler && dead;
-    if (!good) {
+    struct compile_dead dead = {.count = 0};
+    if (scene == NULL) {
         snprintf(error->text, sizeof error->text, "%.100s: out of memory", description->path);
-    } else {
-        compiler->description = description;
-        compiler->scene = scene;
-        compiler->error = error;
-        compiler->observer = observer;
-        compiler->dead = dead;
-        good = compile_live(compiler);
+        return NULL;
     }
-    free(dead);
-    free(compiler);
-    if (!good) {
-        free(scene);
+    struct compiler compiler = {.description = description,
+                                .scene = scene,
+                                .error = error,
+                                .observer = observer,
+                                .dead = &dead};
+    bool is_done = compile_live(&compiler);
+    end(&compiler);
+    free(dead.part);
+    free(dead.light);
+    free(dead.object_of_part);
+    if (!is_done) {
+        compiled_scene_free(scene);
         return NULL;
     }
     return scene;

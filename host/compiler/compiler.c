@@ -21,6 +21,10 @@ bool compile_fail(struct compiler *compiler, unsigned line, const char *format, 
     return false;
 }
 
+bool compile_fail_memory(struct compiler *compiler) {
+    return compile_fail(compiler, 0, "out of memory");
+}
+
 void compile_show(const struct compiler *compiler, enum compile_step step) {
     if (compiler->observer != NULL) {
         compiler->observer->look(compiler->observer->context, step, compiler->scene);

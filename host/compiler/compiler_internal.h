@@ -5,7 +5,9 @@
 
 #include "compiler/affine.h"
 #include "compiler/bounds.h"
+#include "compiler/buckets.h"
 #include "compiler/extents.h"
+#include "compiler/neighbours.h"
 #include "compiler/quadric_form.h"
 #include "compiler/tables.h"
 
@@ -42,13 +44,11 @@ struct compile_plane {
     double offset;
 };
 
-/* The world's axes, those of frames, and the normals of planes. */
-enum { COMPILED_DIRECTIONS_MOST = 3 + 3 * COMPILED_FRAMES_MOST + COMPILED_SURFACES_MOST };
 /* The reasons why things of the file can't change its picture, by their numbers there; NULL: they
  * may. */
 struct compile_dead {
-    const char *part[COMPILED_OBJECTS_MOST]; /* objects fall apart into one part a material */
-    const char *light[COMPILED_LIGHTS_MOST];
+    const char **part;  /* objects fall apart into one part a material */
+    const char **light; /* for each light of the file */
     const char *material[COMPILED_MATERIALS_MOST];
     /* Of a material that is not dead. Its look is all of it but its shadow; the rest are parts of
      * its look. */
@@ -56,10 +56,34 @@ struct compile_dead {
     const char *table[COMPILED_MATERIALS_MOST]; /* of w(theta): a constant does as well */
     const char *highlight[COMPILED_MATERIALS_MOST], *absorption[COMPILED_MATERIALS_MOST];
     unsigned count; /* of all these */
-    size_t object_of_part[COMPILED_OBJECTS_MOST];
-    int part_count;
-    bool keeps_scale; /* what is left does not fit its own scale */
-    bool has_endless; /* something endless can be seen, whose end the dead ones decide, too */
+    size_t *object_of_part;
+    uint32_t part_count;
+    bool keeps_scale;  /* what is left does not fit its own scale */
+    bool has_endless;  /* something endless can be seen, whose end the dead ones decide, too */
+    bool lacks_memory; /* not all could be listed */
+};
+
+/* What is found again by the hash of its numbers. */
+enum known {
+    KNOWN_DIRECTION,
+    KNOWN_PLANE,
+    KNOWN_FRAME,
+    KNOWN_BOX,
+    KNOWN_POLYHEDRON,
+    KNOWN_QUADRIC
+};
+
+/* Primitives with a curved surface. Those of `along` go on along one of the world's axes alone:
+ * their bounds have that axis at 0. */
+struct curves {
+    struct neighbours ended, along[3];
+    struct endless_curve *endless; /* the others; grows as base/grow.h says */
+    uint32_t endless_count;
+};
+
+struct endless_curve {
+    struct quadric_axes form;
+    uint32_t primitive;
 };
 
 struct compiler {
@@ -68,7 +92,6 @@ struct compiler {
     struct scene_error *error;
     const struct compile_observer *observer; /* NULL: none */
     struct compile_dead *dead;
-    int part;                                     /* the number of the next part */
     uint8_t material_of[COMPILED_MATERIALS_MOST]; /* a material of the file: its number here */
     struct affine scaling;                        /* the file's coordinates to scaled ones */
     double same;             /* lengths that differ by no more are one, in scaled units */
@@ -76,10 +99,13 @@ struct compiler {
     unsigned lost_line;      /* of a half-space of the object that lies out of the world; 0: none */
     const char *object_name; /* of the object at work */
     size_t object;           /* its number in the file */
-    struct compile_plane planes[COMPILED_SURFACES_MOST]; /* by surface; normal null: no plane */
-    double directions[COMPILED_DIRECTIONS_MOST][3];      /* that were met, up to their sign */
-    int direction_count;
-    struct bounds object_bounds[COMPILED_OBJECTS_MOST]; /* by compiled object, scaled */
+    struct compile_plane *planes; /* by surface; normal null: no plane */
+    double (*directions)[3];      /* the world's axes, and others that were met, up to their sign */
+    uint32_t direction_count;
+    struct bounds *object_bounds; /* by compiled object, scaled */
+    struct buckets known;         /* directions, planes, frames and solids, by enum known */
+    struct curves curves;
+    struct neighbours solids; /* all primitives, when the tables are done */
 };
 
 /* Records why the scene is refused (line 0: of the whole file) and returns false. */
@@ -88,6 +114,16 @@ bool compile_fail(struct compiler *compiler, unsigned line, const char *format, 
     __attribute__((format(printf, 3, 4)))
 #endif
     ;
+
+/* Records that memory is out and returns false. */
+bool compile_fail_memory(struct compiler *compiler);
+
+/* Returns what the keys of a kind begin with. */
+uint64_t compile_key(enum known kind);
+
+/* Notes an entry under the key of what it is, and returns the entry. Returns COMPILED_NONE for
+ * COMPILED_NONE, or with the failure recorded. */
+uint32_t compile_note(struct compiler *compiler, uint64_t key, uint32_t entry);
 
 /* Shows the tables to the observer, if there is one. */
 void compile_show(const struct compiler *compiler, enum compile_step step);
@@ -101,8 +137,8 @@ bool compile_colour(struct compiler *compiler);
 /* Compiles the objects, with their programs, primitives and surfaces. */
 bool compile_objects(struct compiler *compiler);
 
-/* Appends one byte to the program of the object at work. */
-bool compile_append(struct compiler *compiler, uint8_t code);
+/* Appends a code to the program of the object at work. */
+bool compile_append(struct compiler *compiler, uint32_t code);
 
 /* Appends a leaf's program: one primitive, or a quadric and the slab that ends it. The placement
  * maps the leaf's own coordinates to scaled ones. A solid that is there already gives the same
@@ -110,22 +146,22 @@ bool compile_append(struct compiler *compiler, uint8_t code);
 bool compile_leaf(struct compiler *compiler, const struct solid_node *leaf,
                   const struct affine *placement);
 
-/* Adds a primitive of that kind, or finds the one of the same solid. Returns its number, or -1 with
- * the failure recorded. */
-int compile_box(struct compiler *compiler, const struct solid_node *leaf,
-                const struct affine *placement);
-int compile_box_in(struct compiler *compiler, uint8_t frame, const double low[3],
-                   const double high[3]);
-int compile_world_box(struct compiler *compiler, const double low[3], const double high[3]);
-int compile_half_space(struct compiler *compiler, const struct scene_plane *plane,
-                       const struct affine *placement);
-int compile_placed_half_space(struct compiler *compiler, const struct scene_plane *plane);
-int compile_polyhedron(struct compiler *compiler, const struct scene_plane *planes, size_t count,
-                       const struct affine *placement);
-int compile_placed_polyhedron(struct compiler *compiler, const struct scene_plane *planes,
-                              size_t count);
-int compile_quadric(struct compiler *compiler, const struct solid_node *leaf,
-                    const struct affine *placement);
+/* Adds a primitive of that kind, or finds the one of the same solid. Returns its number, or
+ * COMPILED_NONE with the failure recorded. */
+uint32_t compile_box(struct compiler *compiler, const struct solid_node *leaf,
+                     const struct affine *placement);
+uint32_t compile_box_in(struct compiler *compiler, uint32_t frame, const double low[3],
+                        const double high[3]);
+uint32_t compile_world_box(struct compiler *compiler, const double low[3], const double high[3]);
+uint32_t compile_half_space(struct compiler *compiler, const struct scene_plane *plane,
+                            const struct affine *placement);
+uint32_t compile_placed_half_space(struct compiler *compiler, const struct scene_plane *plane);
+uint32_t compile_polyhedron(struct compiler *compiler, const struct scene_plane *planes,
+                            size_t count, const struct affine *placement);
+uint32_t compile_placed_polyhedron(struct compiler *compiler, const struct scene_plane *planes,
+                                   size_t count);
+uint32_t compile_quadric(struct compiler *compiler, const struct solid_node *leaf,
+                         const struct affine *placement);
 
 /* Appends the program of a quadric that is given by its coefficients, which may be those of two
  * parallel planes. */
@@ -133,9 +169,17 @@ bool compile_general_quadric(struct compiler *compiler, const struct solid_node 
                              const struct affine *placement);
 
 /* Adds an entry to the table of primitives, with what is common to all kinds. Returns its number,
- * or -1 with the failure recorded. */
-int compile_new_primitive(struct compiler *compiler, enum primitive_kind kind, uint8_t index,
-                          uint8_t frame, bool left_for_good);
+ * or COMPILED_NONE with the failure recorded. */
+uint32_t compile_new_primitive(struct compiler *compiler, enum primitive_kind kind, uint32_t index,
+                               uint32_t frame, bool left_for_good);
+
+/* Returns the key under which quadrics with that surface and those cuts are noted. */
+uint64_t compile_quadric_key(const struct compiled_quadric *quadric, uint32_t frame,
+                             const struct compiled_box *box);
+
+/* Adds a quadric, likewise. */
+uint32_t compile_new_quadric(struct compiler *compiler, const struct compiled_quadric *quadric,
+                             uint32_t frame, bool left_for_good);
 
 /* Tells whether two scaled lengths are one to the compiler. */
 bool compile_same(const struct compiler *compiler, double a, double b);
@@ -147,10 +191,10 @@ bool compile_direction(struct compiler *compiler, double direction[3]);
 
 /* Finds or adds the frame with these axes, up to their order and signs. A solid of the frame has to
  * follow these. permutation[i] is the axis that became axis i of the frame, sign[i] its sign. With
- * third_stays, axis 2 is to be axis 2 of the frame. Returns FRAME_WORLD if the axes are the
- * world's; -1 with the failure recorded. */
-int compile_frame(struct compiler *compiler, double axis[3][3], bool third_stays,
-                  int permutation[3], double sign[3]);
+ * third_stays, axis 2 is to be axis 2 of the frame. *frame is COMPILED_FRAME_WORLD if the axes are
+ * the world's. Returns false with the failure recorded. */
+bool compile_frame(struct compiler *compiler, double axis[3][3], bool third_stays,
+                   int permutation[3], double sign[3], uint32_t *frame);
 
 /* Places a plane by its normal, of length 1, and one of its points; false with the failure
  * recorded.
@@ -159,23 +203,32 @@ bool compile_placed_plane(struct compiler *compiler, const double normal[3], con
                           const struct affine *placement, struct scene_plane *placed);
 
 /* Finds or adds the surface of a plane, which is given in scaled world coordinates. `normal` comes
- * from compile_direction(); a surface that coincides is found again. Returns its number, or -1 with
- * the failure recorded. */
-int compile_plane_surface(struct compiler *compiler, const double normal[3], double offset);
+ * from compile_direction(); a surface that coincides is found again. Returns its number, or
+ * COMPILED_NONE with the failure recorded. */
+uint32_t compile_plane_surface(struct compiler *compiler, const double normal[3], double offset);
 
 /* Returns the coordinate at which the plane of a surface crosses an axis that it lies across. */
-double compile_place_of_plane(const struct compiler *compiler, int surface, const double axis[3]);
+double compile_place_of_plane(const struct compiler *compiler, uint32_t surface,
+                              const double axis[3]);
 
-/* Finds the ball or quadric whose curved surface is that of a form. Returns its number, or -1 if
- * there is none. *opposite says whether it lies on the other side of that surface. */
-int compile_same_curve(const struct compiler *compiler, const struct quadric_axes *form,
-                       bool *opposite);
+/* Finds the ball or quadric whose curved surface is that of a form. *twin becomes its
+ * number, or COMPILED_NONE if there is none. *opposite says whether it lies on the other side of
+ * that surface. Returns false with the failure recorded. */
+bool compile_same_curve(struct compiler *compiler, const struct quadric_axes *form, uint32_t *twin,
+                        bool *opposite);
 
-/* Records that faces of one solid have become one surface; returns -1. */
-int compile_fail_thin(struct compiler *compiler);
+/* Notes the curved surface of a primitive, for the function above to find, and returns the
+ * primitive. Returns COMPILED_NONE for COMPILED_NONE, or with the failure recorded. */
+uint32_t compile_note_curve(struct compiler *compiler, uint32_t primitive);
 
-/* Adds a surface. Returns its number, or -1 with the failure recorded. */
-int compile_new_surface(struct compiler *compiler);
+/* Frees all memory and leaves nothing in it. */
+void curves_clear(struct curves *curves);
+
+/* Records that faces of one solid have become one surface; returns COMPILED_NONE. */
+uint32_t compile_fail_thin(struct compiler *compiler);
+
+/* Adds a surface. Returns its number, or COMPILED_NONE with the failure recorded. */
+uint32_t compile_new_surface(struct compiler *compiler);
 
 /* Compiles the pattern of a material, if it has one; false with the failure recorded. */
 bool compile_pattern(struct compiler *compiler, const struct scene_material *from,
@@ -184,35 +237,56 @@ bool compile_pattern(struct compiler *compiler, const struct scene_material *fro
 /* Notes the faces in which patterns' cells end, once surfaces have their final numbers. */
 bool compile_pattern_faces(struct compiler *compiler);
 
-/* Notes faces that are so near to each other that they were probably meant as one. */
-void compile_near(struct compiler *compiler);
+/* Notes faces that are so near to each other that they were probably meant as one. Returns false
+ * with the failure recorded. */
+bool compile_near(struct compiler *compiler);
 
-/* Returns the largest distance between the curved surfaces of two primitives. It is infinite where
- * one of them has none or both have the same. It is also infinite where too few points of the first
- * are found. */
-double compile_curve_distance(const struct compiled_scene *scene, int one, int other);
+/* Points spread over the curved surface of a primitive; none where it has none. */
+enum { CURVE_POINTS_MOST = 24 };
+struct curve_sample {
+    double points[CURVE_POINTS_MOST + 1][3];
+    int count;
+    uint32_t primitive;
+};
+
+void compile_sample_curve(const struct compiled_scene *scene, uint32_t primitive,
+                          struct curve_sample *sample);
+
+/* Returns the largest distance of a sample from the curved surface of another primitive. It is
+ * infinite where one of the two has none or both have the same, and for too few points. */
+double compile_curve_distance(const struct compiled_scene *scene, struct curve_sample *sample,
+                              uint32_t other);
+
 /* Returns the largest level of a channel that the material's own colour has, or its pattern's. */
 double compiled_colour_most(const struct compiled_scene *scene,
                             const struct compiled_material *material, int channel);
 
 /* Compiles a part of the scene: camera, materials, lights, the brightest level, what can throw
- * shadows. */
+ * shadows. False with the failure recorded. */
 bool compile_view(struct compiler *compiler);
 bool compile_materials(struct compiler *compiler);
-void compile_lights(struct compiler *compiler);
+bool compile_lights(struct compiler *compiler);
 void compile_brightest(struct compiler *compiler);
-void compile_shadows(struct compiler *compiler);
+bool compile_shadows(struct compiler *compiler);
 
 /* Makes the tables cheaper to render, and says so in the scene's report. */
 bool compile_optimise(struct compiler *compiler);
 
+/* Finds which primitives may meet which, for the two steps below and the nesting; false with the
+ * failure recorded. */
+bool compile_solids(struct compiler *compiler);
+
+/* Finds how many primitives a point may be strictly inside of, at most; false with the failure
+ * recorded. */
+bool compile_nesting(struct compiler *compiler);
+
 /* Finds which primitives lie within or apart from which, so that a ray need not be tried against
- * all. */
-void compile_enclosures(struct compiler *compiler);
+ * all. False with the failure recorded. */
+bool compile_enclosures(struct compiler *compiler);
 
 /* Tells whether one primitive lies strictly within a convex one, or whether two are more than
  * COMPILE_GAP apart. False may also mean that this was not found. */
-bool primitive_is_within(const struct compiled_scene *scene, int inner, int outer);
-bool primitives_are_apart(const struct compiled_scene *scene, int one, int other);
+bool primitive_is_within(const struct compiled_scene *scene, uint32_t inner, uint32_t outer);
+bool primitives_are_apart(const struct compiled_scene *scene, uint32_t one, uint32_t other);
 
 #endif

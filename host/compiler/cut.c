@@ -5,6 +5,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/grow.h"
+
 static void start_ball(const struct compiled_ball *ball, struct cut_quadric *cut) {
     cut->is_ball = true;
     memcpy(cut->quadric.centre, ball->centre, sizeof ball->centre);
@@ -15,7 +17,7 @@ static void start_ball(const struct compiled_ball *ball, struct cut_quadric *cut
     cut->quadric.surface = ball->surface;
 }
 
-bool cut_start(const struct compiled_scene *scene, int index, struct cut_quadric *cut) {
+bool cut_start(const struct compiled_scene *scene, uint32_t index, struct cut_quadric *cut) {
     const struct compiled_primitive *primitive = &scene->primitives[index];
     memset(cut, 0, sizeof *cut);
     cut->frame = primitive->frame;
@@ -42,8 +44,8 @@ bool cut_start(const struct compiled_scene *scene, int index, struct cut_quadric
     return true;
 }
 
-/* Finds or adds a frame that has a plane's normal for an axis; -1 with the failure recorded. */
-static int frame_across(struct compiler *compiler, const double normal[3]) {
+/* Finds or adds a frame that has a plane's normal for an axis; false with the failure recorded. */
+static bool frame_across(struct compiler *compiler, const double normal[3], uint32_t *frame) {
     double axis[3][3], sign[3];
     int permutation[3], least = 0;
     for (int i = 1; i < 3; i++) {
@@ -53,11 +55,11 @@ static int frame_across(struct compiler *compiler, const double normal[3]) {
     vector_cross(normal, affine_identity.m[least], axis[0]);
     vector_normalise(axis[0]);
     vector_cross(axis[2], axis[0], axis[1]);
-    return compile_frame(compiler, axis, false, permutation, sign);
+    return compile_frame(compiler, axis, false, permutation, sign, frame);
 }
 
 /* Returns the axis of a frame that a plane lies across, -1 if there is none. */
-static int axis_across(const struct compiled_scene *scene, uint8_t frame, const double normal[3]) {
+static int axis_across(const struct compiled_scene *scene, uint32_t frame, const double normal[3]) {
     int axis = 2;
     while (axis >= 0 && vector_parallel(normal, compiled_axis(scene, frame, axis)) == 0) {
         axis--;
@@ -70,14 +72,12 @@ int cut_axis(struct compiler *compiler, struct cut_quadric *cut, const double no
     if (axis >= 0) {
         return axis;
     }
-    if (!cut->is_ball || cut->frame != FRAME_WORLD || cut->quadric.cuts != 0) {
+    if (!cut->is_ball || cut->frame != COMPILED_FRAME_WORLD || cut->quadric.cuts != 0) {
         return -1;
     }
-    int frame = frame_across(compiler, normal);
-    if (frame < 0) {
+    if (!frame_across(compiler, normal, &cut->frame)) {
         return -1;
     }
-    cut->frame = (uint8_t)frame;
     return axis_across(compiler->scene, cut->frame, normal);
 }
 
@@ -131,12 +131,12 @@ static bool find_surfaces(struct compiler *compiler, struct cut_quadric *cut) {
         if ((cut->quadric.cuts >> face % 3 & 1) == 0) {
             continue;
         }
-        int surface = compile_plane_surface(compiler, axis, *place);
-        if (surface < 0) {
+        uint32_t surface = compile_plane_surface(compiler, axis, *place);
+        if (surface == COMPILED_NONE) {
             return false;
         }
         *place = compile_place_of_plane(compiler, surface, axis);
-        cut->box.surface[face] = (uint16_t)surface;
+        cut->box.surface[face] = surface;
     }
     return true;
 }
@@ -162,39 +162,38 @@ static bool is_same(const struct compiled_scene *scene, const struct compiled_pr
  * then. */
 static bool keep_box(struct compiler *compiler, struct cut_quadric *cut) {
     struct compiled_scene *scene = compiler->scene;
-    if (scene->box_count == COMPILED_DRAFTS_MOST) {
-        return compile_fail(compiler, cut->line, "more than %d different solids",
-                            COMPILED_PRIMITIVES_MOST);
+    if (!GROW(scene->boxes, scene->box_count)) {
+        return compile_fail_memory(compiler);
     }
     cut->quadric.box = scene->box_count;
     scene->boxes[scene->box_count++] = cut->box;
     return true;
 }
 
-int cut_finish(struct compiler *compiler, struct cut_quadric *cut) {
+uint32_t cut_finish(struct compiler *compiler, struct cut_quadric *cut) {
     struct compiled_scene *scene = compiler->scene;
     compiler->line = cut->line;
     drop_idle_axes(scene, cut);
     close_sides(scene, cut);
     if (!find_surfaces(compiler, cut)) {
-        return -1;
+        return COMPILED_NONE;
     }
-    for (int i = 0; i < scene->primitive_count; i++) {
-        if (is_same(scene, &scene->primitives[i], cut)) {
-            return i;
+    const uint64_t key = compile_quadric_key(&cut->quadric, cut->frame, &cut->box);
+    uint32_t slot = buckets_first(&compiler->known, key), twin = COMPILED_NONE;
+    for (; slot != COMPILED_NONE; slot = buckets_next(&compiler->known, slot)) {
+        const uint32_t known = compiler->known.slots[slot].entry;
+        if (known < twin && is_same(scene, &scene->primitives[known], cut)) {
+            twin = known;
         }
     }
-    int primitive = keep_box(compiler, cut)
-                        ? compile_new_primitive(compiler, PRIMITIVE_QUADRIC, scene->quadric_count,
-                                                cut->frame, false)
-                        : -1;
-    if (primitive >= 0) {
-        scene->quadrics[scene->quadric_count++] = cut->quadric;
+    if (twin != COMPILED_NONE) {
+        return twin;
     }
-    return primitive;
+    return keep_box(compiler, cut) ? compile_new_quadric(compiler, &cut->quadric, cut->frame, false)
+                                   : COMPILED_NONE;
 }
 
-bool cut_replace(struct compiler *compiler, struct cut_quadric *cut, int index) {
+bool cut_replace(struct compiler *compiler, struct cut_quadric *cut, uint32_t index) {
     struct compiled_scene *scene = compiler->scene;
     struct compiled_primitive *primitive = &scene->primitives[index];
     compiler->line = cut->line;

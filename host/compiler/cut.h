@@ -9,14 +9,14 @@
 struct cut_quadric {
     struct compiled_quadric quadric;
     struct compiled_box box;
-    uint8_t frame;
+    uint32_t frame;
     bool is_ball; /* any axes are its own */
     unsigned line;
 };
 
 /* Begins a cut quadric with a ball or a quadric, perhaps one that is cut already; false for other
  * kinds. */
-bool cut_start(const struct compiled_scene *scene, int primitive, struct cut_quadric *cut);
+bool cut_start(const struct compiled_scene *scene, uint32_t primitive, struct cut_quadric *cut);
 
 /* Returns the axis that a plane lies across, -1 if there is none. A ball takes on the axes of its
  * first plane. */
@@ -26,12 +26,12 @@ int cut_axis(struct compiler *compiler, struct cut_quadric *cut, const double no
  * if the opposite one. */
 void cut_across(struct cut_quadric *cut, int axis, double along, double offset);
 
-/* Returns the primitive that the cut quadric has become, new or already there; -1 with the failure
- * recorded. */
-int cut_finish(struct compiler *compiler, struct cut_quadric *cut);
+/* Returns the primitive that the cut quadric has become, new or already there; COMPILED_NONE with
+ * the failure recorded. */
+uint32_t cut_finish(struct compiler *compiler, struct cut_quadric *cut);
 
 /* Puts the cut quadric in place of a primitive that is a quadric; false with the failure
  * recorded. */
-bool cut_replace(struct compiler *compiler, struct cut_quadric *cut, int primitive);
+bool cut_replace(struct compiler *compiler, struct cut_quadric *cut, uint32_t primitive);
 
 #endif

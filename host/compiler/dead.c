@@ -5,6 +5,9 @@
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
+
+#include "base/grow.h"
 
 /* A threshold below this is too near to the rounding of weights for a proof. */
 #define THRESHOLD_LEAST 0x1p-16
@@ -18,26 +21,31 @@ static void mark(struct compile_dead *dead, const char **why, const char *reason
 
 /* ---- Objects and lights --------------------------------------------------------------------- */
 
-static void mark_parts(const struct compiler *compiler, const struct compile_reach *reach) {
+static bool mark_parts(struct compiler *compiler, const struct compile_reach *reach) {
     const struct compiled_scene *scene = compiler->scene;
     struct compile_dead *dead = compiler->dead;
-    bool is_compiled[COMPILED_OBJECTS_MOST] = {false};
+    bool *is_compiled = calloc((size_t)dead->part_count + 1, sizeof *is_compiled);
+    if (is_compiled == NULL) {
+        return compile_fail_memory(compiler);
+    }
     dead->has_endless = false;
-    for (int i = 1; i < scene->object_count; i++) {
+    for (uint32_t i = 1; i < scene->object_count; i++) {
         is_compiled[scene->objects[i].part] = true;
         mark(dead, &dead->part[scene->objects[i].part], reach->lost[i]);
         dead->has_endless = dead->has_endless || (reach->lost[i] == NULL &&
                                                   !bounds_are_finite(&compiler->object_bounds[i]));
     }
-    for (int i = 0; i < dead->part_count; i++) {
+    for (uint32_t i = 0; i < dead->part_count; i++) {
         mark(dead, &dead->part[i], is_compiled[i] ? NULL : "no point is in it");
     }
+    free(is_compiled);
+    return true;
 }
 
 static bool mark_lights(const struct compiler *compiler, const struct compile_reach *reach) {
     const struct compiled_scene *scene = compiler->scene;
     bool is_light = false;
-    for (int i = 0; i < scene->light_count; i++) {
+    for (uint32_t i = 0; i < scene->light_count; i++) {
         const double *colour = scene->lights[i].colour;
         bool is_black = colour[0] <= 0 && colour[1] <= 0 && colour[2] <= 0;
         is_light = is_light || reach->lights[i];
@@ -94,7 +102,7 @@ static const char *highlight_is_dead(const struct compiled_scene *scene,
 
 /* Returns true if a path may go through a boundary between transparent materials. */
 static bool lets_paths_in(const struct compiled_scene *scene, const struct compile_reach *reach) {
-    for (int i = 1; i < scene->material_count; i++) {
+    for (uint32_t i = 1; i < scene->material_count; i++) {
         const struct compiled_material *material = &scene->materials[i];
         double tau = scene->simple ? material->transmittance : 1;
         for (int j = 0; j < 3 && material->transparent && reach->is_shown[i]; j++) {
@@ -107,16 +115,16 @@ static bool lets_paths_in(const struct compiled_scene *scene, const struct compi
     return false;
 }
 
-static void mark_material(struct compiler *compiler, const struct compile_reach *reach, int index,
-                          bool is_light) {
+static void mark_material(struct compiler *compiler, const struct compile_reach *reach,
+                          uint32_t index, bool is_light) {
     const struct compiled_scene *scene = compiler->scene;
     const struct compiled_material *material = &scene->materials[index];
     struct compile_dead *dead = compiler->dead;
-    uint8_t file = material->file;
+    const uint8_t file = material->file;
     bool is_used = false, is_kept = false;
     bool is_entered =
         lets_paths_in(scene, reach) || scene->objects[scene->camera.object].material == index;
-    for (int i = 1; i < scene->object_count; i++) {
+    for (uint32_t i = 1; i < scene->object_count; i++) {
         bool has_it = scene->objects[i].material == index;
         is_used = is_used || has_it;
         is_kept = is_kept || (has_it && reach->lost[i] == NULL);
@@ -139,43 +147,49 @@ static void mark_material(struct compiler *compiler, const struct compile_reach 
 
 bool compile_find_dead(struct compiler *compiler) {
     struct compile_reach reach;
-    if (!compile_find_reach(compiler, &reach)) {
-        return false;
+    bool is_found = compile_find_reach(compiler, &reach) && mark_parts(compiler, &reach);
+    if (is_found) {
+        bool is_light = mark_lights(compiler, &reach);
+        for (uint32_t i = 1; i < compiler->scene->material_count; i++) {
+            mark_material(compiler, &reach, i, is_light);
+        }
     }
-    mark_parts(compiler, &reach);
-    bool is_light = mark_lights(compiler, &reach);
-    for (int i = 1; i < compiler->scene->material_count; i++) {
-        mark_material(compiler, &reach, i, is_light);
-    }
-    return true;
+    reach_free(&reach);
+    return is_found;
 }
 
 /* ---- The whole scene ------------------------------------------------------------------------ */
 
 /* Adds a line to what `check` says. */
-static void tell(struct compiled_scene *scene, const char *why, const char *format, ...)
+static void tell(struct compiler *compiler, const char *why, const char *format, ...)
 #if defined(__GNUC__)
     __attribute__((format(printf, 3, 4)))
 #endif
     ;
 
-static void tell(struct compiled_scene *scene, const char *why, const char *format, ...) {
-    if (why != NULL && scene->dead_count < COMPILED_DEAD_MOST) {
+static void tell(struct compiler *compiler, const char *why, const char *format, ...) {
+    struct compiled_scene *scene = compiler->scene;
+    if (why == NULL) {
+        return;
+    }
+    if (GROW(scene->dead, scene->dead_count)) {
         struct compiled_dead *entry = &scene->dead[scene->dead_count++];
         va_list arguments;
         va_start(arguments, format);
         (void)vsnprintf(entry->what, sizeof entry->what, format, arguments);
         va_end(arguments);
         entry->why = why;
+    } else {
+        compiler->dead->lacks_memory = true;
     }
 }
 
 static void tell_named(struct compiler *compiler, const char *why, const char *what,
                        const char *name, unsigned line) {
     if (name[0] != '\0') {
-        tell(compiler->scene, why, "%s \"%.40s\" (line %u)", what, name, line);
+        tell(compiler, why, "%s \"%.40s\" (line %u)", what, name, line);
     } else {
-        tell(compiler->scene, why, "%s (line %u)", what, line);
+        tell(compiler, why, "%s (line %u)", what, line);
     }
 }
 
@@ -198,7 +212,7 @@ static void tell_material(struct compiler *compiler, size_t index) {
 static void tell_marks(struct compiler *compiler) {
     const struct compile_dead *dead = compiler->dead;
     const struct scene_description *description = compiler->description;
-    for (int i = 0; i < dead->part_count; i++) {
+    for (uint32_t i = 0; i < dead->part_count; i++) {
         const struct scene_object *object = &description->objects[dead->object_of_part[i]];
         bool is_told = i > 0 && dead->part[i] == dead->part[i - 1] &&
                        dead->object_of_part[i] == dead->object_of_part[i - 1];
@@ -214,54 +228,59 @@ static void tell_marks(struct compiler *compiler) {
 }
 
 /* Returns how often a straight line crosses a primitive, at most. */
-static unsigned crossings_most(const struct compiled_scene *scene, int index) {
+static unsigned crossings_most(const struct compiled_scene *scene, uint32_t index) {
     const struct compiled_primitive *primitive = &scene->primitives[index];
+    if (primitive->kind != PRIMITIVE_QUADRIC) {
+        return 2;
+    }
     const double *square = scene->quadrics[primitive->index].square;
-    bool is_convex = primitive->kind != PRIMITIVE_QUADRIC ||
-                     (square[0] >= 0 && square[1] >= 0 && square[2] >= 0);
-    return is_convex ? 2 : 4;
+    return square[0] >= 0 && square[1] >= 0 && square[2] >= 0 ? 2 : 4;
 }
 
 /* Returns how many boundaries of what lets light through a straight line crosses, at most. */
-static unsigned boundaries_most(const struct compiled_scene *scene) {
-    struct compiled_set transparent = {{0}};
+static unsigned boundaries_most(struct compiler *compiler) {
+    const struct compiled_scene *scene = compiler->scene;
+    bool *is_counted = calloc((size_t)scene->primitive_count + 1, sizeof *is_counted);
     unsigned most = 0;
-    for (int i = 1; i < scene->object_count; i++) {
+    if (is_counted == NULL) {
+        compiler->dead->lacks_memory = true;
+        return SCENE_DEPTH_MOST;
+    }
+    for (uint32_t i = 1; i < scene->object_count; i++) {
         const struct compiled_object *object = &scene->objects[i];
         bool counts = scene->materials[object->material].transparent;
-        for (int j = 0; j < object->length && counts; j++) {
-            uint8_t code = scene->programs[object->program + j];
-            if (code < PROGRAM_UNION) {
-                compiled_set_include(&transparent, code);
+        for (uint32_t j = 0; j < object->length && counts; j++) {
+            uint32_t code = scene->programs[object->program + j];
+            if (code < COMPILED_UNION && !is_counted[code]) {
+                is_counted[code] = true;
+                most += crossings_most(scene, code);
             }
         }
     }
-    for (int i = 0; i < scene->primitive_count; i++) {
-        most += compiled_set_has(&transparent, i) ? crossings_most(scene, i) : 0;
-    }
+    free(is_counted);
     return most;
 }
 
 /* Returns true if no ray comes back from a mirror to the same one. That holds for a convex one with
  * nothing let into it, seen from outside. */
-static bool never_mirrors_itself(const struct compiler *compiler, int index) {
+static bool never_mirrors_itself(const struct compiler *compiler, uint32_t index) {
     const struct compiled_scene *scene = compiler->scene;
     const struct compiled_object *object = &scene->objects[index];
-    for (int i = index + 1; i < scene->object_count; i++) {
+    for (uint32_t i = index + 1; i < scene->object_count; i++) {
         if (bounds_overlap(&compiler->object_bounds[i], &compiler->object_bounds[index])) {
             return false;
         }
     }
     return object->length == 1 &&
            scene->primitives[scene->programs[object->program]].left_for_good &&
-           !compiled_object_holds(scene, (uint8_t)index, &scene->camera.inside);
+           !compiled_object_holds(scene, index, scene->camera.eye);
 }
 
 /* Returns the most events that a path can have, judged by what can turn the path aside. */
-static unsigned events_most(const struct compiler *compiler) {
+static unsigned events_most(struct compiler *compiler) {
     const struct compiled_scene *scene = compiler->scene;
     unsigned mirrors = 0;
-    for (int i = 1; i < scene->object_count; i++) {
+    for (uint32_t i = 1; i < scene->object_count; i++) {
         const struct compiled_material *material = &scene->materials[scene->objects[i].material];
         if (material_turns_aside(scene, material)) {
             if (material->transparent || mirrors > 0 || !never_mirrors_itself(compiler, i)) {
@@ -270,7 +289,7 @@ static unsigned events_most(const struct compiler *compiler) {
             mirrors++;
         }
     }
-    return boundaries_most(scene) * (mirrors + 1) + mirrors;
+    return boundaries_most(compiler) * (mirrors + 1) + mirrors;
 }
 
 /* Returns one more than the most events of a path that the threshold lets pass, so that the
@@ -286,7 +305,7 @@ static unsigned events_above_threshold(const struct compiled_scene *scene, doubl
 static void settle_depth(struct compiler *compiler) {
     struct compiled_scene *scene = compiler->scene;
     double share = 0;
-    for (int i = 1; i < scene->material_count; i++) {
+    for (uint32_t i = 1; i < scene->material_count; i++) {
         share = fmax(share, material_share_most(scene, &scene->materials[i]));
     }
     scene->has_branches = share > 0;
@@ -302,34 +321,36 @@ static void settle_depth(struct compiler *compiler) {
     }
     if (most < scene->depth) {
         scene->depth = (uint8_t)most;
-        tell(scene, why, "depth beyond %u", most);
+        tell(compiler, why, "depth beyond %u", most);
     }
 }
 
 /* Switches off what the whole scene asks for, where nothing needs it. */
-static void settle_switch(struct compiled_scene *scene, bool *is_on, bool is_needed,
-                          const char *what, const char *why) {
-    tell(scene, *is_on && !is_needed ? why : NULL, "%s", what);
+static void settle_switch(struct compiler *compiler, bool *is_on, bool is_needed, const char *what,
+                          const char *why) {
+    tell(compiler, *is_on && !is_needed ? why : NULL, "%s", what);
     *is_on = *is_on && is_needed;
 }
 
-void compile_settle(struct compiler *compiler) {
+bool compile_settle(struct compiler *compiler) {
     struct compiled_scene *scene = compiler->scene;
     static const char nothing_transparent[] = "nothing that is seen is transparent";
     static const char no_light[] = "no light lights anything";
     bool has_transparency = false, has_highlight = false;
     tell_marks(compiler);
     settle_depth(compiler);
-    for (int i = 1; i < scene->material_count; i++) {
+    for (uint32_t i = 1; i < scene->material_count; i++) {
         const struct compiled_material *material = &scene->materials[i];
         has_transparency = has_transparency || material->transparent;
         has_highlight = has_highlight || material->specular > 0 ||
                         material->specular_table != SPECULAR_CONSTANT;
     }
     bool has_light = scene->light_count > 0;
-    settle_switch(scene, &scene->filters, has_transparency, "filters", nothing_transparent);
-    settle_switch(scene, &scene->simple, has_transparency, "simplified model", nothing_transparent);
-    settle_switch(scene, &scene->fades, has_light, "fading", no_light);
-    settle_switch(scene, &scene->blinn, has_light && has_highlight, "highlights by beta",
+    settle_switch(compiler, &scene->filters, has_transparency, "filters", nothing_transparent);
+    settle_switch(compiler, &scene->simple, has_transparency, "simplified model",
+                  nothing_transparent);
+    settle_switch(compiler, &scene->fades, has_light, "fading", no_light);
+    settle_switch(compiler, &scene->blinn, has_light && has_highlight, "highlights by beta",
                   has_light ? "every material's specular is 0" : no_light);
+    return !compiler->dead->lacks_memory || compile_fail_memory(compiler);
 }

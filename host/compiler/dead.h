@@ -7,14 +7,16 @@
 
 /* The reach of rays in a compiled scene, by the numbers of its tables. */
 struct compile_reach {
-    const char *lost[COMPILED_OBJECTS_MOST]; /* why no ray touches the object; NULL: one may */
-    bool is_seen[COMPILED_OBJECTS_MOST]; /* on a path from the eye; false: by shadow rays at most */
+    const char **lost; /* by object: why no ray touches it; NULL: one may */
+    bool *is_seen;     /* by object: on a path from the eye; false: by shadow rays at most */
     bool is_shown[COMPILED_MATERIALS_MOST]; /* an object of that material is seen */
-    bool lights[COMPILED_LIGHTS_MOST];      /* something that is shown, if nothing is in between */
+    bool *lights; /* by light: it lights something that is shown, if nothing is in between */
 };
 
-/* Finds what rays may reach, never too little; false with the failure recorded. */
+/* Finds what rays may reach, never too little; false with the failure recorded. Call reach_free()
+ * in either case. */
 bool compile_find_reach(struct compiler *compiler, struct compile_reach *reach);
+void reach_free(struct compile_reach *reach);
 
 /* Returns true if surfaces of the material have an intensity of their own. */
 bool material_is_shaded(const struct compiled_scene *scene,
@@ -33,7 +35,8 @@ bool material_turns_aside(const struct compiled_scene *scene,
  * again where that is more than before. Returns false with the failure recorded. */
 bool compile_find_dead(struct compiler *compiler);
 
-/* Settles what the scene as a whole requires, and lists what is dead. */
-void compile_settle(struct compiler *compiler);
+/* Settles what the scene as a whole requires, and lists what is dead. Returns false with the
+ * failure recorded. */
+bool compile_settle(struct compiler *compiler);
 
 #endif

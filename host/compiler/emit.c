@@ -32,17 +32,17 @@ static void emit_steps(FILE *out, const char *role, const double v[SPECULAR_STEP
     fputc('}', out);
 }
 
-static void emit_surfaces(FILE *out, const uint16_t surface[6]) {
+static void emit_surfaces(FILE *out, const uint32_t surface[6]) {
     fprintf(out, "{%u, %u, %u, %u, %u, %u}", surface[0], surface[1], surface[2], surface[3],
             surface[4], surface[5]);
 }
 
 /* Writes as many words of a set as the scene needs; an image with larger sets fills the rest with
  * 0. */
-static void emit_set(FILE *out, const struct compiled_set *set, int words) {
+static void emit_set(FILE *out, const struct compiled_set *set, uint32_t words) {
     fprintf(out, "{{");
-    for (int i = 0; i < words; i++) {
-        fprintf(out, "%s0x%08lXu", i ? ", " : "", (unsigned long)set->word[i]);
+    for (uint32_t i = 0; i < words; i++) {
+        fprintf(out, "%s0x%08lXu", i ? ", " : "", (unsigned long)compiled_set_word(set, i));
     }
     fprintf(out, "}}");
 }
@@ -54,7 +54,7 @@ static const char *truth(bool value) {
 /* What is written, and how many words a set has. */
 struct emitter {
     FILE *out;
-    int words;
+    uint32_t words;
 };
 
 /* Members of *from, by the roles of scene_fields.h. */
@@ -80,6 +80,11 @@ struct emitter {
 #define EMIT_TRUTH(value)        fputs(truth(value), to->out);
 #define EMIT_SURFACES(value)     emit_surfaces(to->out, value);
 #define EMIT_SET(value)          emit_set(to->out, &(value), to->words);
+#define EMIT_MARKS(value)        emit_set(to->out, &(value), to->words);
+#define EMIT_ENTRY(value)        fprintf(to->out, "%u", (uint8_t)(value));
+#define EMIT_SURFACE(value)      fprintf(to->out, "%u", (uint16_t)(value));
+#define EMIT_FIRST(value)        fprintf(to->out, "%u", (uint16_t)(value));
+#define EMIT_COUNT(value)        fprintf(to->out, "%u", (uint8_t)(value));
 
 static void emit_frame(const struct emitter *to, const struct compiled_frame *from) {
     FRAME_FIELDS(EMIT_MEMBER)
@@ -145,8 +150,8 @@ static void emit_camera(const struct emitter *to, const struct compiled_camera *
     CAMERA_FIELDS(EMIT_MEMBER)
 }
 
-static void emit_byte(const struct emitter *to, uint8_t byte) {
-    fprintf(to->out, "0x%02X", byte);
+static void emit_code(const struct emitter *to, uint32_t code) {
+    fprintf(to->out, "0x%02X", (uint8_t)code);
 }
 
 static void emit_entry_set(const struct emitter *to, const struct compiled_set *from) {
@@ -157,12 +162,12 @@ static void emit_entry_set(const struct emitter *to, const struct compiled_set *
 #define EMIT_TABLE(type, table, count, emit_it)                                                    \
     if (scene->count > 0) {                                                                        \
         fprintf(to->out, "\nstatic const " type " " #table "[] = {\n");                            \
-        for (int i = 0; i < scene->count; i++) {                                                   \
+        for (uint32_t i = 0; i < scene->count; i++) {                                              \
             emit_it                                                                                \
         }                                                                                          \
         fprintf(to->out, "};\n");                                                                  \
     }
-#define EMIT_ENTRY(emit_members, table)                                                            \
+#define EMIT_ENTRY_OF(emit_members, table)                                                         \
     fputs("    {", to->out);                                                                       \
     emit_members(to, &scene->table[i]);                                                            \
     fputs("},\n", to->out);
@@ -172,32 +177,33 @@ static void emit_entry_set(const struct emitter *to, const struct compiled_set *
     fputs(",\n", to->out);
 
 static void emit_tables(const struct emitter *to, const struct compiled_scene *scene) {
-    EMIT_TABLE("struct frame", frames, frame_count, EMIT_ENTRY(emit_frame, frames))
+    EMIT_TABLE("struct frame", frames, frame_count, EMIT_ENTRY_OF(emit_frame, frames))
     EMIT_TABLE("struct primitive", primitives, primitive_count,
-               EMIT_ENTRY(emit_primitive, primitives))
-    EMIT_TABLE("struct box", boxes, box_count, EMIT_ENTRY(emit_box, boxes))
-    EMIT_TABLE("struct ball", balls, ball_count, EMIT_ENTRY(emit_ball, balls))
+               EMIT_ENTRY_OF(emit_primitive, primitives))
+    EMIT_TABLE("struct box", boxes, box_count, EMIT_ENTRY_OF(emit_box, boxes))
+    EMIT_TABLE("struct ball", balls, ball_count, EMIT_ENTRY_OF(emit_ball, balls))
     EMIT_TABLE("struct polyhedron", polyhedra, polyhedron_count,
-               EMIT_ENTRY(emit_polyhedron, polyhedra))
-    EMIT_TABLE("struct plane", planes, plane_count, EMIT_ENTRY(emit_plane, planes))
-    EMIT_TABLE("struct quadric", quadrics, quadric_count, EMIT_ENTRY(emit_quadric, quadrics))
+               EMIT_ENTRY_OF(emit_polyhedron, polyhedra))
+    EMIT_TABLE("struct plane", planes, plane_count, EMIT_ENTRY_OF(emit_plane, planes))
+    EMIT_TABLE("struct quadric", quadrics, quadric_count, EMIT_ENTRY_OF(emit_quadric, quadrics))
     EMIT_TABLE("struct primitive_set", surfaces, surface_count,
                EMIT_VALUE(emit_entry_set, &scene->surfaces[i]))
     EMIT_TABLE("struct primitive_set", hidden_by, primitive_count,
                EMIT_VALUE(emit_entry_set, &scene->hidden_by[i]))
-    EMIT_TABLE("uint8_t", programs, program_length, EMIT_VALUE(emit_byte, scene->programs[i]))
-    EMIT_TABLE("struct object", objects, object_count, EMIT_ENTRY(emit_object, objects))
-    EMIT_TABLE("struct material", materials, material_count, EMIT_ENTRY(emit_material, materials))
-    EMIT_TABLE("struct pattern", patterns, pattern_count, EMIT_ENTRY(emit_pattern, patterns))
+    EMIT_TABLE("uint8_t", programs, program_length, EMIT_VALUE(emit_code, scene->programs[i]))
+    EMIT_TABLE("struct object", objects, object_count, EMIT_ENTRY_OF(emit_object, objects))
+    EMIT_TABLE("struct material", materials, material_count,
+               EMIT_ENTRY_OF(emit_material, materials))
+    EMIT_TABLE("struct pattern", patterns, pattern_count, EMIT_ENTRY_OF(emit_pattern, patterns))
     EMIT_TABLE("struct pattern_face", pattern_faces, pattern_face_count,
-               EMIT_ENTRY(emit_pattern_face, pattern_faces))
+               EMIT_ENTRY_OF(emit_pattern_face, pattern_faces))
     EMIT_TABLE("struct specular_table", specular_tables, specular_table_count,
-               EMIT_ENTRY(emit_specular_table, specular_tables))
-    EMIT_TABLE("struct light", lights, light_count, EMIT_ENTRY(emit_light, lights))
+               EMIT_ENTRY_OF(emit_specular_table, specular_tables))
+    EMIT_TABLE("struct light", lights, light_count, EMIT_ENTRY_OF(emit_light, lights))
 }
 
 /* Writes a pointer to a table that has entries; the others stay null. */
-static void emit_pointer(const struct emitter *to, const char *table, int count) {
+static void emit_pointer(const struct emitter *to, const char *table, uint32_t count) {
     if (count > 0) {
         fprintf(to->out, "    .%s = %s,\n", table, table);
     }

@@ -1,24 +1,18 @@
 /* SPDX-License-Identifier: MIT */
 /* The scene compiler: finds which primitives lie strictly within which. */
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "base/grow.h"
 #include "compiler/compiler_internal.h"
 
-bool compiled_set_has(const struct compiled_set *set, int primitive) {
-    return (set->word[primitive / 32] >> primitive % 32 & 1) != 0;
-}
-
-void compiled_set_include(struct compiled_set *set, int primitive) {
-    set->word[primitive / 32] |= (uint32_t)1 << primitive % 32;
-}
-
-static bool is_behind(const struct compiled_scene *scene, int inner, const double normal[3],
+static bool is_behind(const struct compiled_scene *scene, uint32_t inner, const double normal[3],
                       double offset) {
     return primitive_reach(scene, inner, normal) < offset - COMPILE_STRICTLY;
 }
 
-static bool is_within_box(const struct compiled_scene *scene, int inner, int outer) {
+static bool is_within_box(const struct compiled_scene *scene, uint32_t inner, uint32_t outer) {
     const struct compiled_primitive *primitive = &scene->primitives[outer];
     const struct compiled_box *box = &scene->boxes[primitive->index];
     for (int i = 0; i < 3; i++) {
@@ -36,7 +30,7 @@ static bool is_within_box(const struct compiled_scene *scene, int inner, int out
 }
 
 /* Tells whether a ball, or a box by its corners, lies within a ball; false for other kinds. */
-static bool is_within_ball(const struct compiled_scene *scene, int inner, int outer) {
+static bool is_within_ball(const struct compiled_scene *scene, uint32_t inner, uint32_t outer) {
     const struct compiled_ball *ball = &scene->balls[scene->primitives[outer].index];
     const struct compiled_primitive *primitive = &scene->primitives[inner];
     double square = 0;
@@ -59,10 +53,11 @@ static bool is_within_ball(const struct compiled_scene *scene, int inner, int ou
     return sqrt(square) < ball->radius - COMPILE_STRICTLY;
 }
 
-static bool is_within_polyhedron(const struct compiled_scene *scene, int inner, int outer) {
+static bool is_within_polyhedron(const struct compiled_scene *scene, uint32_t inner,
+                                 uint32_t outer) {
     const struct compiled_polyhedron *polyhedron =
         &scene->polyhedra[scene->primitives[outer].index];
-    for (int i = 0; i < polyhedron->count; i++) {
+    for (uint32_t i = 0; i < polyhedron->count; i++) {
         const struct compiled_plane *plane = &scene->planes[polyhedron->first + i];
         if (!is_behind(scene, inner, plane->normal, plane->offset)) {
             return false;
@@ -86,7 +81,7 @@ static double most_of_form(const struct compiled_quadric *quadric, const double 
 
 /* Finds a ball that a primitive lies within: the primitive itself, or a ball about its bounds in
  * its frame. */
-static void surrounding_ball(const struct compiled_scene *scene, int index, double centre[3],
+static void surrounding_ball(const struct compiled_scene *scene, uint32_t index, double centre[3],
                              double *radius) {
     const struct compiled_primitive *primitive = &scene->primitives[index];
     double square = 0;
@@ -111,7 +106,7 @@ static void surrounding_ball(const struct compiled_scene *scene, int index, doub
 
 /* Tells whether an ellipsoid holds a ball. Coordinates in which the ellipsoid is a ball are used,
  * with the ball's centre and the most that its radius becomes there. */
-static bool holds_ball(const struct compiled_scene *scene, int outer, const double centre[3],
+static bool holds_ball(const struct compiled_scene *scene, uint32_t outer, const double centre[3],
                        double radius) {
     const struct compiled_primitive *primitive = &scene->primitives[outer];
     const struct compiled_quadric *quadric = &scene->quadrics[primitive->index];
@@ -128,10 +123,10 @@ static bool holds_ball(const struct compiled_scene *scene, int outer, const doub
 
 /* Tells whether a primitive lies within a quadric's form, and behind the planes that cut the
  * quadric. */
-static bool is_within_quadric(const struct compiled_scene *scene, int inner, int outer) {
+static bool is_within_quadric(const struct compiled_scene *scene, uint32_t inner, uint32_t outer) {
     const struct compiled_primitive *primitive = &scene->primitives[outer];
     const struct compiled_quadric *quadric = &scene->quadrics[primitive->index];
-    const struct compiled_box *box = &scene->boxes[quadric->box];
+    const struct compiled_box *box = compiled_box_of(scene, quadric);
     double low[3], high[3], centre[3], radius;
     for (int i = 0; i < 3; i++) {
         const double *axis = compiled_axis(scene, primitive->frame, i);
@@ -155,7 +150,7 @@ static bool is_within_quadric(const struct compiled_scene *scene, int inner, int
 
 /* Tells whether one primitive lies within another. Only convex primitives enclose: from a point
  * within, a ray leaves them once. */
-bool primitive_is_within(const struct compiled_scene *scene, int inner, int outer) {
+bool primitive_is_within(const struct compiled_scene *scene, uint32_t inner, uint32_t outer) {
     switch (scene->primitives[outer].kind) {
     case PRIMITIVE_BOX:
         return is_within_box(scene, inner, outer);
@@ -171,7 +166,7 @@ bool primitive_is_within(const struct compiled_scene *scene, int inner, int oute
 
 /* Tells whether all of one primitive lies before another one along a direction of any length; false
  * for a null direction. */
-static bool lies_beyond(const struct compiled_scene *scene, int one, int other,
+static bool lies_beyond(const struct compiled_scene *scene, uint32_t one, uint32_t other,
                         const double direction[3]) {
     double there[3] = {direction[0], direction[1], direction[2]}, back[3];
     if (!vector_normalise(there)) {
@@ -186,9 +181,9 @@ static bool lies_beyond(const struct compiled_scene *scene, int one, int other,
 /* Tells whether a plane between two primitives was found, so that they have no point in common.
  * Planes across the axes of either and of the world are tried, then across the line from one to the
  * other. */
-bool primitives_are_apart(const struct compiled_scene *scene, int one, int other) {
-    const uint8_t frames[3] = {FRAME_WORLD, scene->primitives[one].frame,
-                               scene->primitives[other].frame};
+bool primitives_are_apart(const struct compiled_scene *scene, uint32_t one, uint32_t other) {
+    const uint32_t frames[3] = {COMPILED_FRAME_WORLD, scene->primitives[one].frame,
+                                scene->primitives[other].frame};
     double from[3], to[3], radius;
     for (int i = 0; i < 9; i++) {
         const double *axis = compiled_axis(scene, frames[i / 3], i % 3);
@@ -204,30 +199,100 @@ bool primitives_are_apart(const struct compiled_scene *scene, int one, int other
     return isfinite(vector_length(to)) && lies_beyond(scene, one, other, to);
 }
 
-/* Sets for each primitive what hides it and its enclosure: the innermost of those that it lies
- * within. The innermost one is that which itself lies within the most others. */
-void compile_enclosures(struct compiler *compiler) {
+bool compile_solids(struct compiler *compiler) {
+    for (uint32_t i = 0; i < compiler->scene->primitive_count; i++) {
+        const struct bounds bounds = primitive_bounds(compiler->scene, i);
+        if (!neighbours_add(&compiler->solids, &bounds, i)) {
+            return compile_fail_memory(compiler);
+        }
+    }
+    return true;
+}
+
+/* The primitives that each primitive lies within: those of primitive i stand from first[i] on, up
+ * to first[i + 1]. */
+struct holders {
+    size_t *first;
+    uint32_t *holder;
+    size_t count;
+};
+
+/* Finds what each primitive lies within, among what it may meet; false if memory is out. */
+static bool find_holders(struct compiler *compiler, struct holders *holders) {
+    const struct compiled_scene *scene = compiler->scene;
+    struct compiled_set found = {NULL, 0};
+    bool is_found = true;
+    for (uint32_t i = 0; i < scene->primitive_count && is_found; i++) {
+        const struct bounds *bounds = &compiler->solids.entries[i].bounds;
+        holders->first[i] = holders->count;
+        is_found = neighbours_find(&compiler->solids, bounds, 0, &found);
+        for (uint32_t k = 0; k < found.count && is_found; k++) {
+            const uint32_t j = found.members[k];
+            if (i != j && primitive_is_within(scene, i, j)) {
+                is_found = GROW(holders->holder, holders->count);
+                if (is_found) {
+                    holders->holder[holders->count++] = j;
+                }
+            }
+        }
+    }
+    holders->first[scene->primitive_count] = holders->count;
+    compiled_set_clear(&found);
+    return is_found;
+}
+
+/* Returns the innermost of the primitives that a primitive lies within: that which itself lies
+ * within the most others. */
+static uint32_t innermost(const struct holders *holders, uint32_t primitive) {
+    uint32_t enclosure = COMPILED_ENCLOSURE_NONE;
+    size_t deepest = 0;
+    for (size_t k = holders->first[primitive]; k < holders->first[primitive + 1]; k++) {
+        const uint32_t j = holders->holder[k];
+        const size_t depth = holders->first[j + 1] - holders->first[j];
+        if (enclosure == COMPILED_ENCLOSURE_NONE || depth > deepest) {
+            enclosure = j;
+            deepest = depth;
+        }
+    }
+    return enclosure;
+}
+
+static bool find_enclosures(struct compiler *compiler) {
     struct compiled_scene *scene = compiler->scene;
-    int depth[COMPILED_PRIMITIVES_MOST] = {0};
-    for (int i = 0; i < scene->primitive_count; i++) {
-        for (int j = 0; j < scene->primitive_count; j++) {
-            bool within = i != j && primitive_is_within(scene, i, j);
-            depth[i] += within;
-            if (within || (i != j && primitives_are_apart(scene, i, j))) {
-                compiled_set_include(&scene->hidden_by[j], i);
-                scene->report.hidden++;
+    struct holders holders = {malloc(((size_t)scene->primitive_count + 1) * sizeof(size_t)), NULL,
+                              0};
+    const bool is_found = holders.first != NULL && find_holders(compiler, &holders);
+    for (uint32_t i = 0; i < scene->primitive_count && is_found; i++) {
+        scene->primitives[i].enclosure = innermost(&holders, i);
+    }
+    free(holders.first);
+    free(holders.holder);
+    return is_found || compile_fail_memory(compiler);
+}
+
+/* Sets for each of few primitives what hides it. */
+static bool find_hiders(struct compiler *compiler) {
+    struct compiled_scene *scene = compiler->scene;
+    scene->hidden_by = calloc((size_t)scene->primitive_count + 1, sizeof *scene->hidden_by);
+    if (scene->hidden_by == NULL) {
+        return compile_fail_memory(compiler);
+    }
+    for (uint32_t i = 0; i < scene->primitive_count; i++) {
+        for (uint32_t j = 0; j < scene->primitive_count; j++) {
+            if (i == j ||
+                (!primitive_is_within(scene, i, j) && !primitives_are_apart(scene, i, j))) {
+                continue;
             }
+            if (!compiled_set_include(&scene->hidden_by[j], i)) {
+                return compile_fail_memory(compiler);
+            }
+            scene->report.hidden++;
         }
     }
-    for (int i = 0; i < scene->primitive_count; i++) {
-        struct compiled_primitive *primitive = &scene->primitives[i];
-        primitive->enclosure = ENCLOSURE_NONE;
-        for (int j = 0; j < scene->primitive_count; j++) {
-            if (i != j && primitive_is_within(scene, i, j) &&
-                (primitive->enclosure == ENCLOSURE_NONE ||
-                 depth[j] > depth[primitive->enclosure])) {
-                primitive->enclosure = (uint8_t)j;
-            }
-        }
-    }
+    return true;
+}
+
+bool compile_enclosures(struct compiler *compiler) {
+    return find_enclosures(compiler) &&
+           (compiler->scene->primitive_count > COMPILED_BITS_MOST || find_hiders(compiler));
 }

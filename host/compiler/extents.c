@@ -4,8 +4,9 @@
 
 #include "compiler/compiler_internal.h"
 
-const double *compiled_axis(const struct compiled_scene *scene, uint8_t frame, int axis) {
-    return frame == FRAME_WORLD ? affine_identity.m[axis] : scene->frames[frame].axis[axis];
+const double *compiled_axis(const struct compiled_scene *scene, uint32_t frame, int axis) {
+    return frame == COMPILED_FRAME_WORLD ? affine_identity.m[axis]
+                                         : scene->frames[frame].axis[axis];
 }
 
 /* ---- Quadrics, in their own axes ------------------------------------------------------------ */
@@ -49,7 +50,7 @@ static void tighten_axis(const struct compiled_quadric *quadric, int axis, doubl
 }
 
 void quadric_extent(const struct compiled_scene *scene, const struct compiled_quadric *quadric,
-                    const struct compiled_box *box, uint8_t frame, double low[3], double high[3]) {
+                    const struct compiled_box *box, uint32_t frame, double low[3], double high[3]) {
     for (int i = 0; i < 3; i++) {
         double centre = vector_dot(quadric->centre, compiled_axis(scene, frame, i));
         bool cut = (quadric->cuts >> i & 1) != 0;
@@ -117,7 +118,7 @@ static double quadric_reach(const struct compiled_scene *scene,
                             const struct compiled_primitive *primitive, const double direction[3]) {
     const struct compiled_quadric *quadric = &scene->quadrics[primitive->index];
     double low[3], high[3], reach = 0, square = 0;
-    quadric_extent(scene, quadric, &scene->boxes[quadric->box], primitive->frame, low, high);
+    quadric_extent(scene, quadric, compiled_box_of(scene, quadric), primitive->frame, low, high);
     for (int i = 0; i < 3; i++) {
         double along = vector_dot(direction, compiled_axis(scene, primitive->frame, i));
         if (along < 0 || along > 0) {
@@ -140,7 +141,7 @@ static double polyhedron_reach(const struct compiled_scene *scene,
             reach += direction[i] * (direction[i] < 0 ? polyhedron->low[i] : polyhedron->high[i]);
         }
     }
-    for (int i = polyhedron->first; i < polyhedron->first + polyhedron->count; i++) {
+    for (uint32_t i = polyhedron->first; i < polyhedron->first + polyhedron->count; i++) {
         if (vector_parallel(direction, scene->planes[i].normal) > 0) {
             reach = fmin(reach, scene->planes[i].offset);
         }
@@ -148,7 +149,8 @@ static double polyhedron_reach(const struct compiled_scene *scene,
     return reach;
 }
 
-double primitive_reach(const struct compiled_scene *scene, int index, const double direction[3]) {
+double primitive_reach(const struct compiled_scene *scene, uint32_t index,
+                       const double direction[3]) {
     const struct compiled_primitive *primitive = &scene->primitives[index];
     switch (primitive->kind) {
     case PRIMITIVE_BOX:
@@ -164,7 +166,7 @@ double primitive_reach(const struct compiled_scene *scene, int index, const doub
     return polyhedron_reach(scene, &scene->polyhedra[primitive->index], direction);
 }
 
-struct bounds primitive_bounds(const struct compiled_scene *scene, int primitive) {
+struct bounds primitive_bounds(const struct compiled_scene *scene, uint32_t primitive) {
     struct bounds bounds;
     for (int i = 0; i < 3; i++) {
         double up[3] = {0, 0, 0}, down[3] = {0, 0, 0};

@@ -6,7 +6,7 @@
 
 /* Lists the faces of a box that lie across those of its axes whose bits are set. Returns how many
  * there are. */
-static int box_faces(const struct compiled_scene *scene, uint8_t frame,
+static int box_faces(const struct compiled_scene *scene, uint32_t frame,
                      const struct compiled_box *box, unsigned axes, struct compiled_face *faces) {
     int count = 0;
     for (int i = 0; i < 6; i++) {
@@ -25,7 +25,12 @@ static int box_faces(const struct compiled_scene *scene, uint8_t frame,
     return count;
 }
 
-int compiled_faces(const struct compiled_scene *scene, int primitive_index,
+const struct compiled_box *compiled_box_of(const struct compiled_scene *scene,
+                                           const struct compiled_quadric *quadric) {
+    return quadric->cuts != 0 ? &scene->boxes[quadric->box] : NULL;
+}
+
+int compiled_faces(const struct compiled_scene *scene, uint32_t primitive_index,
                    struct compiled_face faces[COMPILED_FACES_MOST]) {
     const struct compiled_primitive *primitive = &scene->primitives[primitive_index];
     const struct compiled_quadric *quadric;
@@ -37,11 +42,11 @@ int compiled_faces(const struct compiled_scene *scene, int primitive_index,
         return box_faces(scene, primitive->frame, &scene->boxes[primitive->index], 7, faces);
     case PRIMITIVE_QUADRIC:
         quadric = &scene->quadrics[primitive->index];
-        return box_faces(scene, primitive->frame, &scene->boxes[quadric->box], quadric->cuts,
+        return box_faces(scene, primitive->frame, compiled_box_of(scene, quadric), quadric->cuts,
                          faces);
     case PRIMITIVE_POLYHEDRON:
         polyhedron = &scene->polyhedra[primitive->index];
-        for (int i = 0; i < polyhedron->count; i++) {
+        for (uint32_t i = 0; i < polyhedron->count; i++) {
             const struct compiled_plane *plane = &scene->planes[polyhedron->first + i];
             memcpy(faces[i].normal, plane->normal, sizeof faces[i].normal);
             faces[i].offset = plane->offset;

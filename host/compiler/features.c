@@ -22,8 +22,8 @@ enum { FEATURES = 27 };
 enum { KEPT_BRANCHES = 512 };
 
 static bool has_rotation(const struct compiled_scene *scene) {
-    for (int i = 0; i < scene->primitive_count; i++) {
-        if (scene->primitives[i].frame != FRAME_WORLD) {
+    for (uint32_t i = 0; i < scene->primitive_count; i++) {
+        if (scene->primitives[i].frame != COMPILED_FRAME_WORLD) {
             return true;
         }
     }
@@ -31,7 +31,7 @@ static bool has_rotation(const struct compiled_scene *scene) {
 }
 
 static bool has_csg(const struct compiled_scene *scene) {
-    for (int i = 0; i < scene->object_count; i++) {
+    for (uint32_t i = 0; i < scene->object_count; i++) {
         if (scene->objects[i].length > 1) {
             return true;
         }
@@ -40,7 +40,7 @@ static bool has_csg(const struct compiled_scene *scene) {
 }
 
 static bool has_point_light(const struct compiled_scene *scene) {
-    for (int i = 0; i < scene->light_count; i++) {
+    for (uint32_t i = 0; i < scene->light_count; i++) {
         if (!scene->lights[i].parallel) {
             return true;
         }
@@ -56,7 +56,7 @@ static bool has_paths(const struct compiled_scene *scene) {
 /* Tells whether paths go through a transparent material. The air around, material 0, does not
  * count: its boundary with an opaque material is that material's. */
 bool features_has_transparency(const struct compiled_scene *scene) {
-    for (int i = 1; i < scene->material_count; i++) {
+    for (uint32_t i = 1; i < scene->material_count; i++) {
         if (scene->materials[i].transparent) {
             return has_paths(scene);
         }
@@ -65,7 +65,7 @@ bool features_has_transparency(const struct compiled_scene *scene) {
 }
 
 static bool has_absorption(const struct compiled_scene *scene) {
-    for (int i = 0; i < scene->material_count; i++) {
+    for (uint32_t i = 0; i < scene->material_count; i++) {
         if (scene->materials[i].absorbs) {
             return true;
         }
@@ -74,7 +74,7 @@ static bool has_absorption(const struct compiled_scene *scene) {
 }
 
 bool features_has_dispersion(const struct compiled_scene *scene) {
-    for (int i = 0; i < scene->material_count; i++) {
+    for (uint32_t i = 0; i < scene->material_count; i++) {
         if (scene->materials[i].disperses) {
             return has_paths(scene);
         }
@@ -83,7 +83,7 @@ bool features_has_dispersion(const struct compiled_scene *scene) {
 }
 
 static bool has_tint(const struct compiled_scene *scene) {
-    for (int i = 0; i < scene->material_count; i++) {
+    for (uint32_t i = 0; i < scene->material_count; i++) {
         if (scene->materials[i].tints) {
             return has_paths(scene);
         }
@@ -91,7 +91,7 @@ static bool has_tint(const struct compiled_scene *scene) {
     return false;
 }
 
-int features_primitive_words(const struct compiled_scene *scene) {
+uint32_t features_primitive_words(const struct compiled_scene *scene) {
     return scene->primitive_count > 32 ? (scene->primitive_count + 31) / 32 : 1;
 }
 
@@ -107,7 +107,7 @@ static void find_features(const struct compiled_scene *scene, struct feature fea
     const struct feature found[FEATURES] = {
         {"DEPTH", depth_required(scene)},
         {"WIDTH", scene->width},
-        {"PRIMITIVE_WORDS", features_primitive_words(scene)},
+        {"PRIMITIVE_WORDS", (int)features_primitive_words(scene)},
         {"BOX", scene->box_count > 0},
         {"BALL", scene->ball_count > 0},
         {"POLYHEDRON", scene->polyhedron_count > 0},
@@ -159,7 +159,7 @@ int features_emit(FILE *out, const struct compiled_scene *scene, const char *nam
         fprintf(out, "    FEATURE_%s = %d%s\n", features[i].name, features[i].value,
                 i + 1 < FEATURES ? "," : "");
     }
-    fprintf(out, "};\n\n#endif\n");
+    fprintf(out, "};\n\n#include \"sets/bits/primitive_set.h\"\n\n#endif\n");
     return ferror(out) ? -1 : 0;
 }
 

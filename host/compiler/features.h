@@ -14,7 +14,7 @@ bool features_has_transparency(const struct compiled_scene *scene);
 bool features_has_dispersion(const struct compiled_scene *scene);
 
 /* Returns how many words of a primitive set the scene fills, at least one. */
-int features_primitive_words(const struct compiled_scene *scene);
+uint32_t features_primitive_words(const struct compiled_scene *scene);
 
 /* Writes a feature_set.h with which an image holds what the scene requires and nothing else. The
  * name goes into the first comment of the file. Returns 0, or -1 where writing failed. */

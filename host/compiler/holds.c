@@ -18,7 +18,7 @@ static bool is_inside_box(const struct compiled_box *box, const double p[3]) {
 static bool is_inside_polyhedron(const struct compiled_scene *scene,
                                  const struct compiled_polyhedron *polyhedron,
                                  const double point[3]) {
-    for (int i = 0; i < polyhedron->count; i++) {
+    for (uint32_t i = 0; i < polyhedron->count; i++) {
         const struct compiled_plane *plane = &scene->planes[polyhedron->first + i];
         if (vector_dot(plane->normal, point) >= plane->offset) {
             return false;
@@ -33,7 +33,7 @@ static bool is_inside_quadric(const struct compiled_scene *scene,
                               const struct compiled_quadric *quadric, const double p[3],
                               const double q[3]) {
     const double squares[3] = {q[0] * q[0], q[1] * q[1], q[2] * q[2]};
-    const struct compiled_box *box = &scene->boxes[quadric->box];
+    const struct compiled_box *box = compiled_box_of(scene, quadric);
     for (int i = 0; i < 3; i++) {
         if ((quadric->cuts >> i & 1) != 0 && (p[i] <= box->minimum[i] || p[i] >= box->maximum[i])) {
             return false;
@@ -44,15 +44,16 @@ static bool is_inside_quadric(const struct compiled_scene *scene,
 }
 
 /* Turns a point into the axes of a frame; the frames of solids have no origin of their own. */
-static void to_frame(const struct compiled_scene *scene, uint8_t frame, const double point[3],
+static void to_frame(const struct compiled_scene *scene, uint32_t frame, const double point[3],
                      double turned[3]) {
     const double from[3] = {point[0], point[1], point[2]};
     for (int i = 0; i < 3; i++) {
-        turned[i] = frame == FRAME_WORLD ? from[i] : vector_dot(from, scene->frames[frame].axis[i]);
+        turned[i] = frame == COMPILED_FRAME_WORLD ? from[i]
+                                                  : vector_dot(from, scene->frames[frame].axis[i]);
     }
 }
 
-bool compiled_primitive_holds(const struct compiled_scene *scene, uint8_t index,
+bool compiled_primitive_holds(const struct compiled_scene *scene, uint32_t index,
                               const double point[3]) {
     const struct compiled_primitive *primitive = &scene->primitives[index];
     const struct compiled_quadric *quadric;
@@ -77,19 +78,19 @@ bool compiled_primitive_holds(const struct compiled_scene *scene, uint8_t index,
 }
 
 /* Evaluates an object's program in the host's words; the program means the same as in ray_hit(). */
-bool compiled_object_holds(const struct compiled_scene *scene, uint8_t index,
-                           const struct compiled_set *inside) {
+bool compiled_object_holds(const struct compiled_scene *scene, uint32_t index,
+                           const double point[3]) {
     const struct compiled_object *object = &scene->objects[index];
     uint32_t stack = 0;
-    for (uint8_t i = 0; i < object->length; i++) {
-        uint8_t code = scene->programs[object->program + i];
+    for (uint32_t i = 0; i < object->length; i++) {
+        uint32_t code = scene->programs[object->program + i];
         uint32_t right = stack & 1, left = stack >> 1 & 1;
-        if (code < PROGRAM_UNION) {
-            stack = stack << 1 | (inside->word[code / 32] >> code % 32 & 1);
+        if (code < COMPILED_UNION) {
+            stack = stack << 1 | compiled_primitive_holds(scene, code, point);
         } else {
-            uint32_t value = code == PROGRAM_UNION          ? left | right
-                             : code == PROGRAM_INTERSECTION ? left & right
-                                                            : left & ~right & 1;
+            uint32_t value = code == COMPILED_UNION          ? left | right
+                             : code == COMPILED_INTERSECTION ? left & right
+                                                             : left & ~right & 1;
             stack = (stack >> 2) << 1 | value;
         }
     }

@@ -42,7 +42,7 @@ static void compile_specular(struct compiler *compiler, const struct scene_mater
     if (!from->has_specular_table) {
         return;
     }
-    to->specular_table = scene->specular_table_count;
+    to->specular_table = (uint8_t)scene->specular_table_count;
     struct compiled_specular_table *table = &scene->specular_tables[scene->specular_table_count++];
     for (int i = 0; i < SPECULAR_STEPS; i++) {
         double theta = i * 1.57079632679489661923 / (SPECULAR_STEPS - 1);
@@ -122,7 +122,7 @@ bool compile_materials(struct compiler *compiler) {
         if (compiler->dead->material[i] != NULL) {
             continue;
         }
-        uint8_t number = scene->material_count++;
+        uint8_t number = (uint8_t)scene->material_count++;
         struct compiled_material *to = &scene->materials[number];
         compiler->material_of[i] = number;
         to->file = (uint8_t)i;

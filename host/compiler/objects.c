@@ -7,13 +7,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { PROGRAM_DEPTH_MOST = 32 };
+#include "base/grow.h"
 
-/* What is to be applied to a solid after the solid itself: cutters, from the inside out. */
+enum {
+    PROGRAM_DEPTH_MOST = 32,
+    CHAIN_MOST = 64 /* children that are taken one after the other; more are halved first */
+};
+
+/* What is to be applied to a solid after the solid itself. That is all but the first child of a
+ * difference or an intersection. Cutters come from the inside out. */
 struct cutter {
-    uint8_t code;
-    int node;
-    struct affine placement; /* of the node's parent, to scaled coordinates */
+    const struct solid_node *node;
+    struct affine placement; /* of the node, to scaled coordinates */
     const struct cutter *next;
 };
 
@@ -25,14 +30,68 @@ struct instance {
     const struct cutter *cutters;
 };
 
-static uint8_t code_of(enum solid_kind kind) {
-    return kind == SOLID_UNION          ? PROGRAM_UNION
-           : kind == SOLID_INTERSECTION ? PROGRAM_INTERSECTION
-                                        : PROGRAM_DIFFERENCE;
+static uint32_t code_of(enum solid_kind kind) {
+    return kind == SOLID_UNION          ? COMPILED_UNION
+           : kind == SOLID_INTERSECTION ? COMPILED_INTERSECTION
+                                        : COMPILED_DIFFERENCE;
 }
 
 static bool is_leaf(const struct solid_node *node) {
     return node->kind < SOLID_UNION;
+}
+
+/* Some children of a node, in a row. */
+struct children {
+    const struct solid_node *node;
+    size_t first, count;
+};
+
+static bool append_program(struct compiler *compiler, int index, const struct affine *outer,
+                           int depth);
+
+/* Appends what an operation makes of some children of a node. The program of many children is a
+ * tree of halves: neither the evaluation nor what reads the program goes deep. */
+static bool append_children(struct compiler *compiler, const struct children *children,
+                            uint32_t code, const struct affine *placement, int depth) {
+    struct children half = *children;
+    if (children->count > CHAIN_MOST) {
+        half.count = children->count / 2;
+        if (!append_children(compiler, &half, code, placement, depth)) {
+            return false;
+        }
+        half.first += half.count;
+        half.count = children->count - half.count;
+        return append_children(compiler, &half, code, placement, depth + 1) &&
+               compile_append(compiler, code);
+    }
+    for (size_t i = 0; i < children->count; i++) {
+        int child = children->node->children[children->first + i];
+        if (!append_program(compiler, child, placement, depth + (i > 0)) ||
+            (i > 0 && !compile_append(compiler, code))) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Appends what cuts the solid whose program is there already: all but the first child of a
+ * difference or an intersection. Many cut as one. */
+static bool append_cuts(struct compiler *compiler, const struct solid_node *node,
+                        const struct affine *placement, int depth) {
+    const struct children all = {node, 1, node->child_count - 1};
+    const uint32_t code = code_of(node->kind);
+    if (all.count > CHAIN_MOST) {
+        uint32_t joined = code == COMPILED_DIFFERENCE ? COMPILED_UNION : code;
+        return append_children(compiler, &all, joined, placement, depth + 1) &&
+               compile_append(compiler, code);
+    }
+    for (size_t i = 0; i < all.count; i++) {
+        if (!append_program(compiler, node->children[i + 1], placement, depth + 1) ||
+            !compile_append(compiler, code)) {
+            return false;
+        }
+    }
+    return true;
 }
 
 /* Appends a node's postfix program. `depth` is how much of the evaluation's stack is in use. */
@@ -48,15 +107,12 @@ static bool append_program(struct compiler *compiler, int index, const struct af
         }
         return compile_leaf(compiler, node, &placement);
     }
-    for (size_t i = 0; i < node->child_count; i++) {
-        if (!append_program(compiler, node->children[i], &placement, depth + (i > 0))) {
-            return false;
-        }
-        if (i > 0 && !compile_append(compiler, code_of(node->kind))) {
-            return false;
-        }
+    if (node->kind == SOLID_UNION) {
+        const struct children all = {node, 0, node->child_count};
+        return append_children(compiler, &all, COMPILED_UNION, &placement, depth);
     }
-    return true;
+    return append_program(compiler, node->children[0], &placement, depth) &&
+           append_cuts(compiler, node, &placement, depth);
 }
 
 /* Checks that an object is bounded or opaque: a transparent object whose boundary goes on for ever
@@ -83,43 +139,67 @@ static bool check_bounded(struct compiler *compiler, const struct compiled_objec
     return true;
 }
 
+/* Numbers the part at work, and finds whether it is left out; false if memory is out. */
+static bool add_part(struct compiler *compiler, uint32_t *part) {
+    struct compiled_scene *scene = compiler->scene;
+    struct compile_dead *dead = compiler->dead;
+    *part = scene->part_count;
+    if (!GROW(scene->is_left_out, *part)) {
+        return false;
+    }
+    if (*part == dead->part_count) {
+        if (!GROW(dead->part, *part) || !GROW(dead->object_of_part, *part)) {
+            return false;
+        }
+        dead->object_of_part[*part] = compiler->object;
+        dead->part_count++;
+    }
+    scene->is_left_out[*part] = dead->part[*part] != NULL;
+    scene->part_count++;
+    return true;
+}
+
+/* Narrows the bounds of a solid to what a cutter leaves of them. */
+static void cut_bounds(const struct scene_description *description, const struct cutter *cutter,
+                       struct bounds *bounds) {
+    for (size_t i = 1; i < cutter->node->child_count && cutter->node->kind == SOLID_INTERSECTION;
+         i++) {
+        struct bounds cut =
+            solid_bounds(description, cutter->node->children[i], &cutter->placement);
+        *bounds = bounds_intersection(bounds, &cut);
+    }
+}
+
 static bool add_object(struct compiler *compiler, const struct instance *instance) {
     struct compiled_scene *scene = compiler->scene;
-    int part = compiler->part++;
-    if (part < compiler->dead->part_count && compiler->dead->part[part] != NULL) {
-        scene->is_left_out[part] = true;
+    uint32_t part;
+    if (!add_part(compiler, &part)) {
+        return compile_fail_memory(compiler);
+    }
+    if (scene->is_left_out[part]) {
         return true;
     }
-    if (scene->object_count == COMPILED_OBJECTS_MOST) {
-        return compile_fail(compiler, compiler->line, "more than %d objects of one material each",
-                            COMPILED_OBJECTS_MOST - 1);
-    }
-    if (part >= compiler->dead->part_count) {
-        compiler->dead->part_count = part + 1;
-        compiler->dead->object_of_part[part] = compiler->object;
+    if (!GROW(scene->objects, scene->object_count) ||
+        !GROW(scene->object_names, scene->object_count) ||
+        !GROW(compiler->object_bounds, scene->object_count)) {
+        return compile_fail_memory(compiler);
     }
     struct compiled_object *object = &scene->objects[scene->object_count];
     unsigned instance_line = compiler->line; /* compiling its solids moves the line on */
     compiler->lost_line = 0;
     object->program = scene->program_length;
-    object->length = 0;
     object->material = compiler->material_of[instance->material];
-    object->part = (uint8_t)part;
+    object->part = part;
     struct bounds bounds =
         solid_bounds(compiler->description, instance->node, &instance->placement);
     if (!append_program(compiler, instance->node, &instance->placement, 0)) {
         return false;
     }
     for (const struct cutter *cutter = instance->cutters; cutter; cutter = cutter->next) {
-        if (!append_program(compiler, cutter->node, &cutter->placement, 1) ||
-            !compile_append(compiler, cutter->code)) {
+        if (!append_cuts(compiler, cutter->node, &cutter->placement, 0)) {
             return false;
         }
-        if (cutter->code == PROGRAM_INTERSECTION) {
-            struct bounds cut =
-                solid_bounds(compiler->description, cutter->node, &cutter->placement);
-            bounds = bounds_intersection(&bounds, &cut);
-        }
+        cut_bounds(compiler->description, cutter, &bounds);
     }
     compiler->object_bounds[scene->object_count] = bounds;
     object->line = instance_line;
@@ -174,30 +254,21 @@ static bool add_objects(struct compiler *compiler, const struct instance *instan
         }
         return true;
     }
-    size_t count = node->child_count - 1;
-    struct cutter *cutters = calloc(count + 1, sizeof *cutters);
-    if (cutters == NULL) {
-        return compile_fail(compiler, 0, "not enough memory to compile the scene");
-    }
-    for (size_t i = 0; i < count; i++) {
-        cutters[i].code = code_of(node->kind);
-        cutters[i].node = node->children[i + 1];
-        cutters[i].placement = child.placement;
-        cutters[i].next = i + 1 < count ? &cutters[i + 1] : instance->cutters;
-    }
+    const struct cutter cutter = {node, child.placement, instance->cutters};
     child.node = node->children[0];
-    if (count > 0) {
-        child.cutters = cutters;
-    }
-    bool is_added = add_objects(compiler, &child);
-    free(cutters);
-    return is_added;
+    child.cutters = &cutter;
+    return add_objects(compiler, &child);
 }
 
 bool compile_objects(struct compiler *compiler) {
     const struct scene_description *description = compiler->description;
-    compiler->scene->object_count = 1; /* object 0 is the air */
-    strcpy(compiler->scene->object_names[0], "air");
+    struct compiled_scene *scene = compiler->scene;
+    if (!GROW(scene->objects, 0) || !GROW(scene->object_names, 0) ||
+        !GROW(compiler->object_bounds, 0)) {
+        return compile_fail_memory(compiler);
+    }
+    scene->object_count = 1; /* object 0 is the air */
+    strcpy(scene->object_names[0], "air");
     for (size_t i = 0; i < description->object_count; i++) {
         const struct scene_object *object = &description->objects[i];
         const struct instance whole = {object->solid, compiler->scaling, -1, NULL};

@@ -5,25 +5,28 @@
 #include <stdlib.h>
 #include <string.h>
 
-static void count_uses(struct optimiser *optimiser) {
+static bool count_uses(struct optimiser *optimiser) {
     struct compiled_scene *scene = optimiser->compiler->scene;
-    memset(optimiser->uses, 0, sizeof optimiser->uses);
-    for (int i = 0; i < scene->program_length; i++) {
-        if (scene->programs[i] < PROGRAM_UNION) {
+    optimiser->uses = calloc((size_t)scene->primitive_count + 1, sizeof *optimiser->uses);
+    if (optimiser->uses == NULL) {
+        return compile_fail_memory(optimiser->compiler);
+    }
+    for (uint32_t i = 0; i < scene->program_length; i++) {
+        if (scene->programs[i] < COMPILED_UNION) {
             scene->report.shared += optimiser->uses[scene->programs[i]]++ > 0;
         }
     }
+    return true;
 }
 
-/* Takes an object out of the tables, and moves the later ones up. */
-static void remove_object(struct compiler *compiler, int object) {
+/* Moves an object to a lower number. */
+static void move_object(struct compiler *compiler, uint32_t from, uint32_t to) {
     struct compiled_scene *scene = compiler->scene;
-    size_t later = (size_t)(--scene->object_count - object);
-    memmove(&scene->objects[object], &scene->objects[object + 1], later * sizeof scene->objects[0]);
-    memmove(&scene->object_names[object], &scene->object_names[object + 1],
-            later * sizeof scene->object_names[0]);
-    memmove(&compiler->object_bounds[object], &compiler->object_bounds[object + 1],
-            later * sizeof compiler->object_bounds[0]);
+    if (from != to) {
+        scene->objects[to] = scene->objects[from];
+        memcpy(scene->object_names[to], scene->object_names[from], sizeof scene->object_names[0]);
+        compiler->object_bounds[to] = compiler->object_bounds[from];
+    }
 }
 
 static bool fuse(struct optimiser *optimiser) {
@@ -33,37 +36,42 @@ static bool fuse(struct optimiser *optimiser) {
 
 /* Takes the program of each object through one pass, which returns false where nothing is left of
  * an object. Programs only get shorter: they are written over from the front. */
-static void rewrite_programs(struct optimiser *optimiser, bool (*pass)(struct optimiser *optimiser),
+static bool rewrite_programs(struct optimiser *optimiser, bool (*pass)(struct optimiser *optimiser),
                              enum compile_step step) {
     struct compiled_scene *scene = optimiser->compiler->scene;
-    uint16_t place = 0;
-    int object = 1;
-    while (object < scene->object_count) {
-        csg_read(scene, &scene->objects[object], &optimiser->tree);
+    uint32_t place = 0, kept = 1;
+    for (uint32_t i = 1; i < scene->object_count; i++) {
+        if (!csg_read(scene, &scene->objects[i], &optimiser->tree)) {
+            return compile_fail_memory(optimiser->compiler);
+        }
         if (pass(optimiser)) {
-            place = csg_write(scene, &scene->objects[object], &optimiser->tree, place);
-            object++;
-        } else {
-            remove_object(optimiser->compiler, object);
+            move_object(optimiser->compiler, i, kept);
+            place = csg_write(scene, &scene->objects[kept], &optimiser->tree, place);
+            kept++;
         }
     }
+    scene->object_count = kept;
     scene->program_length = place;
     compile_show(optimiser->compiler, step);
+    return true;
+}
+
+static bool optimise(struct optimiser *optimiser) {
+    /* What is fused may turn out to be the same as something else, or apart from it. */
+    return count_uses(optimiser) && rewrite_programs(optimiser, optimise_simplify, STEP_SIMPLIFY) &&
+           rewrite_programs(optimiser, fuse, STEP_FUSE) &&
+           rewrite_programs(optimiser, optimise_simplify, STEP_SIMPLIFY_FUSED) &&
+           optimise_bound(optimiser);
 }
 
 bool compile_optimise(struct compiler *compiler) {
-    struct optimiser *optimiser = calloc(1, sizeof *optimiser);
-    if (optimiser == NULL) {
-        return compile_fail(compiler, 0, "out of memory");
+    struct optimiser optimiser = {.compiler = compiler};
+    bool is_done = optimise(&optimiser);
+    csg_free(&optimiser.tree);
+    free(optimiser.uses);
+    if (!is_done) {
+        return false;
     }
-    optimiser->compiler = compiler;
-    count_uses(optimiser);
-    rewrite_programs(optimiser, optimise_simplify, STEP_SIMPLIFY);
-    rewrite_programs(optimiser, fuse, STEP_FUSE);
-    /* What is fused may turn out to be the same as something else, or apart from it. */
-    rewrite_programs(optimiser, optimise_simplify, STEP_SIMPLIFY_FUSED);
-    optimise_bound(optimiser);
-    free(optimiser);
     compile_show(compiler, STEP_BOUND);
     return optimise_compact(compiler);
 }

@@ -8,8 +8,8 @@
 
 struct optimiser {
     struct compiler *compiler;
-    struct csg_tree tree;                /* of the object at work */
-    unsigned uses[COMPILED_DRAFTS_MOST]; /* how often programs name each primitive */
+    struct csg_tree tree; /* of the object at work */
+    unsigned *uses;       /* how often the file's programs name each primitive */
 };
 
 /* Leaves out operations that change nothing. Returns false if nothing is left of the tree. */
@@ -20,11 +20,11 @@ bool optimise_simplify(struct optimiser *optimiser);
 void optimise_fuse(struct optimiser *optimiser);
 
 /* Cuts off the part of each primitive that lies outside of all that the primitive's programs let
- * through. */
-void optimise_bound(struct optimiser *optimiser);
+ * through. Returns false with the failure recorded. */
+bool optimise_bound(struct optimiser *optimiser);
 
 /* Leaves out of the tables what no program names, and orders the rest as the programs do. Returns
- * false with the failure recorded if too much is left. */
+ * false with the failure recorded. */
 bool optimise_compact(struct compiler *compiler);
 
 #endif

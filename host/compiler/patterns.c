@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* The scene compiler: patterns, and the faces in which their cells end. */
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "base/grow.h"
 #include "compiler/compiler_internal.h"
 
 /* Nearer to the end of a cell than this, an arithmetic may round a face's points to either side. */
@@ -28,7 +30,7 @@ bool compile_pattern(struct compiler *compiler, const struct scene_material *fro
     if (!pattern->present) {
         return true;
     }
-    material->pattern = scene->pattern_count;
+    material->pattern = (uint8_t)scene->pattern_count;
     struct compiled_pattern *compiled = &scene->patterns[scene->pattern_count++];
     compiled->line = from->line;
     memcpy(compiled->colour, pattern->colour, sizeof compiled->colour);
@@ -65,53 +67,53 @@ static bool find_cells(const struct compiler *compiler, const struct compiled_pa
     return true;
 }
 
-static bool has_face(const struct compiled_scene *scene, const struct compiled_pattern *pattern,
-                     uint16_t surface) {
-    for (int i = pattern->first_face; i < scene->pattern_face_count; i++) {
-        if (scene->pattern_faces[i].surface == surface) {
-            return true;
-        }
-    }
-    return false;
-}
-
+/* Notes a face in which cells of a pattern end, if they do. noted[] says which surfaces the pattern
+ * has already. Returns false with the failure recorded. */
 static bool note_face(struct compiler *compiler, struct compiled_pattern *pattern,
-                      const struct compiled_face *face) {
+                      const struct compiled_face *face, bool noted[]) {
     struct compiled_scene *scene = compiler->scene;
     struct compiled_pattern_face found;
     for (int axis = 0; axis < 3; axis++) {
         if ((pattern->axes >> axis & 1) == 0 || fabs(face->normal[axis]) != 1 ||
-            has_face(scene, pattern, face->surface) ||
+            noted[face->surface] ||
             !find_cells(compiler, pattern, axis, face->normal[axis] * face->offset, &found)) {
             continue;
         }
-        if (pattern->face_count == UINT8_MAX ||
-            scene->pattern_face_count == COMPILED_PATTERN_FACES_MOST) {
-            return compile_fail(compiler, pattern->line,
-                                "a pattern whose cells end in more than %d faces, or more than %d "
-                                "of all patterns: move its origin off the faces",
-                                UINT8_MAX, COMPILED_PATTERN_FACES_MOST);
+        if (!GROW(scene->pattern_faces, scene->pattern_face_count)) {
+            return compile_fail_memory(compiler);
         }
         found.surface = face->surface;
+        noted[face->surface] = true;
         scene->pattern_faces[scene->pattern_face_count++] = found;
         pattern->face_count++;
     }
     return true;
 }
 
-bool compile_pattern_faces(struct compiler *compiler) {
-    struct compiled_scene *scene = compiler->scene;
-    for (int i = 0; i < scene->pattern_count; i++) {
-        scene->patterns[i].first_face = scene->pattern_face_count;
-        for (int j = 0; j < scene->primitive_count; j++) {
-            struct compiled_face faces[COMPILED_FACES_MOST];
-            int count = compiled_faces(scene, j, faces);
-            for (int k = 0; k < count; k++) {
-                if (!note_face(compiler, &scene->patterns[i], &faces[k])) {
-                    return false;
-                }
+/* Notes the faces of all primitives for one pattern. */
+static bool note_faces(struct compiler *compiler, struct compiled_pattern *pattern, bool noted[]) {
+    const struct compiled_scene *scene = compiler->scene;
+    for (uint32_t i = 0; i < scene->primitive_count; i++) {
+        struct compiled_face faces[COMPILED_FACES_MOST];
+        int count = compiled_faces(scene, i, faces);
+        for (int j = 0; j < count; j++) {
+            if (!note_face(compiler, pattern, &faces[j], noted)) {
+                return false;
             }
         }
     }
     return true;
+}
+
+bool compile_pattern_faces(struct compiler *compiler) {
+    struct compiled_scene *scene = compiler->scene;
+    bool is_done = true;
+    for (uint32_t i = 0; i < scene->pattern_count && is_done; i++) {
+        bool *noted = calloc((size_t)scene->surface_count + 1, sizeof *noted);
+        scene->patterns[i].first_face = scene->pattern_face_count;
+        is_done = noted != NULL ? note_faces(compiler, &scene->patterns[i], noted)
+                                : compile_fail_memory(compiler);
+        free(noted);
+    }
+    return is_done;
 }

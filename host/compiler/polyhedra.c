@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/grow.h"
 #include "compiler/compiler_internal.h"
 
 /* Places a plane by its normal and one of its points. A normal is placed by the inverse transpose;
@@ -47,7 +48,7 @@ static bool place_plane(struct compiler *compiler, const struct scene_plane *pla
  * common. */
 static bool same_planes(const struct compiled_scene *scene,
                         const struct compiled_polyhedron *polyhedron,
-                        const struct scene_plane *planes, const int *surfaces, size_t count) {
+                        const struct scene_plane *planes, const uint32_t *surfaces, size_t count) {
     if (polyhedron->count != count) {
         return false;
     }
@@ -58,6 +59,14 @@ static bool same_planes(const struct compiled_scene *scene,
         }
     }
     return true;
+}
+
+static uint64_t polyhedron_key(const uint32_t *surfaces, size_t count) {
+    uint64_t key = bucket_key(compile_key(KNOWN_POLYHEDRON), count);
+    for (size_t i = 0; i < count; i++) {
+        key = bucket_key(key, surfaces[i]);
+    }
+    return key;
 }
 
 /* Sets the bounds of a polyhedron: everything for a slab, which has no end. */
@@ -71,14 +80,14 @@ static void set_bounds(struct compiled_polyhedron *polyhedron, const struct scen
     memcpy(polyhedron->high, bounds.high, sizeof polyhedron->high);
 }
 
-int compile_placed_polyhedron(struct compiler *compiler, const struct scene_plane *planes,
-                              size_t count) {
+uint32_t compile_placed_polyhedron(struct compiler *compiler, const struct scene_plane *planes,
+                                   size_t count) {
     struct compiled_scene *scene = compiler->scene;
-    int surfaces[SCENE_PLANES_MOST];
+    uint32_t surfaces[SCENE_PLANES_MOST];
     for (size_t i = 0; i < count; i++) {
         surfaces[i] = compile_plane_surface(compiler, planes[i].normal, planes[i].offset);
-        if (surfaces[i] < 0) {
-            return -1;
+        if (surfaces[i] == COMPILED_NONE) {
+            return COMPILED_NONE;
         }
         for (size_t j = 0; j < i; j++) {
             if (surfaces[j] == surfaces[i] &&
@@ -87,45 +96,49 @@ int compile_placed_polyhedron(struct compiler *compiler, const struct scene_plan
             }
         }
     }
-    for (int i = 0; i < scene->primitive_count; i++) {
-        const struct compiled_primitive *other = &scene->primitives[i];
+    const uint64_t key = polyhedron_key(surfaces, count);
+    uint32_t slot = buckets_first(&compiler->known, key);
+    for (; slot != COMPILED_NONE; slot = buckets_next(&compiler->known, slot)) {
+        const uint32_t known = compiler->known.slots[slot].entry;
+        const struct compiled_primitive *other = &scene->primitives[known];
         if (other->kind == PRIMITIVE_POLYHEDRON &&
             same_planes(scene, &scene->polyhedra[other->index], planes, surfaces, count)) {
-            return i;
+            return known;
         }
     }
-    if (scene->plane_count + count > COMPILED_PLANES_MOST) {
-        compile_fail(compiler, compiler->line, "more than %d faces of polyhedra",
-                     COMPILED_PLANES_MOST);
-        return -1;
-    }
-    int primitive = compile_new_primitive(compiler, PRIMITIVE_POLYHEDRON, scene->polyhedron_count,
-                                          FRAME_WORLD, false);
-    if (primitive < 0) {
-        return -1;
+    if (!GROW(scene->polyhedra, scene->polyhedron_count)) {
+        (void)compile_fail_memory(compiler);
+        return COMPILED_NONE;
     }
     struct compiled_polyhedron *polyhedron = &scene->polyhedra[scene->polyhedron_count++];
     polyhedron->first = scene->plane_count;
     polyhedron->count = (uint8_t)count;
     set_bounds(polyhedron, planes, count);
     for (size_t i = 0; i < count; i++) {
+        if (!GROW(scene->planes, scene->plane_count)) {
+            (void)compile_fail_memory(compiler);
+            return COMPILED_NONE;
+        }
         struct compiled_plane *plane = &scene->planes[scene->plane_count++];
         memcpy(plane->normal, planes[i].normal, sizeof plane->normal);
         plane->offset = compile_place_of_plane(compiler, surfaces[i], plane->normal);
-        plane->surface = (uint16_t)surfaces[i];
+        plane->surface = surfaces[i];
     }
-    return primitive;
+    return compile_note(compiler, key,
+                        compile_new_primitive(compiler, PRIMITIVE_POLYHEDRON,
+                                              scene->polyhedron_count - 1, COMPILED_FRAME_WORLD,
+                                              false));
 }
 
-int compile_polyhedron(struct compiler *compiler, const struct scene_plane *planes, size_t count,
-                       const struct affine *placement) {
+uint32_t compile_polyhedron(struct compiler *compiler, const struct scene_plane *planes,
+                            size_t count, const struct affine *placement) {
     struct scene_plane placed[SCENE_PLANES_MOST];
     if (count > SCENE_PLANES_MOST) {
         count = SCENE_PLANES_MOST; /* the reader lets no more through */
     }
     for (size_t i = 0; i < count; i++) {
         if (!place_plane(compiler, &planes[i], placement, &placed[i])) {
-            return -1;
+            return COMPILED_NONE;
         }
     }
     return compile_placed_polyhedron(compiler, placed, count);
@@ -142,7 +155,7 @@ static bool misses_world(const struct scene_plane *plane) {
 
 /* Compiles the half of the world behind a plane. The firmware's world ends, so that a ray's path to
  * the world's end is a number that every arithmetic holds. */
-int compile_placed_half_space(struct compiler *compiler, const struct scene_plane *plane) {
+uint32_t compile_placed_half_space(struct compiler *compiler, const struct scene_plane *plane) {
     struct scene_plane planes[7] = {*plane};
     size_t count = 1;
     if (misses_world(&planes[0])) {
@@ -165,10 +178,10 @@ int compile_placed_half_space(struct compiler *compiler, const struct scene_plan
     return compile_placed_polyhedron(compiler, planes, count);
 }
 
-int compile_half_space(struct compiler *compiler, const struct scene_plane *plane,
-                       const struct affine *placement) {
+uint32_t compile_half_space(struct compiler *compiler, const struct scene_plane *plane,
+                            const struct affine *placement) {
     struct scene_plane placed;
     return place_plane(compiler, plane, placement, &placed)
                ? compile_placed_half_space(compiler, &placed)
-               : -1;
+               : COMPILED_NONE;
 }

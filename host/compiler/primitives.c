@@ -19,8 +19,8 @@ static bool right_angled(const struct compiler *compiler, const struct affine *p
 }
 
 /* Compiles a box whose axes the placement skews. */
-static int skewed_box(struct compiler *compiler, const struct solid_node *leaf,
-                      const struct affine *placement) {
+static uint32_t skewed_box(struct compiler *compiler, const struct solid_node *leaf,
+                           const struct affine *placement) {
     struct scene_plane planes[6] = {{{0, 0, 0}, 0}};
     for (int i = 0; i < 3; i++) {
         planes[i].normal[i] = -1;
@@ -33,26 +33,26 @@ static int skewed_box(struct compiler *compiler, const struct solid_node *leaf,
 
 /* Compiles a box. The corners are placed as points, so that far from the origin nothing is lost
  * between them. */
-int compile_box(struct compiler *compiler, const struct solid_node *leaf,
-                const struct affine *placement) {
+uint32_t compile_box(struct compiler *compiler, const struct solid_node *leaf,
+                     const struct affine *placement) {
     double axis[3][3], sign[3], low[3], high[3], corner[2][3];
     int permutation[3];
+    uint32_t frame;
     if (!right_angled(compiler, placement, axis)) {
         return skewed_box(compiler, leaf, placement);
     }
-    int frame = compile_frame(compiler, axis, false, permutation, sign);
-    if (frame < 0) {
-        return -1;
+    if (!compile_frame(compiler, axis, false, permutation, sign, &frame)) {
+        return COMPILED_NONE;
     }
     affine_point(placement, leaf->a, corner[0]);
     affine_point(placement, leaf->b, corner[1]);
     for (int i = 0; i < 3; i++) {
-        const double *along = compiled_axis(compiler->scene, (uint8_t)frame, i);
+        const double *along = compiled_axis(compiler->scene, frame, i);
         double a = vector_dot(corner[0], along), b = vector_dot(corner[1], along);
         low[i] = fmin(a, b);
         high[i] = fmax(a, b);
     }
-    return compile_box_in(compiler, (uint8_t)frame, low, high);
+    return compile_box_in(compiler, frame, low, high);
 }
 
 /* Appends a placed leaf that is round about an axis: the quadric, then the slab that ends the
@@ -61,19 +61,19 @@ static bool append_round(struct compiler *compiler, const struct solid_node *lea
                          const struct affine *placement) {
     struct scene_plane ends[2];
     double u[3], v[3], forward[3], back[3];
-    int round = compile_quadric(compiler, leaf, placement);
+    uint32_t round = compile_quadric(compiler, leaf, placement);
     leaf_axes(leaf, u, v, forward);
     for (int i = 0; i < 3; i++) {
         back[i] = -forward[i];
     }
-    int slab = -1;
-    if (round >= 0 && compile_placed_plane(compiler, forward, leaf->b, placement, &ends[0]) &&
+    uint32_t slab = COMPILED_NONE;
+    if (round != COMPILED_NONE &&
+        compile_placed_plane(compiler, forward, leaf->b, placement, &ends[0]) &&
         compile_placed_plane(compiler, back, leaf->a, placement, &ends[1])) {
         slab = compile_placed_polyhedron(compiler, ends, 2);
     }
-    return slab >= 0 && compile_append(compiler, (uint8_t)round) &&
-           compile_append(compiler, (uint8_t)slab) &&
-           compile_append(compiler, PROGRAM_INTERSECTION);
+    return slab != COMPILED_NONE && compile_append(compiler, round) &&
+           compile_append(compiler, slab) && compile_append(compiler, COMPILED_INTERSECTION);
 }
 
 /* Checks that a polyhedron has an inside and an end. */
@@ -96,7 +96,7 @@ static bool check_polyhedron(struct compiler *compiler, const struct solid_node 
 
 bool compile_leaf(struct compiler *compiler, const struct solid_node *leaf,
                   const struct affine *placement) {
-    int primitive = -1;
+    uint32_t primitive = COMPILED_NONE;
     compiler->line = leaf->line;
     switch (leaf->kind) {
     case SOLID_BOX:
@@ -128,5 +128,5 @@ bool compile_leaf(struct compiler *compiler, const struct solid_node *leaf,
     case SOLID_PART:
         break; /* no leaves */
     }
-    return primitive >= 0 && compile_append(compiler, (uint8_t)primitive);
+    return primitive != COMPILED_NONE && compile_append(compiler, primitive);
 }

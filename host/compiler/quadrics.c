@@ -3,39 +3,43 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/grow.h"
 #include "compiler/compiler_internal.h"
 
-static int compile_ball(struct compiler *compiler, const double centre[3], double radius) {
+static uint32_t compile_ball(struct compiler *compiler, const double centre[3], double radius) {
     struct compiled_scene *scene = compiler->scene;
-    int primitive =
-        compile_new_primitive(compiler, PRIMITIVE_BALL, scene->ball_count, FRAME_WORLD, true);
-    int surface = primitive < 0 ? -1 : compile_new_surface(compiler);
-    if (surface < 0) {
-        return -1;
+    uint32_t surface = compile_new_surface(compiler);
+    if (surface == COMPILED_NONE) {
+        return COMPILED_NONE;
+    }
+    if (!GROW(scene->balls, scene->ball_count)) {
+        (void)compile_fail_memory(compiler);
+        return COMPILED_NONE;
     }
     struct compiled_ball *ball = &scene->balls[scene->ball_count++];
     memcpy(ball->centre, centre, sizeof ball->centre);
     ball->radius = radius;
-    ball->surface = (uint16_t)surface;
-    return primitive;
+    ball->surface = surface;
+    return compile_note_curve(compiler,
+                              compile_new_primitive(compiler, PRIMITIVE_BALL, scene->ball_count - 1,
+                                                    COMPILED_FRAME_WORLD, true));
 }
 
-static int add_quadric(struct compiler *compiler, const struct compiled_quadric *quadric,
-                       uint8_t frame) {
+static uint32_t add_quadric(struct compiler *compiler, const struct compiled_quadric *quadric,
+                            uint32_t frame) {
     const double *square = quadric->square;
     bool convex = square[0] >= 0 && square[1] >= 0 && square[2] >= 0;
-    struct compiled_scene *scene = compiler->scene;
-    int primitive =
-        compile_new_primitive(compiler, PRIMITIVE_QUADRIC, scene->quadric_count, frame, convex);
-    if (primitive >= 0) {
-        scene->quadrics[scene->quadric_count++] = *quadric;
-    }
-    return primitive;
+    return compile_note_curve(compiler, compile_new_quadric(compiler, quadric, frame, convex));
 }
 
 /* Makes a quadric of a ball, so that the other side of the ball's surface rounds as this side
  * does. */
-static void make_quadric(struct compiled_scene *scene, struct compiled_primitive *primitive) {
+static bool make_quadric(struct compiler *compiler, uint32_t index) {
+    struct compiled_scene *scene = compiler->scene;
+    struct compiled_primitive *primitive = &scene->primitives[index];
+    if (!GROW(scene->quadrics, scene->quadric_count)) {
+        return compile_fail_memory(compiler);
+    }
     const struct compiled_ball *ball = &scene->balls[primitive->index];
     struct compiled_quadric quadric = {.square = {1, 1, 1}, .surface = ball->surface};
     memcpy(quadric.centre, ball->centre, sizeof quadric.centre);
@@ -43,13 +47,15 @@ static void make_quadric(struct compiled_scene *scene, struct compiled_primitive
     primitive->kind = PRIMITIVE_QUADRIC;
     primitive->index = scene->quadric_count;
     scene->quadrics[scene->quadric_count++] = quadric;
+    const uint64_t key = compile_quadric_key(&quadric, primitive->frame, NULL);
+    return compile_note(compiler, key, index) != COMPILED_NONE;
 }
 
 /* Adds the other side of a surface that exists already, by the same numbers. */
-static int add_opposite(struct compiler *compiler, int twin) {
+static uint32_t add_opposite(struct compiler *compiler, uint32_t twin) {
     struct compiled_primitive *primitive = &compiler->scene->primitives[twin];
-    if (primitive->kind == PRIMITIVE_BALL) {
-        make_quadric(compiler->scene, primitive);
+    if (primitive->kind == PRIMITIVE_BALL && !make_quadric(compiler, twin)) {
+        return COMPILED_NONE;
     }
     struct compiled_quadric quadric = compiler->scene->quadrics[primitive->index];
     for (int i = 0; i < 3; i++) {
@@ -72,14 +78,17 @@ static bool is_round(const struct compiler *compiler, const struct quadric_axes 
 }
 
 /* Adds a quadric with a surface that no primitive has. A linear part stays on the third axis. */
-static int add_curve(struct compiler *compiler, struct quadric_axes *axes) {
+static uint32_t add_curve(struct compiler *compiler, struct quadric_axes *axes) {
     struct compiled_quadric quadric;
     double sign[3];
     int permutation[3];
-    int frame = compile_frame(compiler, axes->axis, axes->linear > 0, permutation, sign);
-    int surface = frame < 0 ? -1 : compile_new_surface(compiler);
-    if (surface < 0) {
-        return -1;
+    uint32_t frame;
+    if (!compile_frame(compiler, axes->axis, axes->linear > 0, permutation, sign, &frame)) {
+        return COMPILED_NONE;
+    }
+    uint32_t surface = compile_new_surface(compiler);
+    if (surface == COMPILED_NONE) {
+        return COMPILED_NONE;
     }
     memset(&quadric, 0, sizeof quadric);
     memcpy(quadric.centre, axes->origin, sizeof quadric.centre);
@@ -88,8 +97,8 @@ static int add_curve(struct compiler *compiler, struct quadric_axes *axes) {
     }
     quadric.linear = axes->linear * sign[2];
     quadric.constant = axes->constant;
-    quadric.surface = (uint16_t)surface;
-    return add_quadric(compiler, &quadric, (uint8_t)frame);
+    quadric.surface = surface;
+    return add_quadric(compiler, &quadric, frame);
 }
 
 static bool holds_no_point(const struct quadric_axes *axes) {
@@ -172,12 +181,12 @@ static bool append_planes(struct compiler *compiler, const struct quadric_axes *
             plane.normal[i] = side * between * axes->axis[0][i];
         }
         plane.offset = side * between * middle + between * half;
-        int primitive = compile_half_space(compiler, &plane, &affine_identity);
-        if (primitive < 0 || !compile_append(compiler, (uint8_t)primitive)) {
+        uint32_t primitive = compile_half_space(compiler, &plane, &affine_identity);
+        if (primitive == COMPILED_NONE || !compile_append(compiler, primitive)) {
             return false;
         }
     }
-    return compile_append(compiler, between > 0 ? PROGRAM_INTERSECTION : PROGRAM_UNION);
+    return compile_append(compiler, between > 0 ? COMPILED_INTERSECTION : COMPILED_UNION);
 }
 
 bool compile_general_quadric(struct compiler *compiler, const struct solid_node *leaf,
@@ -190,18 +199,18 @@ bool compile_general_quadric(struct compiler *compiler, const struct solid_node 
         compiler->lost_line = lost_line; /* one of the two may be out of the scene */
         return is_done;
     }
-    int primitive = compile_quadric(compiler, leaf, placement);
-    return primitive >= 0 && compile_append(compiler, (uint8_t)primitive);
+    uint32_t primitive = compile_quadric(compiler, leaf, placement);
+    return primitive != COMPILED_NONE && compile_append(compiler, primitive);
 }
 
-int compile_quadric(struct compiler *compiler, const struct solid_node *leaf,
-                    const struct affine *placement) {
+uint32_t compile_quadric(struct compiler *compiler, const struct solid_node *leaf,
+                         const struct affine *placement) {
     struct quadric_axes axes;
     bool opposite;
     if (!quadric_axes_of_leaf(leaf, placement, &axes)) {
         compile_fail(compiler, compiler->line,
                      "a quadric without a quadratic term: use a half_space");
-        return -1;
+        return COMPILED_NONE;
     }
     centre_form(&axes);
     const char *fault = fault_of(&axes);
@@ -211,10 +220,13 @@ int compile_quadric(struct compiler *compiler, const struct solid_node *leaf,
     }
     if (fault) {
         compile_fail(compiler, compiler->line, "%s", fault);
-        return -1;
+        return COMPILED_NONE;
     }
-    int twin = compile_same_curve(compiler, &axes, &opposite);
-    if (twin >= 0) {
+    uint32_t twin;
+    if (!compile_same_curve(compiler, &axes, &twin, &opposite)) {
+        return COMPILED_NONE;
+    }
+    if (twin != COMPILED_NONE) {
         return opposite ? add_opposite(compiler, twin) : twin;
     }
     return is_round(compiler, &axes)

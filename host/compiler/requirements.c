@@ -54,10 +54,11 @@ static void take_feature(void *context, const char *name, int value) {
 
 int requirements_nesting(const struct compiled_scene *scene) {
     int deepest = 0;
-    for (int i = 0; i < scene->primitive_count; i++) {
-        int depth = 0, at = i;
+    for (uint32_t i = 0; i < scene->primitive_count; i++) {
+        uint32_t at = i;
+        int depth = 0;
         while (scene->primitives[at].enclosure < scene->primitive_count &&
-               depth < scene->primitive_count) {
+               (uint32_t)depth < scene->primitive_count) {
             at = scene->primitives[at].enclosure;
             depth++;
         }
@@ -68,7 +69,7 @@ int requirements_nesting(const struct compiled_scene *scene) {
 
 bool requirements_total_reflection(const struct compiled_scene *scene) {
     bool refracts = features_has_transparency(scene) && !scene->simple;
-    for (int i = 1; i < scene->material_count && refracts; i++) {
+    for (uint32_t i = 1; i < scene->material_count && refracts; i++) {
         if (scene->materials[i].transparent &&
             scene->materials[i].optical != scene->materials[0].optical) {
             return true;
@@ -78,7 +79,7 @@ bool requirements_total_reflection(const struct compiled_scene *scene) {
 }
 
 bool requirements_highlight(const struct compiled_scene *scene) {
-    for (int i = 1; i < scene->material_count; i++) {
+    for (uint32_t i = 1; i < scene->material_count; i++) {
         if (scene->materials[i].specular > 0 ||
             scene->materials[i].specular_table != SPECULAR_CONSTANT) {
             return true;
@@ -87,8 +88,8 @@ bool requirements_highlight(const struct compiled_scene *scene) {
     return false;
 }
 
-static bool has_operation(const struct compiled_scene *scene, uint8_t code) {
-    for (uint16_t i = 0; i < scene->program_length; i++) {
+static bool has_operation(const struct compiled_scene *scene, uint32_t code) {
+    for (uint32_t i = 0; i < scene->program_length; i++) {
         if (scene->programs[i] == code) {
             return true;
         }
@@ -97,7 +98,7 @@ static bool has_operation(const struct compiled_scene *scene, uint8_t code) {
 }
 
 static void print_dead(FILE *out, const struct compiled_scene *scene) {
-    for (unsigned i = 0; i < scene->dead_count; i++) {
+    for (uint32_t i = 0; i < scene->dead_count; i++) {
         (void)fprintf(out, "dead        %s: %s\n", scene->dead[i].what, scene->dead[i].why);
     }
     if (!scene->has_shadows) {
@@ -125,7 +126,7 @@ static void print_dead(FILE *out, const struct compiled_scene *scene) {
 
 static void print_materials(FILE *out, const struct compiled_scene *scene) {
     double gloss = 0, absorption = 0, least = HUGE_VAL, most = 0;
-    for (int i = 1; i < scene->material_count; i++) {
+    for (uint32_t i = 1; i < scene->material_count; i++) {
         const struct compiled_material *material = &scene->materials[i];
         gloss = fmax(gloss, material->gloss);
         for (int j = 0; j < 3 && material->transparent; j++) {
@@ -144,12 +145,12 @@ static void print_materials(FILE *out, const struct compiled_scene *scene) {
 }
 
 static void print_nesting(FILE *out, const struct compiled_scene *scene) {
-    int longest = 0;
-    for (int i = 1; i < scene->object_count; i++) {
+    uint32_t longest = 0;
+    for (uint32_t i = 1; i < scene->object_count; i++) {
         longest = scene->objects[i].length > longest ? scene->objects[i].length : longest;
     }
     (void)fprintf(out,
-                  "nesting     %d deep; the longest CSG program has %d bytes; a way meets up to %u "
+                  "nesting     %d deep; the longest CSG program has %u bytes; a way meets up to %u "
                   "boundaries\n",
                   requirements_nesting(scene), longest, scene->depth + 1u);
 }
@@ -158,11 +159,11 @@ void requirements_print(FILE *out, const struct compiled_scene *scene) {
     struct words words = {out, 0};
     features_tell(scene, take_feature, &words);
     static const struct {
-        uint8_t code;
+        uint32_t code;
         const char *name;
-    } operations[] = {{PROGRAM_UNION, "union"},
-                      {PROGRAM_INTERSECTION, "intersection"},
-                      {PROGRAM_DIFFERENCE, "difference"}};
+    } operations[] = {{COMPILED_UNION, "union"},
+                      {COMPILED_INTERSECTION, "intersection"},
+                      {COMPILED_DIFFERENCE, "difference"}};
     for (size_t i = 0; i < sizeof operations / sizeof operations[0]; i++) {
         if (has_operation(scene, operations[i].code)) {
             print_word(&words, operations[i].name);

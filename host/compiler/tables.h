@@ -17,26 +17,28 @@
  * host/compiler/emit.c into C source. */
 
 enum {
-    COMPILED_PRIMITIVES_MOST = 64,
-    COMPILED_DRAFTS_MOST = 240, /* primitives, and boxes, before what is not needed has gone */
-    COMPILED_SURFACES_MOST = 768,
-    COMPILED_FRAMES_MOST = 128,
-    COMPILED_PLANES_MOST = 512,
-    COMPILED_OBJECTS_MOST = 128,
-    COMPILED_PROGRAM_BYTES_MOST = 4096,
     COMPILED_MATERIALS_MOST = 64, /* the air is one */
-    COMPILED_LIGHTS_MOST = 128,
-    COMPILED_PATTERN_FACES_MOST = 1024,
     COMPILED_NEAR_MOST = 16,
-    COMPILED_DEAD_MOST =
-        COMPILED_OBJECTS_MOST + COMPILED_LIGHTS_MOST + 6 * COMPILED_MATERIALS_MOST + 8
+    COMPILED_BITS_MOST = 64 /* primitives of a scene for images whose sets are bits */
 };
+
+/* All other tables have as many entries as memory has room for. Numbers have 32 bits. Those below
+ * stand for no entry, or for an operation of a program. The low bits of each are the number that
+ * an image with fewer bits has for the same. */
+#define COMPILED_NONE           UINT32_MAX
+#define COMPILED_FRAME_WORLD    COMPILED_NONE
+#define COMPILED_ENCLOSURE_NONE COMPILED_NONE
+#define COMPILED_UNION          (UINT32_MAX - 2)
+#define COMPILED_INTERSECTION   (UINT32_MAX - 1)
+#define COMPILED_DIFFERENCE     UINT32_MAX
 
 /* Ends what has no end, so far from the middle, in scaled units. */
 #define COMPILED_WORLD 1024.0
 
+/* A set of primitives: their numbers in ascending order, each once. All zero: the empty set. */
 struct compiled_set {
-    uint32_t word[COMPILED_PRIMITIVES_MOST / 32];
+    uint32_t *members; /* grows as base/grow.h says */
+    uint32_t count;
 };
 
 /* The types of members, by the roles of firmware/scene_fields.h: all numbers are doubles. */
@@ -58,8 +60,13 @@ struct compiled_set {
 #define COMPILED_LONG(name)         uint32_t name;
 #define COMPILED_SIGNED(name)       int8_t name;
 #define COMPILED_TRUTH(name)        bool name;
-#define COMPILED_SURFACES(name)     uint16_t name[6];
+#define COMPILED_ENTRY(name)        uint32_t name;
+#define COMPILED_SURFACE(name)      uint32_t name;
+#define COMPILED_SURFACES(name)     uint32_t name[6];
+#define COMPILED_FIRST(name)        uint32_t name;
+#define COMPILED_COUNT(name)        uint32_t name;
 #define COMPILED_SET(name)          struct compiled_set name;
+#define COMPILED_MARKS(name)        struct compiled_set name;
 
 /* What stands below the fields of a table is no part of the firmware's. */
 
@@ -102,7 +109,7 @@ struct compiled_quadric {
 struct compiled_object {
     OBJECT_FIELDS(COMPILED_MEMBER)
     unsigned line;          /* of the scene file */
-    uint8_t part;           /* of the file's objects, in the order in which they are taken apart */
+    uint32_t part;          /* of the file's objects, in the order in which they are taken apart */
     double low[3], high[3]; /* bounds, perhaps infinite */
 };
 
@@ -126,7 +133,7 @@ struct compiled_specular_table {
 
 struct compiled_light {
     LIGHT_FIELDS(COMPILED_MEMBER)
-    uint8_t file; /* its number in the file */
+    uint32_t file; /* its number in the file */
 };
 
 struct compiled_camera {
@@ -164,48 +171,50 @@ struct compiled_scene {
     double error; /* levels; 0: none is asked for */
     struct compiled_camera camera;
 
-    char path[256];                               /* of the scene file, for messages */
-    char object_names[COMPILED_OBJECTS_MOST][32]; /* of the file's object that each is part of */
+    char path[256];           /* of the scene file, for messages */
+    char (*object_names)[32]; /* of the file's object that each is part of */
 
     /* How the file's coordinates became these: scaled = (p - centre) * 2^exponent. */
     double centre[3];
     int exponent;
 
-    uint8_t primitive_count, frame_count, box_count, ball_count, polyhedron_count, quadric_count;
-    uint8_t object_count, pattern_count, material_count, light_count, specular_table_count;
-    uint16_t surface_count, program_length, plane_count, pattern_face_count;
-    struct compiled_frame frames[COMPILED_FRAMES_MOST];
-    struct compiled_primitive primitives[COMPILED_DRAFTS_MOST];
-    struct compiled_box boxes[COMPILED_DRAFTS_MOST];
-    struct compiled_ball balls[COMPILED_DRAFTS_MOST];
-    struct compiled_polyhedron polyhedra[COMPILED_DRAFTS_MOST];
-    struct compiled_plane planes[COMPILED_PLANES_MOST];
-    struct compiled_quadric quadrics[COMPILED_DRAFTS_MOST];
-    struct compiled_set surfaces[COMPILED_SURFACES_MOST];
-    struct compiled_set hidden_by[COMPILED_PRIMITIVES_MOST];
-    uint8_t programs[COMPILED_PROGRAM_BYTES_MOST];
-    struct compiled_object objects[COMPILED_OBJECTS_MOST];
+    uint32_t primitive_count, frame_count, box_count, ball_count, polyhedron_count, quadric_count;
+    uint32_t object_count, pattern_count, material_count, light_count, specular_table_count;
+    uint32_t surface_count, program_length, plane_count, pattern_face_count;
+    struct compiled_frame *frames;
+    struct compiled_primitive *primitives;
+    struct compiled_box *boxes;
+    struct compiled_ball *balls;
+    struct compiled_polyhedron *polyhedra;
+    struct compiled_plane *planes;
+    struct compiled_quadric *quadrics;
+    struct compiled_set *surfaces;  /* the primitives that each bounds; NULL before compacting */
+    struct compiled_set *hidden_by; /* by primitive; NULL: more than COMPILED_BITS_MOST of them */
+    uint32_t *programs;
+    struct compiled_object *objects;
     struct compiled_material materials[COMPILED_MATERIALS_MOST];
     struct compiled_pattern patterns[COMPILED_MATERIALS_MOST];
-    struct compiled_pattern_face pattern_faces[COMPILED_PATTERN_FACES_MOST];
+    struct compiled_pattern_face *pattern_faces;
     struct compiled_specular_table specular_tables[COMPILED_MATERIALS_MOST];
-    struct compiled_light lights[COMPILED_LIGHTS_MOST];
+    struct compiled_light *lights;
 
-    /* Parts of the file's objects that the picture does not need; no part of the firmware's tables.
-     */
-    bool is_left_out[COMPILED_OBJECTS_MOST];
+    /* Parts of the file's objects, and whether the picture does not need each; no part of the
+     * firmware's tables. */
+    uint32_t part_count;
+    bool *is_left_out;
 
     struct compiled_report report;
     unsigned near_count; /* of all; the first ones are kept */
     struct compiled_near near[COMPILED_NEAR_MOST];
     bool has_shadows; /* some light casts them; no part of the firmware's tables */
+    uint32_t nesting; /* no point is strictly inside of more primitives; nor is this in those */
 
     /* No part of the firmware's tables either. */
     bool has_world;      /* the file says how far the world goes */
     bool has_branches;   /* paths go on behind some surface, if the depth level lets them */
     uint8_t depth_asked; /* depth is as much of it as paths can use */
-    struct compiled_dead dead[COMPILED_DEAD_MOST];
-    unsigned dead_count;
+    struct compiled_dead *dead;
+    uint32_t dead_count;
 };
 
 /* The steps of the scene compiler, in their order. After each of them the tables describe the same
@@ -230,12 +239,13 @@ struct compile_observer {
 };
 
 /* Flattens, centres, scales and analyses a scene. Returns NULL with *error filled where the scene
- * cannot be rendered; the line is that of the culprit. The caller frees the result with free(). */
+ * cannot be rendered; the line is that of the culprit. The caller frees the result with
+ * compiled_scene_free(). */
 struct compiled_scene *scene_compile(const struct scene_description *description,
                                      struct scene_error *error);
 
 /* Loads a scene as load_scene() does, puts the overrides in and compiles the scene. The caller
- * frees the result with free(). */
+ * frees the result with compiled_scene_free(). */
 struct compiled_scene *load_compiled_scene(const char *name_or_path,
                                            const struct scene_overrides *overrides,
                                            struct scene_error *error);
@@ -249,38 +259,60 @@ struct compiled_scene *scene_compile_observed(const struct scene_description *de
 struct compiled_face {
     double normal[3];
     double offset;
-    uint16_t surface;
+    uint32_t surface;
 };
 
 enum { COMPILED_FACES_MOST = SCENE_PLANES_MOST + 6 };
 
 /* Lists the plane faces of a primitive; returns their number, which may be 0. */
-int compiled_faces(const struct compiled_scene *scene, int primitive,
+int compiled_faces(const struct compiled_scene *scene, uint32_t primitive,
                    struct compiled_face faces[COMPILED_FACES_MOST]);
 
-/* Returns an axis of a frame, or of the world for FRAME_WORLD. */
-const double *compiled_axis(const struct compiled_scene *scene, uint8_t frame, int axis);
+/* Returns an axis of a frame, or of the world for COMPILED_FRAME_WORLD. */
+const double *compiled_axis(const struct compiled_scene *scene, uint32_t frame, int axis);
 
 /* Measures how far, at most, the surface of one quadric lies from that of another, both in one
  * frame. The distance is taken at points spread over the part of the surface that lies in the
  * world. Returns 0 where no part does. */
-double compiled_quadric_strays(const struct compiled_scene *scene, uint8_t frame,
+double compiled_quadric_strays(const struct compiled_scene *scene, uint32_t frame,
                                const struct compiled_quadric *from,
                                const struct compiled_quadric *other);
 
 /* Tells whether a point, in scaled coordinates, is strictly inside a primitive. */
-bool compiled_primitive_holds(const struct compiled_scene *scene, uint8_t index,
+bool compiled_primitive_holds(const struct compiled_scene *scene, uint32_t index,
                               const double point[3]);
 
-/* Tells whether an object holds a point that is inside these primitives. Other objects may fill the
- * place. */
-bool compiled_object_holds(const struct compiled_scene *scene, uint8_t index,
-                           const struct compiled_set *inside);
+/* Tells whether a point, in scaled coordinates, is strictly inside an object as its program has it.
+ * Other objects may fill the place. */
+bool compiled_object_holds(const struct compiled_scene *scene, uint32_t index,
+                           const double point[3]);
+
+/* Returns the box that cuts a quadric; NULL where none does. */
+const struct compiled_box *compiled_box_of(const struct compiled_scene *scene,
+                                           const struct compiled_quadric *quadric);
 
 /* Tells whether a set has a primitive. */
-bool compiled_set_has(const struct compiled_set *set, int primitive);
+bool compiled_set_has(const struct compiled_set *set, uint32_t primitive);
 
-/* Puts a primitive into a set. */
-void compiled_set_include(struct compiled_set *set, int primitive);
+/* Puts a primitive into a set; false if memory is out. */
+bool compiled_set_include(struct compiled_set *set, uint32_t primitive);
+
+bool compiled_sets_are_equal(const struct compiled_set *a, const struct compiled_set *b);
+
+/* Empties a set and frees its memory. */
+void compiled_set_clear(struct compiled_set *set);
+
+/* Returns 32 bits of a set: bit i of that word stands for primitive 32 word + i. */
+uint32_t compiled_set_word(const struct compiled_set *set, uint32_t word);
+
+/* Tells whether images whose sets are bits can hold a scene. Such an image has small numbers for
+ * all that the tables have. If not, *error says why. */
+bool compiled_fits_bits(const struct compiled_scene *scene, struct scene_error *error);
+
+/* Frees the tables and leaves an empty scene. */
+void compiled_scene_clear(struct compiled_scene *scene);
+
+/* Frees a scene with its tables; NULL: nothing is done. */
+void compiled_scene_free(struct compiled_scene *scene);
 
 #endif

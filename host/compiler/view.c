@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The scene compiler: camera, the solids that the eye is inside of, lights, the largest intensity,
  * and how colours are shown. */
+#include "base/grow.h"
 #include "compiler/compiler_internal.h"
 
 #include <math.h>
@@ -18,17 +19,17 @@ static void scaled_point(const struct compiler *compiler, const double point[3],
 }
 
 /* Returns the object that the eye is in; 0 is the air. */
-static uint8_t object_of(const struct compiled_scene *scene, const struct compiled_set *inside) {
-    uint8_t i = (uint8_t)(scene->object_count - 1);
-    while (i > 0 && !compiled_object_holds(scene, i, inside)) {
+static uint32_t object_at_eye(const struct compiled_scene *scene) {
+    uint32_t i = scene->object_count - 1;
+    while (i > 0 && !compiled_object_holds(scene, i, scene->camera.eye)) {
         i--;
     }
     return i;
 }
 
 /* Finds an object of a material that has no end; returns 0 if there is none. */
-static int endless_object(const struct compiler *compiler, uint8_t material) {
-    int i = compiler->scene->object_count - 1;
+static uint32_t endless_object(const struct compiler *compiler, uint8_t material) {
+    uint32_t i = compiler->scene->object_count - 1;
     while (i > 0 && (compiler->scene->objects[i].material != material ||
                      bounds_are_finite(&compiler->object_bounds[i]))) {
         i--;
@@ -41,7 +42,8 @@ static int endless_object(const struct compiler *compiler, uint8_t material) {
 static bool check_eye(struct compiler *compiler) {
     const struct compiled_scene *scene = compiler->scene;
     uint8_t material = scene->objects[scene->camera.object].material;
-    int endless = scene->materials[material].transparent ? 0 : endless_object(compiler, material);
+    uint32_t endless =
+        scene->materials[material].transparent ? 0 : endless_object(compiler, material);
     if (endless == 0) {
         return true;
     }
@@ -57,7 +59,7 @@ static bool check_eye(struct compiler *compiler) {
                         scene->objects[scene->camera.object].line, reason);
 }
 
-static void compile_camera(struct compiler *compiler, const double right[3], const double up[3],
+static bool compile_camera(struct compiler *compiler, const double right[3], const double up[3],
                            double pitch) {
     struct compiled_scene *scene = compiler->scene;
     struct compiled_camera *camera = &scene->camera;
@@ -81,12 +83,14 @@ static void compile_camera(struct compiler *compiler, const double right[3], con
         camera->column[i] = ldexp(camera->column[i], camera->shift - less);
         camera->row[i] = ldexp(camera->row[i], camera->shift - less);
     }
-    for (uint8_t i = 0; i < scene->primitive_count; i++) {
-        if (compiled_primitive_holds(scene, i, camera->eye)) {
-            camera->inside.word[i / 32] |= (uint32_t)1 << i % 32;
+    for (uint32_t i = 0; i < scene->primitive_count; i++) {
+        if (compiled_primitive_holds(scene, i, camera->eye) &&
+            !compiled_set_include(&camera->inside, i)) {
+            return compile_fail_memory(compiler);
         }
     }
-    camera->object = object_of(scene, &camera->inside);
+    camera->object = object_at_eye(scene);
+    return true;
 }
 
 bool compile_view(struct compiler *compiler) {
@@ -131,11 +135,11 @@ bool compile_view(struct compiler *compiler) {
                             ldexp(COMPILE_WORLD, -scene->exponent));
     }
     const double half_width = tan(view->field_of_view * 3.14159265358979323846 / 360);
-    compile_camera(compiler, right, up, 2 * half_width / description->width);
-    return check_eye(compiler);
+    return compile_camera(compiler, right, up, 2 * half_width / description->width) &&
+           check_eye(compiler);
 }
 
-void compile_lights(struct compiler *compiler) {
+bool compile_lights(struct compiler *compiler) {
     const struct scene_description *description = compiler->description;
     struct compiled_scene *scene = compiler->scene;
     for (size_t i = 0; i < description->light_count; i++) {
@@ -143,8 +147,11 @@ void compile_lights(struct compiler *compiler) {
         if (compiler->dead->light[i] != NULL) {
             continue;
         }
+        if (!GROW(scene->lights, scene->light_count)) {
+            return compile_fail_memory(compiler);
+        }
         struct compiled_light *compiled = &scene->lights[scene->light_count++];
-        compiled->file = (uint8_t)i;
+        compiled->file = (uint32_t)i;
         compiled->parallel = light->parallel;
         memcpy(compiled->colour, light->colour, sizeof compiled->colour);
         if (light->parallel) {
@@ -156,6 +163,7 @@ void compile_lights(struct compiler *compiler) {
             scaled_point(compiler, light->position, compiled->position);
         }
     }
+    return true;
 }
 
 /* Finds an intensity that no surface's own exceeds: Eq. (1) with every cosine and A at 1. The
@@ -166,13 +174,13 @@ void compile_brightest(struct compiler *compiler) {
     double most = 0;
     for (int j = 0; j < 3; j++) {
         most = fmax(most, scene->background[j]);
-        for (int i = 1; i < scene->material_count; i++) {
+        for (uint32_t i = 1; i < scene->material_count; i++) {
             const struct compiled_material *material = &scene->materials[i];
             double colour = compiled_colour_most(scene, material, j);
             double specular =
                 material->specular_table != SPECULAR_CONSTANT ? 1 : material->specular;
             double direct = 0;
-            for (int k = 0; k < scene->light_count; k++) {
+            for (uint32_t k = 0; k < scene->light_count; k++) {
                 double light = scene->lights[k].colour[j];
                 direct += material->diffuse * colour * light / 255 + specular * light;
             }

@@ -59,7 +59,7 @@ static void write_camera(FILE *out, const struct compiled_scene *scene) {
 }
 
 static void write_lights(FILE *out, const struct compiled_scene *scene) {
-    for (uint8_t i = 0; i < scene->light_count; i++) {
+    for (uint32_t i = 0; i < scene->light_count; i++) {
         const struct compiled_light *light = &scene->lights[i];
         (void)fputs("light_source {\n    ", out);
         if (light->parallel) {
@@ -77,11 +77,11 @@ static void write_lights(FILE *out, const struct compiled_scene *scene) {
     (void)fputc('\n', out);
 }
 
-void export_pov_write(FILE *out, const struct scene_description *description,
+bool export_pov_write(FILE *out, const struct scene_description *description,
                       const struct compiled_scene *scene) {
     write_head(out, description, scene);
     write_camera(out, scene);
     write_lights(out, scene);
     export_pov_materials(out, description, scene);
-    export_pov_objects(out, description, scene);
+    return export_pov_objects(out, description, scene);
 }

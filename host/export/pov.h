@@ -15,8 +15,8 @@ bool export_pov_check(const struct scene_description *description,
 
 /* Writes a scene that passed export_pov_check(), in scaled coordinates; see docs/pov-export.md. The
  * numbers are exact: read back, they are the same doubles. Whether the writes succeeded is for
- * ferror() to say. */
-void export_pov_write(FILE *out, const struct scene_description *description,
+ * ferror() to say; false: memory is out. */
+bool export_pov_write(FILE *out, const struct scene_description *description,
                       const struct compiled_scene *scene);
 
 #endif

@@ -4,6 +4,7 @@
 #include <stdarg.h>
 #include <string.h>
 
+#include "compiler/neighbours.h"
 #include "export/pov_internal.h"
 
 /* Points along each axis where two objects are tested for an overlap. The bounds of the two have a
@@ -79,19 +80,12 @@ static bool common_bounds(const struct compiled_object *a, const struct compiled
     return true;
 }
 
-static bool both_hold(const struct compiled_scene *scene, uint8_t a, uint8_t b,
+static bool both_hold(const struct compiled_scene *scene, uint32_t a, uint32_t b,
                       const double point[3]) {
-    struct compiled_set inside;
-    memset(&inside, 0, sizeof inside);
-    for (uint8_t i = 0; i < scene->primitive_count; i++) {
-        if (compiled_primitive_holds(scene, i, point)) {
-            inside.word[i / 32] |= (uint32_t)1 << i % 32;
-        }
-    }
-    return compiled_object_holds(scene, a, &inside) && compiled_object_holds(scene, b, &inside);
+    return compiled_object_holds(scene, a, point) && compiled_object_holds(scene, b, point);
 }
 
-static bool overlap(const struct compiled_scene *scene, uint8_t a, uint8_t b) {
+static bool overlap(const struct compiled_scene *scene, uint32_t a, uint32_t b) {
     double low[3], high[3];
     if (!common_bounds(&scene->objects[a], &scene->objects[b], low, high)) {
         return false;
@@ -112,7 +106,7 @@ static bool overlap(const struct compiled_scene *scene, uint8_t a, uint8_t b) {
 
 /* Refuses two opaque objects that fill one place up to the same face: POV-Ray shows either. */
 static bool check_opaque_pair(const struct scene_description *description,
-                              const struct compiled_scene *scene, uint8_t earlier, uint8_t later,
+                              const struct compiled_scene *scene, uint32_t earlier, uint32_t later,
                               struct scene_error *error) {
     const struct compiled_object *a = &scene->objects[earlier], *b = &scene->objects[later];
     double low[3], high[3];
@@ -130,7 +124,7 @@ static bool check_opaque_pair(const struct scene_description *description,
  * common with another one, which POV-Ray would show otherwise. But a later opaque object may fill a
  * part of a transparent one: no ray gets there. */
 static bool check_pair(const struct scene_description *description,
-                       const struct compiled_scene *scene, uint8_t earlier, uint8_t later,
+                       const struct compiled_scene *scene, uint32_t earlier, uint32_t later,
                        struct scene_error *error) {
     const struct compiled_object *a = &scene->objects[earlier], *b = &scene->objects[later];
     bool a_transparent = scene->materials[a->material].transparent;
@@ -160,12 +154,12 @@ static bool check_pair(const struct scene_description *description,
 
 /* Refuses an eye within glass that casts shadows: all rays would end at its opaque twin. */
 static bool check_eye(const struct scene_description *description,
-                      const struct compiled_scene *scene, uint8_t index,
+                      const struct compiled_scene *scene, uint32_t index,
                       struct scene_error *error) {
     const struct compiled_object *object = &scene->objects[index];
     const struct compiled_material *material = &scene->materials[object->material];
     if (!material->transparent || !material->casts_shadow ||
-        !compiled_object_holds(scene, index, &scene->camera.inside)) {
+        !compiled_object_holds(scene, index, scene->camera.eye)) {
         return true;
     }
     return refuse(error, description, object->line,
@@ -174,31 +168,48 @@ static bool check_eye(const struct scene_description *description,
                   scene->object_names[index]);
 }
 
-bool export_pov_check(const struct scene_description *description,
-                      const struct compiled_scene *scene, struct scene_error *error) {
-    if (!check_scene(description, error)) {
+static bool check_object(const struct scene_description *description,
+                         const struct compiled_scene *scene, uint32_t index,
+                         struct scene_error *error) {
+    const uint8_t material = scene->objects[index].material;
+    if (!check_material(description, &description->materials[scene->materials[material].file],
+                        error) ||
+        !check_eye(description, scene, index, error)) {
         return false;
     }
-    for (uint8_t i = 1; i < scene->object_count; i++) {
-        uint8_t material = scene->objects[i].material;
-        if (!check_material(description, &description->materials[scene->materials[material].file],
-                            error)) {
-            return false;
-        }
-        if (!check_eye(description, scene, i, error)) {
-            return false;
-        }
-        if (export_pov_has_seam(scene, i)) {
-            return refuse(error, description, scene->objects[i].line,
-                          "object \"%s\" is made of solids with a common face: POV-Ray takes noise "
-                          "for its inside there; allowed is: solids that reach over each other",
-                          scene->object_names[i]);
-        }
-        for (uint8_t j = 1; j < i; j++) {
-            if (!check_pair(description, scene, j, i, error)) {
-                return false;
-            }
-        }
+    return !export_pov_has_seam(scene, index) ||
+           refuse(error, description, scene->objects[index].line,
+                  "object \"%s\" is made of solids with a common face: POV-Ray takes noise "
+                  "for its inside there; allowed is: solids that reach over each other",
+                  scene->object_names[index]);
+}
+
+/* Checks an object with each earlier one that it may meet, and adds it to those. */
+static bool check_with_earlier(const struct scene_description *description,
+                               const struct compiled_scene *scene, uint32_t index,
+                               struct neighbours *earlier, struct scene_error *error) {
+    struct compiled_set found = {NULL, 0};
+    struct bounds bounds;
+    memcpy(bounds.low, scene->objects[index].low, sizeof bounds.low);
+    memcpy(bounds.high, scene->objects[index].high, sizeof bounds.high);
+    bool is_good =
+        (neighbours_find(earlier, &bounds, 0, &found) && neighbours_add(earlier, &bounds, index)) ||
+        refuse(error, description, 0, "out of memory");
+    for (uint32_t k = 0; k < found.count && is_good; k++) {
+        is_good = check_pair(description, scene, found.members[k], index, error);
     }
-    return true;
+    compiled_set_clear(&found);
+    return is_good;
+}
+
+bool export_pov_check(const struct scene_description *description,
+                      const struct compiled_scene *scene, struct scene_error *error) {
+    struct neighbours earlier = {.count = 0};
+    bool is_good = check_scene(description, error);
+    for (uint32_t i = 1; i < scene->object_count && is_good; i++) {
+        is_good = check_object(description, scene, i, error) &&
+                  check_with_earlier(description, scene, i, &earlier, error);
+    }
+    neighbours_clear(&earlier);
+    return is_good;
 }

@@ -24,17 +24,19 @@ struct face {
 };
 
 static bool box_face(const struct compiled_scene *scene, const struct compiled_primitive *primitive,
-                     unsigned surface, struct face *face) {
-    const struct compiled_quadric *quadric = &scene->quadrics[primitive->index];
-    bool is_box = primitive->kind == PRIMITIVE_BOX;
-    const struct compiled_box *box = &scene->boxes[is_box ? primitive->index : quadric->box];
+                     uint32_t surface, struct face *face) {
+    const struct compiled_quadric *quadric =
+        primitive->kind == PRIMITIVE_QUADRIC ? &scene->quadrics[primitive->index] : NULL;
+    const unsigned faces = quadric != NULL ? quadric->cuts : 7;
+    const struct compiled_box *box =
+        quadric != NULL ? compiled_box_of(scene, quadric) : &scene->boxes[primitive->index];
     for (int i = 0; i < 6; i++) {
-        if (box->surface[i] != surface || (!is_box && (quadric->cuts >> i % 3 & 1) == 0)) {
+        if ((faces >> i % 3 & 1) == 0 || box->surface[i] != surface) {
             continue;
         }
         memcpy(face->normal, affine_identity.m[i % 3], sizeof face->normal);
         face->offset = i < 3 ? box->minimum[i] : box->maximum[i - 3];
-        if (primitive->frame != FRAME_WORLD) {
+        if (primitive->frame != COMPILED_FRAME_WORLD) {
             const struct compiled_frame *frame = &scene->frames[primitive->frame];
             memcpy(face->normal, frame->axis[i % 3], sizeof face->normal);
             face->offset += vector_dot(face->normal, frame->origin);
@@ -45,7 +47,7 @@ static bool box_face(const struct compiled_scene *scene, const struct compiled_p
 }
 
 /* Finds the plane of a primitive's face; false if the surface is curved. */
-static bool face_of(const struct compiled_scene *scene, uint8_t index, unsigned surface,
+static bool face_of(const struct compiled_scene *scene, uint32_t index, uint32_t surface,
                     struct face *face) {
     const struct compiled_primitive *primitive = &scene->primitives[index];
     if (primitive->kind == PRIMITIVE_BOX || primitive->kind == PRIMITIVE_QUADRIC) {
@@ -53,7 +55,7 @@ static bool face_of(const struct compiled_scene *scene, uint8_t index, unsigned 
     }
     if (primitive->kind == PRIMITIVE_POLYHEDRON) {
         const struct compiled_polyhedron *polyhedron = &scene->polyhedra[primitive->index];
-        for (int i = polyhedron->first; i < polyhedron->first + polyhedron->count; i++) {
+        for (uint32_t i = polyhedron->first; i < polyhedron->first + polyhedron->count; i++) {
             if (scene->planes[i].surface == surface) {
                 memcpy(face->normal, scene->planes[i].normal, sizeof face->normal);
                 face->offset = scene->planes[i].offset;
@@ -65,7 +67,7 @@ static bool face_of(const struct compiled_scene *scene, uint8_t index, unsigned 
 }
 
 /* Tells whether a primitive is entered or left at a point of the plane. */
-static bool is_crossed(const struct compiled_scene *scene, uint8_t primitive,
+static bool is_crossed(const struct compiled_scene *scene, uint32_t primitive,
                        const struct face *face, const double point[3]) {
     double before[3], behind[3];
     for (int i = 0; i < 3; i++) {
@@ -77,7 +79,7 @@ static bool is_crossed(const struct compiled_scene *scene, uint8_t primitive,
 }
 
 /* Tells whether two primitives are both crossed at some point of the plane within the bounds. */
-static bool lie_on_each_other(const struct compiled_scene *scene, uint8_t a, uint8_t b,
+static bool lie_on_each_other(const struct compiled_scene *scene, uint32_t a, uint32_t b,
                               const struct face *face, const double low[3], const double high[3]) {
     int steep = 0;
     for (int i = 1; i < 3; i++) {
@@ -99,48 +101,54 @@ static bool lie_on_each_other(const struct compiled_scene *scene, uint8_t a, uin
     return false;
 }
 
-/* Returns the primitives of an object, each once. */
-static struct compiled_set primitives_of(const struct compiled_scene *scene, uint8_t index) {
-    const struct compiled_object *object = &scene->objects[index];
-    struct compiled_set set;
-    memset(&set, 0, sizeof set);
-    for (uint8_t i = 0; i < object->length; i++) {
-        uint8_t code = scene->programs[object->program + i];
-        if (code < COMPILED_PRIMITIVES_MOST) {
-            compiled_set_include(&set, code);
+/* Tells whether a face of a primitive lies on one of a primitive of a set. The primitive itself is
+ * none of the set where it is to be another one. */
+static bool touches(const struct compiled_scene *scene, uint32_t a, uint32_t surface,
+                    const struct compiled_set *set, bool another, const double low[3],
+                    const double high[3]) {
+    const struct compiled_set *bounded = &scene->surfaces[surface];
+    const bool is_less = bounded->count < set->count;
+    const struct compiled_set *few = is_less ? bounded : set, *many = is_less ? set : bounded;
+    struct face face;
+    bool is_flat = face_of(scene, a, surface, &face);
+    for (uint32_t i = 0; i < few->count; i++) {
+        const uint32_t b = few->members[i];
+        if ((a != b || !another) && compiled_set_has(many, b) &&
+            (!is_flat || lie_on_each_other(scene, a, b, &face, low, high))) {
+            return true;
         }
     }
-    return set;
+    return false;
 }
 
 /* Tells whether a primitive of one set and one of the other have a common face. A curved surface of
- * both counts as a common face, wherever it lies. */
+ * both counts as a common face, wherever it lies. Of a set and itself, two primitives are asked
+ * for. */
 static bool sets_touch(const struct compiled_scene *scene, const struct compiled_set *first,
                        const struct compiled_set *second, const double low[3],
                        const double high[3]) {
-    struct face face;
-    for (unsigned surface = 0; surface < scene->surface_count; surface++) {
-        const struct compiled_set *bounded = &scene->surfaces[surface];
-        for (uint8_t a = 0; a < scene->primitive_count; a++) {
-            if (!compiled_set_has(first, a) || !compiled_set_has(bounded, a)) {
-                continue;
-            }
-            bool is_flat = face_of(scene, a, surface, &face);
-            for (uint8_t b = 0; b < scene->primitive_count; b++) {
-                if (compiled_set_has(second, b) && compiled_set_has(bounded, b) &&
-                    (!is_flat || lie_on_each_other(scene, a, b, &face, low, high))) {
-                    return true;
-                }
+    for (uint32_t i = 0; i < first->count; i++) {
+        const uint32_t a = first->members[i];
+        const struct compiled_primitive *primitive = &scene->primitives[a];
+        struct compiled_face faces[COMPILED_FACES_MOST];
+        int count = compiled_faces(scene, a, faces);
+        if (primitive->kind == PRIMITIVE_BALL) {
+            faces[count++].surface = scene->balls[primitive->index].surface;
+        } else if (primitive->kind == PRIMITIVE_QUADRIC) {
+            faces[count++].surface = scene->quadrics[primitive->index].surface;
+        }
+        for (int j = 0; j < count; j++) {
+            if (touches(scene, a, faces[j].surface, second, first == second, low, high)) {
+                return true;
             }
         }
     }
     return false;
 }
 
-bool export_pov_touch(const struct compiled_scene *scene, uint8_t a, uint8_t b, const double low[3],
-                      const double high[3]) {
-    struct compiled_set first = primitives_of(scene, a), second = primitives_of(scene, b);
-    return sets_touch(scene, &first, &second, low, high);
+bool export_pov_touch(const struct compiled_scene *scene, uint32_t a, uint32_t b,
+                      const double low[3], const double high[3]) {
+    return sets_touch(scene, &scene->objects[a].uses, &scene->objects[b].uses, low, high);
 }
 
 /* Tells whether an object is an opaque union, whose inner faces nobody sees. */
@@ -149,17 +157,16 @@ static bool seams_are_hidden(const struct compiled_scene *scene,
     if (scene->materials[object->material].transparent) {
         return false;
     }
-    for (uint8_t i = 0; i < object->length; i++) {
-        if (scene->programs[object->program + i] > PROGRAM_UNION) {
+    for (uint32_t i = 0; i < object->length; i++) {
+        if (scene->programs[object->program + i] > COMPILED_UNION) {
             return false;
         }
     }
     return true;
 }
 
-bool export_pov_has_seam(const struct compiled_scene *scene, uint8_t index) {
+bool export_pov_has_seam(const struct compiled_scene *scene, uint32_t index) {
     const struct compiled_object *object = &scene->objects[index];
-    struct compiled_set all = primitives_of(scene, index);
     double low[3], high[3];
     if (seams_are_hidden(scene, object)) {
         return false;
@@ -168,17 +175,5 @@ bool export_pov_has_seam(const struct compiled_scene *scene, uint8_t index) {
         low[i] = fmax(object->low[i], -WORLD_REACH);
         high[i] = fmin(object->high[i], WORLD_REACH);
     }
-    for (uint8_t i = 0; i < scene->primitive_count; i++) {
-        struct compiled_set one, others = all;
-        if (!compiled_set_has(&all, i)) {
-            continue;
-        }
-        memset(&one, 0, sizeof one);
-        compiled_set_include(&one, i);
-        others.word[i / 32] &= ~one.word[i / 32];
-        if (sets_touch(scene, &one, &others, low, high)) {
-            return true;
-        }
-    }
-    return false;
+    return sets_touch(scene, &object->uses, &object->uses, low, high);
 }

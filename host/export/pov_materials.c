@@ -28,7 +28,7 @@
 #define WHOLE_CELL 8192.0
 
 void export_pov_material_name(const struct scene_description *description,
-                              const struct compiled_scene *scene, uint8_t material,
+                              const struct compiled_scene *scene, uint32_t material,
                               char name[POV_NAME_SIZE]) {
     (void)snprintf(name, POV_NAME_SIZE, "M%u_%.36s", material,
                    description->materials[scene->materials[material].file].name);
@@ -180,7 +180,7 @@ static void write_interior(FILE *out, const struct compiled_scene *scene,
 void export_pov_materials(FILE *out, const struct scene_description *description,
                           const struct compiled_scene *scene) {
     char name[POV_NAME_SIZE];
-    for (uint8_t i = 1; i < scene->material_count; i++) {
+    for (uint32_t i = 1; i < scene->material_count; i++) {
         const struct compiled_material *material = &scene->materials[i];
         export_pov_material_name(description, scene, i, name);
         if (material->pattern != PATTERN_NONE) {

@@ -30,7 +30,7 @@ static void write_box(FILE *out, const struct compiled_box *box) {
 static void write_polyhedron(FILE *out, const struct compiled_scene *scene,
                              const struct compiled_polyhedron *polyhedron, int level) {
     (void)fputs("intersection {\n", out);
-    for (int i = 0; i < polyhedron->count; i++) {
+    for (uint32_t i = 0; i < polyhedron->count; i++) {
         const struct compiled_plane *plane = &scene->planes[polyhedron->first + i];
         indent(out, level + 1);
         (void)fputs("plane { ", out);
@@ -50,7 +50,7 @@ static void write_curve(FILE *out, const struct compiled_quadric *quadric) {
 
 /* Writes the matrix from a frame's coordinates to the world's:
  * point = origin + sum of local_i axis_i. */
-static void write_frame(FILE *out, const struct compiled_scene *scene, uint8_t frame,
+static void write_frame(FILE *out, const struct compiled_scene *scene, uint32_t frame,
                         const double origin[3], int level) {
     (void)fputc('\n', out);
     indent(out, level + 1);
@@ -65,7 +65,7 @@ static void write_frame(FILE *out, const struct compiled_scene *scene, uint8_t f
 /* Writes the planes that cut a quadric as a solid of their own. POV-Ray 3.7 works out bounds for a
  * quadric from planes beside it, and errs with hyperboloids. */
 static void write_cuts(FILE *out, const struct compiled_scene *scene,
-                       const struct compiled_quadric *quadric, uint8_t frame, int level) {
+                       const struct compiled_quadric *quadric, uint32_t frame, int level) {
     const struct compiled_box *box = &scene->boxes[quadric->box];
     indent(out, level);
     (void)fputs("intersection {\n", out);
@@ -102,7 +102,7 @@ static void write_quadric(FILE *out, const struct compiled_scene *scene,
 
 /* Writes a primitive without the closing brace, so that an object of one primitive can go on with
  * its material. */
-static void write_primitive(FILE *out, const struct compiled_scene *scene, uint8_t index,
+static void write_primitive(FILE *out, const struct compiled_scene *scene, uint32_t index,
                             int level) {
     const struct compiled_primitive *primitive = &scene->primitives[index];
     const struct compiled_ball *ball;
@@ -123,7 +123,7 @@ static void write_primitive(FILE *out, const struct compiled_scene *scene, uint8
         write_box(out, &scene->boxes[primitive->index]);
         break;
     }
-    if (primitive->kind == PRIMITIVE_BOX && primitive->frame != FRAME_WORLD) {
+    if (primitive->kind == PRIMITIVE_BOX && primitive->frame != COMPILED_FRAME_WORLD) {
         write_frame(out, scene, primitive->frame, scene->frames[primitive->frame].origin, level);
     }
     (void)fputc(' ', out);
@@ -131,38 +131,37 @@ static void write_primitive(FILE *out, const struct compiled_scene *scene, uint8
 
 /* Names an operation. A transparent object needs a merge, which has no inner faces. Nobody sees the
  * inner faces of an opaque object, and a union, which does not look for them, is faster. */
-static const char *operation_name(const struct pov_tree *tree, uint8_t code) {
-    if (code == PROGRAM_UNION) {
+static const char *operation_name(const struct pov_tree *tree, uint32_t code) {
+    if (code == COMPILED_UNION) {
         return tree->transparent ? "merge" : "union";
     }
-    return code == PROGRAM_INTERSECTION ? "intersection" : "difference";
+    return code == COMPILED_INTERSECTION ? "intersection" : "difference";
 }
 
-static void write_node(FILE *out, const struct pov_tree *tree, uint8_t index, int level);
+static void write_node(FILE *out, const struct pov_tree *tree, uint32_t index, int level);
+
+static void write_operand(FILE *out, const struct pov_tree *tree, uint32_t index, int level) {
+    indent(out, level);
+    write_node(out, tree, index, level);
+    (void)fputs("}\n", out);
+}
 
 /* Writes the operands of a chain (a op b) op c in order. In POV-Ray such a chain is one
  * operation. */
-static void write_operands(FILE *out, const struct pov_tree *tree, uint8_t index, int level) {
-    uint8_t chain[256] = {0};
-    int count = 0;
-    const struct csg_node *nodes = tree->csg.nodes;
-    uint8_t code = nodes[index].code;
-    while (nodes[index].code == code) {
-        chain[count++] = nodes[index].right;
-        index = nodes[index].left;
+static void write_operands(FILE *out, const struct pov_tree *tree, uint32_t index, int level) {
+    const struct csg_node *node = &tree->csg.nodes[index];
+    if (tree->csg.nodes[node->left].code == node->code) {
+        write_operands(out, tree, node->left, level);
+    } else {
+        write_operand(out, tree, node->left, level);
     }
-    chain[count++] = index;
-    while (count > 0) {
-        indent(out, level);
-        write_node(out, tree, chain[--count], level);
-        (void)fputs("}\n", out);
-    }
+    write_operand(out, tree, node->right, level);
 }
 
 /* Writes a node and, by recursion, all below it. A file's solids nest at most SCENE_NESTING_MOST
  * levels deep. */
-static void write_node(FILE *out, const struct pov_tree *tree, uint8_t index, int level) {
-    uint8_t code = tree->csg.nodes[index].code;
+static void write_node(FILE *out, const struct pov_tree *tree, uint32_t index, int level) {
+    uint32_t code = tree->csg.nodes[index].code;
     if (csg_is_leaf(&tree->csg, index)) {
         write_primitive(out, tree->scene, code, level);
         return;
@@ -176,7 +175,7 @@ static void write_node(FILE *out, const struct pov_tree *tree, uint8_t index, in
  * box or a ball needs none. */
 static void write_bounds(FILE *out, const struct compiled_scene *scene,
                          const struct compiled_object *object) {
-    uint8_t first = scene->programs[object->program];
+    uint32_t first = scene->programs[object->program];
     bool is_simple = object->length == 1 && (scene->primitives[first].kind == PRIMITIVE_BOX ||
                                              scene->primitives[first].kind == PRIMITIVE_BALL);
     struct bounds bounds;
@@ -211,17 +210,19 @@ static void write_shadow(FILE *out, const struct pov_tree *tree,
                  "    texture { pigment { rgb 0 } }\n    no_image\n    no_reflection\n");
 }
 
-void export_pov_objects(FILE *out, const struct scene_description *description,
+bool export_pov_objects(FILE *out, const struct scene_description *description,
                         const struct compiled_scene *scene) {
     char name[POV_NAME_SIZE], modifiers[POV_NAME_SIZE + 80];
-    for (uint8_t i = 1; i < scene->object_count; i++) {
+    for (uint32_t i = 1; i < scene->object_count; i++) {
         const struct compiled_object *object = &scene->objects[i];
         const struct compiled_material *material = &scene->materials[object->material];
         struct pov_tree tree;
         memset(&tree, 0, sizeof tree);
         tree.scene = scene;
         tree.transparent = material->transparent;
-        csg_read(scene, object, &tree.csg);
+        if (!csg_read(scene, object, &tree.csg)) {
+            return false;
+        }
         export_pov_material_name(description, scene, object->material, name);
         (void)snprintf(modifiers, sizeof modifiers, "    material { %s }\n%s%s", name,
                        material->transparent ? "    no_shadow\n" : "",
@@ -231,5 +232,7 @@ void export_pov_objects(FILE *out, const struct scene_description *description,
         if (material->transparent && material->casts_shadow) {
             write_shadow(out, &tree, object);
         }
+        csg_free(&tree.csg);
     }
+    return true;
 }

@@ -84,7 +84,7 @@ static double largest(const double weight[3]) {
     return fmax(weight[0], fmax(weight[1], weight[2]));
 }
 
-static const char *object_text(const struct compiled_scene *compiled, uint8_t object) {
+static const char *object_text(const struct compiled_scene *compiled, uint32_t object) {
     const char *name = compiled->object_names[object];
     return name[0] ? name : "object";
 }

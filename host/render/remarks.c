@@ -26,7 +26,7 @@ static double round_up(double number) {
 /* Returns the `weld` that makes all of the faces one. */
 static double weld_of(const struct compiled_scene *scene) {
     double most = 0;
-    for (unsigned i = 0; i < scene->near_count && i < COMPILED_NEAR_MOST; i++) {
+    for (uint32_t i = 0; i < scene->near_count && i < COMPILED_NEAR_MOST; i++) {
         most = fmax(most, scene->near[i].distance);
     }
     return most > 0 ? round_up(most) : 0;
@@ -60,12 +60,12 @@ static bool floor_of(const struct compiled_scene *scene, const struct compiled_o
     if (ends > 0) {
         return ends == 1;
     }
-    const uint8_t code = scene->programs[object->program];
+    const uint32_t code = scene->programs[object->program];
     if (object->length != 1 || scene->primitives[code].kind != PRIMITIVE_POLYHEDRON) {
         return false;
     }
     const struct compiled_polyhedron *solid = &scene->polyhedra[scene->primitives[code].index];
-    for (int i = 0; i < solid->count; i++) {
+    for (uint32_t i = 0; i < solid->count; i++) {
         const struct compiled_plane *plane = &scene->planes[solid->first + i];
         if (plane->offset < COMPILED_WORLD) { /* others are the world's end */
             memcpy(normal, plane->normal, sizeof plane->normal);
@@ -131,7 +131,7 @@ static bool ends_early(const struct compiled_scene *scene, const double normal[3
 }
 
 static bool find_short_floor(const struct compiled_scene *scene, struct short_floor *found) {
-    for (int i = 1; i < scene->object_count; i++) {
+    for (uint32_t i = 1; i < scene->object_count; i++) {
         const struct compiled_object *object = &scene->objects[i];
         double normal[3], offset = 0;
         if (floor_of(scene, object, normal, &offset) && ends_early(scene, normal, offset, found)) {
@@ -144,7 +144,7 @@ static bool find_short_floor(const struct compiled_scene *scene, struct short_fl
 
 void remarks_complain(const struct compiled_scene *scene, const struct arithmetic *arithmetic) {
     const struct compiled_near *first = NULL;
-    for (unsigned i = 0; i < scene->near_count && i < COMPILED_NEAR_MOST && !first; i++) {
+    for (uint32_t i = 0; i < scene->near_count && i < COMPILED_NEAR_MOST && !first; i++) {
         first = tells_apart(scene, arithmetic, &scene->near[i]) ? NULL : &scene->near[i];
     }
     if (first != NULL) {
@@ -190,7 +190,7 @@ static void print_near(FILE *out, const struct compiled_scene *scene,
 }
 
 void remarks_print(FILE *out, const struct compiled_scene *scene) {
-    for (unsigned i = 0; i < scene->near_count && i < COMPILED_NEAR_MOST; i++) {
+    for (uint32_t i = 0; i < scene->near_count && i < COMPILED_NEAR_MOST; i++) {
         print_near(out, scene, &scene->near[i]);
     }
     if (scene->near_count > COMPILED_NEAR_MOST) {

@@ -8,11 +8,11 @@
 struct cost_mix cost_mix_of(const struct compiled_scene *scene) {
     struct cost_mix mix = {0, 0, 0, 0, 0};
     double one = scene->primitive_count > 0 ? 1.0 / scene->primitive_count : 0;
-    for (int i = 0; i < scene->primitive_count; i++) {
+    for (uint32_t i = 0; i < scene->primitive_count; i++) {
         const struct compiled_primitive *primitive = &scene->primitives[i];
         switch (primitive->kind) {
         case PRIMITIVE_BOX:
-            *(primitive->frame == FRAME_WORLD ? &mix.box : &mix.turned_box) += one;
+            *(primitive->frame == COMPILED_FRAME_WORLD ? &mix.box : &mix.turned_box) += one;
             break;
         case PRIMITIVE_BALL:
             mix.ball += one;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The validator: checks what the tables claim of primitives and surfaces at points of these. */
 #include <math.h>
-#include <string.h>
+#include <stdlib.h>
 
 #include "compiler/affine.h"
 #include "compiler/extents.h"
@@ -14,9 +14,12 @@
 /* Faces that agree at a point to this, in distance and direction, are of one surface. */
 #define COINCIDENT 0x1p-41
 
+/* Crossings of a line are passed over so that no more faces are looked at. */
+enum { LOOKS_MOST = 1 << 17 };
+
 /* ---- How far things reach ------------------------------------------------------------------- */
 
-static void check_along(struct validator *validator, int primitive, const double point[3],
+static void check_along(struct validator *validator, uint32_t primitive, const double point[3],
                         const double direction[3]) {
     const double reach = primitive_reach(validator->scene, primitive, direction);
     if (!(vector_dot(point, direction) <= reach + VALIDATE_NEAR)) {
@@ -30,14 +33,14 @@ static void check_along(struct validator *validator, int primitive, const double
 
 /* Chooses a direction along which bounds are checked: an axis of the world or the frame, a face's
  * own, or any. */
-static void choose_direction(struct validator *validator, int primitive, const double point[3],
+static void choose_direction(struct validator *validator, uint32_t primitive, const double point[3],
                              double direction[3]) {
     const struct table *table = &validator->table;
-    const uint8_t frame = validator->scene->primitives[primitive].frame;
+    const uint32_t frame = validator->scene->primitives[primitive].frame;
     const int choice = dice_below(&validator->dice, 14);
     if (choice < 12) {
         const double *axis =
-            compiled_axis(validator->scene, choice < 6 ? FRAME_WORLD : frame, choice % 3);
+            compiled_axis(validator->scene, choice < 6 ? COMPILED_FRAME_WORLD : frame, choice % 3);
         for (int j = 0; j < 3; j++) {
             direction[j] = choice / 3 % 2 == 0 ? axis[j] : -axis[j];
         }
@@ -45,7 +48,7 @@ static void choose_direction(struct validator *validator, int primitive, const d
     }
     dice_direction(&validator->dice, direction);
     if (choice == 12) {
-        const int face = dice_below(&validator->dice, table->count[primitive]);
+        const uint32_t face = (uint32_t)dice_below(&validator->dice, (int)table->count[primitive]);
         face_gradient(&table->faces[table->first[primitive] + face], point, direction);
         vector_normalise(direction);
     }
@@ -60,7 +63,7 @@ static bool is_in(const double low[3], const double high[3], const double point[
     return true;
 }
 
-static void check_quadric(struct validator *validator, int primitive, const double point[3]) {
+static void check_quadric(struct validator *validator, uint32_t primitive, const double point[3]) {
     const struct compiled_scene *scene = validator->scene;
     const struct compiled_primitive *entry = &scene->primitives[primitive];
     const struct compiled_quadric *quadric = &scene->quadrics[entry->index];
@@ -84,7 +87,7 @@ static void check_quadric(struct validator *validator, int primitive, const doub
     }
 }
 
-void validate_reach(struct validator *validator, int primitive, const double point[3],
+void validate_reach(struct validator *validator, uint32_t primitive, const double point[3],
                     int directions) {
     const struct compiled_scene *scene = validator->scene;
     const struct compiled_primitive *entry = &scene->primitives[primitive];
@@ -121,8 +124,8 @@ static bool are_parallel(const struct table_face *a, const struct table_face *b,
 static void check_surface(struct validator *validator, const struct sight_line *line,
                           const struct table_crossing *crossing) {
     const struct table *table = &validator->table;
-    for (int i = 0; i < validator->scene->primitive_count; i++) {
-        for (int j = 0; j < table->count[i]; j++) {
+    for (uint32_t i = 0; i < validator->scene->primitive_count; i++) {
+        for (uint32_t j = 0; j < table->count[i]; j++) {
             const struct table_face *face = &table->faces[table->first[i] + j];
             const double apart = fabs(face_distance(face, crossing->point));
             if (face->surface == crossing->face->surface && apart > ONE_SURFACE) {
@@ -147,32 +150,35 @@ static void check_surface(struct validator *validator, const struct sight_line *
 void validate_surface_sets(struct validator *validator) {
     const struct compiled_scene *scene = validator->scene;
     const struct table *table = &validator->table;
-    static const struct compiled_set nothing;
-    struct compiled_set sets[COMPILED_SURFACES_MOST];
-    memset(sets, 0, sizeof sets);
-    for (int i = 0; i < scene->primitive_count; i++) {
-        for (int j = 0; j < table->count[i]; j++) {
-            const uint16_t surface = table->faces[table->first[i] + j].surface;
+    struct compiled_set *sets = calloc((size_t)scene->surface_count + 1, sizeof *sets);
+    bool is_done = sets != NULL; /* where memory is out, nothing is compared */
+    for (uint32_t i = 0; i < scene->primitive_count && is_done; i++) {
+        for (uint32_t j = 0; j < table->count[i] && is_done; j++) {
+            const uint32_t surface = table->faces[table->first[i] + j].surface;
             if (surface >= scene->surface_count) {
                 validate_fault(validator, NULL, "a face of the solid of line %u has no surface",
                                validate_line(validator, i));
-                return;
+                is_done = false;
+            } else {
+                is_done = compiled_set_include(&sets[surface], i);
             }
-            compiled_set_include(&sets[surface], i);
         }
     }
-    for (int i = 0; i < scene->surface_count; i++) {
-        if (memcmp(&sets[i], &scene->surfaces[i], sizeof sets[i]) != 0 ||
-            memcmp(&sets[i], &nothing, sizeof nothing) == 0) {
+    for (uint32_t i = 0; i < scene->surface_count && is_done; i++) {
+        if (!compiled_sets_are_equal(&sets[i], &scene->surfaces[i]) || sets[i].count == 0) {
             validate_fault(validator, NULL,
-                           "surface %d does not bound the solids that have faces on it", i);
+                           "surface %u does not bound the solids that have faces on it", i);
         }
     }
+    for (uint32_t i = 0; i < scene->surface_count && sets != NULL; i++) {
+        compiled_set_clear(&sets[i]);
+    }
+    free(sets);
 }
 
 /* ---- What is met after what ----------------------------------------------------------------- */
 
-static bool is_left_for_good(const struct compiled_scene *scene, int primitive,
+static bool is_left_for_good(const struct compiled_scene *scene, uint32_t primitive,
                              const struct table_face *face) {
     const struct compiled_primitive *entry = &scene->primitives[primitive];
     return entry->left_for_good || (entry->kind == PRIMITIVE_QUADRIC && face->curved &&
@@ -183,7 +189,7 @@ static bool is_left_for_good(const struct compiled_scene *scene, int primitive,
  * primitive, the ray must not come back to it. */
 static void check_return(struct validator *validator, const struct sight_line *line,
                          const struct table_crossing *crossings, int count, int start,
-                         int primitive) {
+                         uint32_t primitive) {
     const double from = crossings[start].t;
     int next = start + 1;
     while (next < count && (crossings[next].primitive != primitive ||
@@ -205,8 +211,8 @@ static void check_return(struct validator *validator, const struct sight_line *l
 static void check_returns(struct validator *validator, const struct sight_line *line,
                           const struct table_crossing *crossings, int count, int start) {
     const struct table *table = &validator->table;
-    for (int i = 0; i < validator->scene->primitive_count; i++) {
-        for (int j = 0; j < table->count[i]; j++) {
+    for (uint32_t i = 0; i < validator->scene->primitive_count; i++) {
+        for (uint32_t j = 0; j < table->count[i]; j++) {
             const struct table_face *face = &table->faces[table->first[i] + j];
             if (face->surface == crossings[start].face->surface &&
                 is_left_for_good(validator->scene, i, face)) {
@@ -220,17 +226,17 @@ static void check_returns(struct validator *validator, const struct sight_line *
  * encloses it. */
 static void check_order(struct validator *validator, const struct table_crossing *crossing) {
     const struct compiled_scene *scene = validator->scene;
-    const int primitive = crossing->primitive;
-    const uint8_t enclosure = scene->primitives[primitive].enclosure;
-    for (int i = 0; i < scene->primitive_count; i++) {
-        if (compiled_set_has(&scene->hidden_by[primitive], i) &&
+    const uint32_t primitive = crossing->primitive;
+    const uint32_t enclosure = scene->primitives[primitive].enclosure;
+    for (uint32_t i = 0; i < scene->primitive_count; i++) {
+        if (scene->hidden_by != NULL && compiled_set_has(&scene->hidden_by[primitive], i) &&
             table_distance(&validator->table, i, crossing->point) < VALIDATE_STRICTLY) {
             validate_fault(validator, crossing->point,
                            "the solid of line %u is said to hide that of line %u, and they meet",
                            validate_line(validator, i), validate_line(validator, primitive));
         }
     }
-    if (enclosure != ENCLOSURE_NONE &&
+    if (enclosure != COMPILED_ENCLOSURE_NONE &&
         (enclosure >= scene->primitive_count ||
          table_distance(&validator->table, enclosure, crossing->point) > -VALIDATE_STRICTLY)) {
         validate_fault(validator, crossing->point,
@@ -242,7 +248,9 @@ static void check_order(struct validator *validator, const struct table_crossing
 
 void validate_crossings(struct validator *validator, const struct sight_line *line,
                         const struct table_crossing *crossings, int count) {
-    for (int i = 0; i < count; i++) {
+    const unsigned looks = (unsigned)count * validator->table.face_count;
+    const int step = 1 + (int)(looks / LOOKS_MOST);
+    for (int i = 0; i < count; i += step) {
         if (!crossings[i].clean) {
             continue;
         }
@@ -281,10 +289,8 @@ void validate_eye(struct validator *validator) {
         0x1p-40) {
         validate_fault(validator, camera->eye, "the eye is elsewhere");
     }
-    for (int i = 0; i < COMPILED_PRIMITIVES_MOST; i++) {
-        const double distance = i < scene->primitive_count
-                                    ? table_distance(&validator->table, i, camera->eye)
-                                    : HUGE_VAL;
+    for (uint32_t i = 0; i < scene->primitive_count; i++) {
+        const double distance = table_distance(&validator->table, i, camera->eye);
         if (fabs(distance) > VALIDATE_NEAR &&
             compiled_set_has(&camera->inside, i) != (distance < 0)) {
             validate_fault(validator, camera->eye,
@@ -292,9 +298,13 @@ void validate_eye(struct validator *validator) {
                            distance < 0 ? "outside of" : "in", validate_line(validator, i));
         }
     }
+    if (camera->inside.count > 0 &&
+        camera->inside.members[camera->inside.count - 1] >= scene->primitive_count) {
+        validate_fault(validator, camera->eye, "the tables have the eye in a solid that is none");
+    }
     const bool is_there = part == -1 ? camera->object == 0
                                      : camera->object > 0 && camera->object < scene->object_count &&
-                                           scene->objects[camera->object].part == part;
+                                           scene->objects[camera->object].part == (uint32_t)part;
     if (part != -2 && !is_there) {
         validate_fault(validator, camera->eye,
                        "the tables have the eye in object %u, which is not there", camera->object);

@@ -25,7 +25,7 @@ void validate_fault(struct validator *validator, const double place[3], const ch
     }
 }
 
-unsigned validate_line(const struct validator *validator, int primitive) {
+unsigned validate_line(const struct validator *validator, uint32_t primitive) {
     return primitive < validator->scene->primitive_count
                ? validator->scene->primitives[primitive].line
                : 0;

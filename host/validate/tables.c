@@ -13,15 +13,15 @@ static double dot(const double a[3], const double b[3]) {
 
 /* ---- Faces ---------------------------------------------------------------------------------- */
 
-static void axes_of(const struct compiled_scene *scene, uint8_t frame, double axis[3][3]) {
+static void axes_of(const struct compiled_scene *scene, uint32_t frame, double axis[3][3]) {
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++) {
-            axis[i][j] = frame == FRAME_WORLD ? i == j : scene->frames[frame].axis[i][j];
+            axis[i][j] = frame == COMPILED_FRAME_WORLD ? i == j : scene->frames[frame].axis[i][j];
         }
     }
 }
 
-static struct table_face *new_face(struct table *table, uint16_t surface) {
+static struct table_face *new_face(struct table *table, uint32_t surface) {
     struct table_face *face = &table->faces[table->face_count++];
     memset(face, 0, sizeof *face);
     face->surface = surface;
@@ -49,14 +49,14 @@ static void read_box(struct table *table, const struct compiled_primitive *primi
 static void read_ball(struct table *table, const struct compiled_ball *ball) {
     struct table_face *face = new_face(table, ball->surface);
     face->curved = true;
-    axes_of(table->scene, FRAME_WORLD, face->axis);
+    axes_of(table->scene, COMPILED_FRAME_WORLD, face->axis);
     memcpy(face->centre, ball->centre, sizeof face->centre);
     face->square[0] = face->square[1] = face->square[2] = 1;
     face->constant = -ball->radius * ball->radius;
 }
 
 static void read_polyhedron(struct table *table, const struct compiled_polyhedron *polyhedron) {
-    for (int i = polyhedron->first; i < polyhedron->first + polyhedron->count; i++) {
+    for (uint32_t i = polyhedron->first; i < polyhedron->first + polyhedron->count; i++) {
         const struct compiled_plane *plane = &table->scene->planes[i];
         struct table_face *face = new_face(table, plane->surface);
         memcpy(face->normal, plane->normal, sizeof face->normal);
@@ -96,27 +96,32 @@ static void read_primitive(struct table *table, const struct compiled_primitive 
 }
 
 bool table_read(struct table *table, const struct compiled_scene *scene) {
-    size_t most = 7 * (size_t)COMPILED_DRAFTS_MOST;
+    const size_t entries = (size_t)scene->primitive_count + 1;
+    size_t most = 7 * entries;
     memset(table, 0, sizeof *table);
     table->scene = scene;
-    for (int i = 0; i < scene->primitive_count; i++) {
+    for (uint32_t i = 0; i < scene->primitive_count; i++) {
         if (scene->primitives[i].kind == PRIMITIVE_POLYHEDRON) {
             most += scene->polyhedra[scene->primitives[i].index].count;
         }
     }
     table->faces = malloc(most * sizeof *table->faces);
-    if (table->faces == NULL) {
+    table->first = calloc(entries, sizeof *table->first);
+    table->count = calloc(entries, sizeof *table->count);
+    table->used = calloc(entries, sizeof *table->used);
+    if (table->faces == NULL || table->first == NULL || table->count == NULL ||
+        table->used == NULL) {
         return false;
     }
-    for (int i = 1; i < scene->object_count; i++) {
-        for (int j = 0; j < scene->objects[i].length; j++) {
-            const uint8_t code = scene->programs[scene->objects[i].program + j];
+    for (uint32_t i = 1; i < scene->object_count; i++) {
+        for (uint32_t j = 0; j < scene->objects[i].length; j++) {
+            const uint32_t code = scene->programs[scene->objects[i].program + j];
             if (code < scene->primitive_count) {
                 table->used[code] = true;
             }
         }
     }
-    for (int i = 0; i < scene->primitive_count; i++) {
+    for (uint32_t i = 0; i < scene->primitive_count; i++) {
         table->first[i] = table->face_count;
         if (table->used[i]) {
             read_primitive(table, &scene->primitives[i]);
@@ -128,6 +133,9 @@ bool table_read(struct table *table, const struct compiled_scene *scene) {
 
 void table_free(struct table *table) {
     free(table->faces);
+    free(table->first);
+    free(table->count);
+    free(table->used);
 }
 
 /* Computes a face's function and half its gradient at a point, in the face's own axes. */
@@ -168,9 +176,9 @@ void face_gradient(const struct table_face *face, const double point[3], double 
     }
 }
 
-double table_distance(const struct table *table, int primitive, const double point[3]) {
+double table_distance(const struct table *table, uint32_t primitive, const double point[3]) {
     double most = -HUGE_VAL;
-    for (int i = 0; i < table->count[primitive]; i++) {
+    for (uint32_t i = 0; i < table->count[primitive]; i++) {
         most = fmax(most, face_distance(&table->faces[table->first[primitive] + i], point));
     }
     return most;
@@ -179,25 +187,25 @@ double table_distance(const struct table *table, int primitive, const double poi
 /* ---- Programs ------------------------------------------------------------------------------- */
 
 void table_inside(const struct table *table, const double point[3], bool inside[]) {
-    for (int i = 0; i < table->scene->primitive_count; i++) {
+    for (uint32_t i = 0; i < table->scene->primitive_count; i++) {
         inside[i] = table->used[i] && table_distance(table, i, point) < 0;
     }
 }
 
-bool table_object_holds(const struct table *table, int object, const bool inside[]) {
+bool table_object_holds(const struct table *table, uint32_t object, const bool inside[]) {
     const struct compiled_object *entry = &table->scene->objects[object];
-    bool stack[256] = {false};
+    bool stack[TABLE_DEPTH_MOST] = {false};
     int depth = 0;
-    for (int i = 0; i < entry->length; i++) {
-        const uint8_t code = table->scene->programs[entry->program + i];
-        if (code < PROGRAM_UNION) {
+    for (uint32_t i = 0; i < entry->length; i++) {
+        const uint32_t code = table->scene->programs[entry->program + i];
+        if (code < COMPILED_UNION) {
             stack[depth++] = inside[code];
             continue;
         }
         const bool right = stack[--depth], left = stack[depth - 1];
-        stack[depth - 1] = code == PROGRAM_UNION          ? left || right
-                           : code == PROGRAM_INTERSECTION ? left && right
-                                                          : left && !right;
+        stack[depth - 1] = code == COMPILED_UNION          ? left || right
+                           : code == COMPILED_INTERSECTION ? left && right
+                                                           : left && !right;
     }
     return stack[0];
 }
@@ -244,7 +252,7 @@ static bool settle(const struct table *table, const struct sight_line *line,
             crossing->t -= face_distance(face, crossing->point) / slant;
         }
     }
-    for (int i = 0; i < table->count[crossing->primitive]; i++) {
+    for (uint32_t i = 0; i < table->count[crossing->primitive]; i++) {
         const struct table_face *other = &table->faces[table->first[crossing->primitive] + i];
         if (other != face) {
             edge = fmax(edge, face_distance(other, crossing->point));
@@ -264,8 +272,8 @@ static int compare_crossings(const void *a, const void *b) {
 int table_crossings(const struct table *table, const struct sight_line *line, double from,
                     struct table_crossing crossings[TABLE_CROSSINGS_MOST]) {
     int count = 0;
-    for (int i = 0; i < table->scene->primitive_count; i++) {
-        for (int j = 0; j < table->count[i]; j++) {
+    for (uint32_t i = 0; i < table->scene->primitive_count; i++) {
+        for (uint32_t j = 0; j < table->count[i]; j++) {
             double roots[2];
             const struct table_face *face = &table->faces[table->first[i] + j];
             face_roots(face, line, roots);
@@ -285,37 +293,40 @@ int table_crossings(const struct table *table, const struct sight_line *line, do
 
 /* ---- Wholeness ------------------------------------------------------------------------------ */
 
-static bool primitive_is_whole(const struct compiled_scene *scene, int index) {
+static bool primitive_is_whole(const struct compiled_scene *scene, uint32_t index) {
     const struct compiled_primitive *primitive = &scene->primitives[index];
     const unsigned counts[4] = {scene->box_count, scene->ball_count, scene->polyhedron_count,
                                 scene->quadric_count};
     if (primitive->kind > PRIMITIVE_QUADRIC || primitive->index >= counts[primitive->kind] ||
-        (primitive->frame != FRAME_WORLD && primitive->frame >= scene->frame_count)) {
+        (primitive->frame != COMPILED_FRAME_WORLD && primitive->frame >= scene->frame_count)) {
         return false;
     }
     if (primitive->kind == PRIMITIVE_POLYHEDRON) {
         const struct compiled_polyhedron *polyhedron = &scene->polyhedra[primitive->index];
         return polyhedron->count > 0 && polyhedron->first + polyhedron->count <= scene->plane_count;
     }
+    if (primitive->kind != PRIMITIVE_QUADRIC) {
+        return true;
+    }
     const struct compiled_quadric *quadric = &scene->quadrics[primitive->index];
-    return primitive->kind != PRIMITIVE_QUADRIC || quadric->cuts == 0 ||
-           (quadric->cuts < 8 && quadric->box < scene->box_count);
+    return quadric->cuts == 0 || (quadric->cuts < 8 && quadric->box < scene->box_count);
 }
 
 /* Checks that a program leaves one value, and takes no value that is not there. */
 static bool program_is_whole(const struct compiled_scene *scene,
                              const struct compiled_object *object) {
     int depth = 0;
-    if (object->program + object->length > scene->program_length) {
+    if (object->program > scene->program_length ||
+        object->length > scene->program_length - object->program) {
         return false;
     }
-    for (int i = 0; i < object->length; i++) {
-        const uint8_t code = scene->programs[object->program + i];
-        if (code < PROGRAM_UNION && code >= scene->primitive_count) {
+    for (uint32_t i = 0; i < object->length; i++) {
+        const uint32_t code = scene->programs[object->program + i];
+        if (code < COMPILED_UNION && code >= scene->primitive_count) {
             return false;
         }
-        depth += code < PROGRAM_UNION ? 1 : -1;
-        if (depth < 1) {
+        depth += code < COMPILED_UNION ? 1 : -1;
+        if (depth < 1 || depth > TABLE_DEPTH_MOST) {
             return false;
         }
     }
@@ -334,7 +345,7 @@ static bool frame_is_whole(const struct compiled_frame *frame) {
 }
 
 static bool objects_are_whole(const struct compiled_scene *scene, char text[200]) {
-    for (int i = 1; i < scene->object_count; i++) {
+    for (uint32_t i = 1; i < scene->object_count; i++) {
         const struct compiled_object *object = &scene->objects[i];
         if (!program_is_whole(scene, object)) {
             (void)snprintf(text, 200, "object '%s' of line %u: a broken program",
@@ -351,16 +362,16 @@ static bool objects_are_whole(const struct compiled_scene *scene, char text[200]
 }
 
 bool table_is_whole(const struct compiled_scene *scene, char text[200]) {
-    for (int i = 0; i < scene->primitive_count; i++) {
+    for (uint32_t i = 0; i < scene->primitive_count; i++) {
         if (!primitive_is_whole(scene, i)) {
             (void)snprintf(text, 200, "the solid of line %u: no entry of its table",
                            scene->primitives[i].line);
             return false;
         }
     }
-    for (int i = 0; i < scene->frame_count; i++) {
+    for (uint32_t i = 0; i < scene->frame_count; i++) {
         if (!frame_is_whole(&scene->frames[i])) {
-            (void)snprintf(text, 200, "frame %d: no three axes at right angles", i);
+            (void)snprintf(text, 200, "frame %u: no three axes at right angles", i);
             return false;
         }
     }

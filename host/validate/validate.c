@@ -3,13 +3,14 @@
 #include "validate/validate.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "validate/validate_internal.h"
 
 /* The numbers of points and of lines that are drawn: fewer where there is more to check for
  * each. */
-enum { POINTS_MOST = 2048, POINTS_LEAST = 512, LINES_MOST = 1024, LINES_LEAST = 128 };
+enum { POINTS_MOST = 2048, POINTS_LEAST = 128, LINES_MOST = 1024, LINES_LEAST = 32 };
 enum { LEAVES_ASKED = 500000, FACES_ASKED = 100000 };
 
 const char *compile_step_name(enum compile_step step) {
@@ -37,7 +38,8 @@ static void fault_of_part(struct validator *validator, int part, const double po
 }
 
 /* Checks that a point of an object lies within its bounds. */
-static void check_bounds(struct validator *validator, int part, int object, const double point[3]) {
+static void check_bounds(struct validator *validator, int part, uint32_t object,
+                         const double point[3]) {
     const struct compiled_object *entry = &validator->scene->objects[object];
     for (int i = 0; i < 3; i++) {
         if (!(point[i] >= entry->low[i] - VALIDATE_NEAR &&
@@ -49,7 +51,7 @@ static void check_bounds(struct validator *validator, int part, int object, cons
 }
 
 void validate_point(struct validator *validator, const double point[3]) {
-    bool inside[COMPILED_DRAFTS_MOST];
+    bool *inside = validator->inside;
     if (!validate_is_in_world(point)) {
         return;
     }
@@ -60,8 +62,9 @@ void validate_point(struct validator *validator, const double point[3]) {
             continue;
         }
         const enum side side = part_side(&validator->described, i, point);
-        const int object = validator->object_of_part[i];
-        const bool holds = object >= 0 && table_object_holds(&validator->table, object, inside);
+        const uint32_t object = validator->object_of_part[i];
+        const bool holds =
+            object != COMPILED_NONE && table_object_holds(&validator->table, object, inside);
         if (side == SIDE_NEAR) {
             validator->validation->near++;
         } else if (holds != (side == SIDE_INSIDE)) {
@@ -72,7 +75,7 @@ void validate_point(struct validator *validator, const double point[3]) {
             check_bounds(validator, i, object, point);
         }
     }
-    for (int i = 0; i < validator->scene->primitive_count; i++) {
+    for (uint32_t i = 0; i < validator->scene->primitive_count; i++) {
         if (inside[i]) {
             validate_reach(validator, i, point, 1);
         }
@@ -128,7 +131,7 @@ static void check_line(struct validator *validator, unsigned number) {
 
 static void check_lines(struct validator *validator) {
     const unsigned count =
-        within(FACES_ASKED, validator->table.face_count, LINES_LEAST, LINES_MOST);
+        within(FACES_ASKED, (int)validator->table.face_count, LINES_LEAST, LINES_MOST);
     for (unsigned i = 0; i < count; i++) {
         check_line(validator, i);
     }
@@ -138,10 +141,10 @@ static void check_lines(struct validator *validator) {
 
 /* Checks that an object of the tables has the material and the name of the part that it says it
  * is. */
-static bool is_part(const struct validator *validator, int object, int part) {
+static bool is_part(const struct validator *validator, uint32_t object, uint32_t part) {
     const struct compiled_scene *scene = validator->scene;
     const struct described *described = &validator->described;
-    if (part >= described->part_count) {
+    if (part >= scene->part_count) {
         return false;
     }
     const struct part *entry = &described->parts[part];
@@ -153,14 +156,12 @@ static bool is_part(const struct validator *validator, int object, int part) {
 /* Pairs the file's objects with those of the tables. */
 static bool pair_parts(struct validator *validator) {
     const struct compiled_scene *scene = validator->scene;
-    for (int i = 0; i < COMPILED_OBJECTS_MOST; i++) {
-        validator->object_of_part[i] = -1;
-    }
-    for (int i = 0; i < validator->described.part_count; i++) {
+    for (uint32_t i = 0; i < scene->part_count; i++) {
+        validator->object_of_part[i] = COMPILED_NONE;
         validator->described.parts[i].is_left_out = scene->is_left_out[i];
     }
-    for (int i = 1; i < scene->object_count; i++) {
-        const int part = scene->objects[i].part;
+    for (uint32_t i = 1; i < scene->object_count; i++) {
+        const uint32_t part = scene->objects[i].part;
         if (!is_part(validator, i, part)) {
             validate_fault(validator, NULL, "object '%s' of line %u is none of the file's",
                            scene->object_names[i], scene->objects[i].line);
@@ -172,8 +173,9 @@ static bool pair_parts(struct validator *validator) {
 }
 
 static void check_all(struct validator *validator) {
-    if (validator->described.part_count >= COMPILED_OBJECTS_MOST) {
-        validate_fault(validator, NULL, "more objects than the tables can hold");
+    if ((uint32_t)validator->described.part_count != validator->scene->part_count) {
+        validate_fault(validator, NULL, "%u parts of the file's objects, which has %d",
+                       validator->scene->part_count, validator->described.part_count);
         return;
     }
     if (!pair_parts(validator)) {
@@ -202,12 +204,14 @@ bool compiled_scene_agrees(const struct scene_description *description,
     validator.scene = scene;
     validator.step = step;
     validator.validation = validation;
+    validator.object_of_part = malloc(((size_t)scene->part_count + 1) * sizeof(uint32_t));
+    validator.inside = malloc((size_t)scene->primitive_count + 1);
     if (!table_is_whole(scene, text)) {
         validate_fault(&validator, NULL, "%s", text);
-        return false;
-    }
-    if (described_unfold(&validator.described, description, scene->centre, scene->exponent) &&
-        table_read(&validator.table, scene)) {
+    } else if (validator.object_of_part != NULL && validator.inside != NULL &&
+               described_unfold(&validator.described, description, scene->centre,
+                                scene->exponent) &&
+               table_read(&validator.table, scene)) {
         described_measure(&validator.described);
         check_all(&validator);
     } else {
@@ -215,6 +219,8 @@ bool compiled_scene_agrees(const struct scene_description *description,
     }
     described_free(&validator.described);
     table_free(&validator.table);
+    free(validator.object_of_part);
+    free(validator.inside);
     return validation->faults == 0;
 }
 

@@ -127,15 +127,15 @@ struct table_face {
     bool curved;
     double normal[3], offset;
     double centre[3], axis[3][3], square[3], linear, constant;
-    uint16_t surface;
+    uint32_t surface;
 };
 
 struct table {
     const struct compiled_scene *scene;
     struct table_face *faces;
-    int face_count;
-    int first[COMPILED_DRAFTS_MOST], count[COMPILED_DRAFTS_MOST]; /* faces of each primitive */
-    bool used[COMPILED_DRAFTS_MOST];                              /* some program names it */
+    uint32_t face_count;
+    uint32_t *first, *count; /* faces of each primitive */
+    bool *used;              /* some program names it */
 };
 
 /* Reads the faces of all primitives that programs name; false if memory is out. */
@@ -149,7 +149,7 @@ bool table_is_whole(const struct compiled_scene *scene, char text[200]);
 /* Estimates how far a point lies outside of a face, or of a primitive; the distance is below 0
  * inside. */
 double face_distance(const struct table_face *face, const double point[3]);
-double table_distance(const struct table *table, int primitive, const double point[3]);
+double table_distance(const struct table *table, uint32_t primitive, const double point[3]);
 
 /* Computes a face's outward direction at a point, not of length 1. */
 void face_gradient(const struct table_face *face, const double point[3], double gradient[3]);
@@ -157,17 +157,20 @@ void face_gradient(const struct table_face *face, const double point[3], double 
 /* Tells for each primitive in use whether it holds a point. */
 void table_inside(const struct table *table, const double point[3], bool inside[]);
 
-bool table_object_holds(const struct table *table, int object, const bool inside[]);
+bool table_object_holds(const struct table *table, uint32_t object, const bool inside[]);
 
 /* A place where a ray crosses a primitive. */
 struct table_crossing {
     double t, point[3];
-    int primitive;
+    uint32_t primitive;
     const struct table_face *face;
     bool clean; /* found exactly, neither grazing nor near to an edge */
 };
 
 enum { TABLE_CROSSINGS_MOST = 1024 };
+
+/* The firmware evaluates a program with so many places. */
+enum { TABLE_DEPTH_MOST = 32 };
 
 /* Finds the crossings of a line beyond the distance `from`, in order. Returns their number. */
 int table_crossings(const struct table *table, const struct sight_line *line, double from,
@@ -180,7 +183,8 @@ struct validator {
     struct described described;
     struct table table;
     enum compile_step step;
-    int object_of_part[COMPILED_OBJECTS_MOST]; /* -1: it was left out */
+    uint32_t *object_of_part; /* COMPILED_NONE: it was left out */
+    bool *inside;             /* by primitive: whether it holds the point at work */
     struct dice dice;
     struct validation *validation;
 };
@@ -193,7 +197,7 @@ void validate_fault(struct validator *validator, const double place[3], const ch
     ;
 
 /* Returns the line of the file that a primitive comes from; 0 where there is no such primitive. */
-unsigned validate_line(const struct validator *validator, int primitive);
+unsigned validate_line(const struct validator *validator, uint32_t primitive);
 
 /* Compares one point in the description and the tables. */
 void validate_point(struct validator *validator, const double point[3]);
@@ -204,7 +208,7 @@ void validate_crossings(struct validator *validator, const struct sight_line *ra
 
 /* Checks a primitive's bounds, and its reach along so many directions, at a point of the
  * primitive. */
-void validate_reach(struct validator *validator, int primitive, const double point[3],
+void validate_reach(struct validator *validator, uint32_t primitive, const double point[3],
                     int directions);
 
 /* Checks what the tables say as a whole: the sets of surfaces, the eye. */

@@ -288,7 +288,7 @@ static bool measure(const struct subject *subject, const char *folder) {
     }
     free(exact);
     free(found);
-    free(compiled);
+    compiled_scene_free(compiled);
     return right;
 }
 

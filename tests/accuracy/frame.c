@@ -176,7 +176,7 @@ static struct scene *load(const struct frame_settings *settings, struct frame *f
         arithmetic->learn(scene, &frame->estimate, &counts);
         frame->learning_rays = (double)counts.rays / ((double)settings->width * settings->height);
     }
-    free(compiled);
+    compiled_scene_free(compiled);
     return scene;
 }
 

@@ -45,7 +45,7 @@ static struct scene *load(const char *name) {
     overrides.depth = DEPTH;
     struct compiled_scene *compiled = load_compiled_scene(name, &overrides, &error);
     struct scene *scene = compiled != NULL ? arithmetic_f64.load(compiled, &error) : NULL;
-    free(compiled);
+    compiled_scene_free(compiled);
     if (scene == NULL) {
         (void)fprintf(stderr, "frame: %s\n", error.text);
     }

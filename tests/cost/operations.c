@@ -98,7 +98,7 @@ static bool take_sample(const char *text, int kind, struct sample *sample) {
         (void)fprintf(stderr, "%s\n", error.text);
     }
     free(scene);
-    free(compiled);
+    compiled_scene_free(compiled);
     scene_description_free(description);
     return is_made;
 }

@@ -23,11 +23,11 @@ int main(int argc, char **argv) {
         scanf("nodes %" SCNu64 " rays %" SCNu64 " shadow_rays %" SCNu64 " solid_tests %" SCNu64,
               &events.nodes, &events.rays, &events.shadow_rays, &events.solid_tests) != 4) {
         fprintf(stderr, "usage: whole.sh ... | %s SCENE CODE ARITHMETIC\n", argv[0]);
-        free(scene);
+        compiled_scene_free(scene);
         return 2;
     }
     struct cost_mix mix = cost_mix_of(scene);
-    free(scene);
+    compiled_scene_free(scene);
     double instructions = cost_instructions(argv[2], argv[3], &events, &mix);
     printf("%.0f\n", instructions);
     return instructions > 0 ? 0 : 1;

@@ -90,7 +90,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t count) {
     } else {
         draw(compiled, &arithmetic_fx);
         draw(compiled, &arithmetic_f32);
-        free(compiled);
+        compiled_scene_free(compiled);
     }
     scene_description_free(description);
     return 0;

@@ -111,7 +111,7 @@ static void the_cameras_steps_have_all_their_bits(void **state) {
         assert_true(fabs(across) < 1e-9);
         assert_true(largest >= 0.5 || camera->shift == 16);
         assert_true(largest < 1);
-        free(compiled);
+        compiled_scene_free(compiled);
         scene_description_free(description);
     }
 }

@@ -134,9 +134,9 @@ static void make_many(char *text, int balls) {
 static void as_many_solids_as_there_may_be_render_and_one_more_is_refused(void **state) {
     (void)state;
     char text[EXTREME_TEXT_SIZE];
-    make_many(text, COMPILED_PRIMITIVES_MOST - 1);
+    make_many(text, COMPILED_BITS_MOST - 1);
     check_against_f128(text);
-    make_many(text, COMPILED_PRIMITIVES_MOST);
+    make_many(text, COMPILED_BITS_MOST);
     for (int i = 0; i < EXTREME_ARITHMETICS; i++) {
         assert_refused(text, extreme_arithmetics[i], "test.scene:", "64");
     }

@@ -50,7 +50,7 @@ static void faces_that_nearly_coincide_are_named_with_their_distance(void **stat
             assert_int_equal(compiled->near[0].line, 7);
             assert_int_equal(compiled->near[0].other_line, 8);
             assert_true(fabs(compiled->near[0].distance - stretch * fabs(gaps[j])) < 1e-9);
-            free(compiled);
+            compiled_scene_free(compiled);
         }
     }
 }
@@ -64,7 +64,7 @@ static void faces_that_coincide_or_are_well_apart_are_not_named(void **state) {
             write_blocks(text, gaps[j], "", turns[i]);
             struct compiled_scene *compiled = compiled_of(text);
             assert_int_equal(compiled->near_count, 0);
-            free(compiled);
+            compiled_scene_free(compiled);
         }
     }
 }
@@ -167,7 +167,7 @@ static void an_eye_in_an_opaque_solid_without_an_end_is_refused(void **state) {
                          "line 5");
     write_eye(text, "m = { colour = (9, 9, 9); specular = 0.4; };",
               "{ half_space = { normal = (5, 0, 1); offset = -5; }; }");
-    free(compiled_of(text));
+    compiled_scene_free(compiled_of(text));
 }
 
 static void an_eye_inside_a_solid_is_told(void **state) {
@@ -190,7 +190,7 @@ static void an_eye_inside_a_solid_is_told(void **state) {
         (void)fclose(file);
         assert_int_equal(length > 0, i % 2 == 0);
         assert_true(i % 2 == 1 || strstr(remarks, words[i / 2]) != NULL);
-        free(compiled);
+        compiled_scene_free(compiled);
     }
 }
 

@@ -134,7 +134,7 @@ static void expect_refusal(const char *text, const char *arithmetic, const char 
     if (strstr(error.text, words) == NULL) {
         fail_msg("not '%s' but '%s'", words, error.text);
     }
-    free(compiled);
+    compiled_scene_free(compiled);
     scene_description_free(description);
 }
 

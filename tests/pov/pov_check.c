@@ -196,6 +196,6 @@ int main(int argc, char **argv) {
     }
     struct compiled_scene *compiled = load(argv);
     int status = compiled == NULL ? 2 : check(compiled, argv[7], argv[8]);
-    free(compiled);
+    compiled_scene_free(compiled);
     return status;
 }

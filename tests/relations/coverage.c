@@ -55,8 +55,8 @@ static const char *const names[SYNTAX_KINDS + MOTIFS + FEATURES] = {
     "half-space as object", "parts", "mirroring placement", "no threshold"};
 
 static bool has_enclosure(const struct compiled_scene *compiled) {
-    for (int i = 0; i < compiled->primitive_count; i++) {
-        if (compiled->primitives[i].enclosure != ENCLOSURE_NONE) {
+    for (uint32_t i = 0; i < compiled->primitive_count; i++) {
+        if (compiled->primitives[i].enclosure != COMPILED_ENCLOSURE_NONE) {
             return true;
         }
     }
@@ -64,7 +64,7 @@ static bool has_enclosure(const struct compiled_scene *compiled) {
 }
 
 static bool has_cut_quadric(const struct compiled_scene *compiled) {
-    for (int i = 0; i < compiled->quadric_count; i++) {
+    for (uint32_t i = 0; i < compiled->quadric_count; i++) {
         if (compiled->quadrics[i].cuts != 0) {
             return true;
         }
@@ -73,8 +73,8 @@ static bool has_cut_quadric(const struct compiled_scene *compiled) {
 }
 
 static bool has_turned_frame(const struct compiled_scene *compiled) {
-    for (int i = 0; i < compiled->primitive_count; i++) {
-        if (compiled->primitives[i].frame != FRAME_WORLD) {
+    for (uint32_t i = 0; i < compiled->primitive_count; i++) {
+        if (compiled->primitives[i].frame != COMPILED_FRAME_WORLD) {
             return true;
         }
     }
@@ -82,7 +82,7 @@ static bool has_turned_frame(const struct compiled_scene *compiled) {
 }
 
 static bool is_shadowless(const struct compiled_scene *compiled) {
-    for (int i = 0; i < compiled->light_count; i++) {
+    for (uint32_t i = 0; i < compiled->light_count; i++) {
         if (!compiled->lights[i].casts_shadows) {
             return true;
         }

@@ -14,7 +14,7 @@
 /* Maps the compiled materials to the syntax's by their names in the file, "m0", "m1". */
 static void map_materials(struct form *form, const struct scene_description *description) {
     form->materials[0] = ORACLE_AIR;
-    for (int i = 1; i < form->compiled->material_count; i++) {
+    for (uint32_t i = 1; i < form->compiled->material_count; i++) {
         const char *name = description->materials[form->compiled->materials[i].file].name;
         form->materials[i] = (int)strtol(name + 1, NULL, 10);
     }
@@ -42,7 +42,7 @@ bool form_start(struct form *form, const struct syntax *syntax) {
 }
 
 void form_end(struct form *form) {
-    free(form->compiled);
+    compiled_scene_free(form->compiled);
     form->compiled = NULL;
 }
 

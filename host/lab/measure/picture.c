@@ -98,6 +98,6 @@ int measure_shoot(struct measure *measure, const char *operand, struct measure_p
         status = failure("out of memory");
     }
     port_chain_free(chain);
-    free(compiled);
+    compiled_scene_free(compiled);
     return status;
 }

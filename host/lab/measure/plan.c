@@ -195,7 +195,7 @@ static int look_at_scene(struct measure_scene *scene, const struct scene_overrid
     scene->mix = cost_mix_of(compiled);
     bool has_digest = scene_digest(compiled, scene->digest);
     scene_description_free(description);
-    free(compiled);
+    compiled_scene_free(compiled);
     if (!has_digest) {
         complain("out of memory");
     }

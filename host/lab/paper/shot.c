@@ -212,6 +212,6 @@ int paper_shoot(struct paper *paper, const struct paper_shot *shot, struct paper
         return bad_input("%s", error.text);
     }
     int status = shoot(paper, compiled, photo);
-    free(compiled);
+    compiled_scene_free(compiled);
     return status;
 }

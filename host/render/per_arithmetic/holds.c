@@ -4,7 +4,9 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
+#include "base/grow.h"
 #include "scene.h"
 
 /* Compiled once for each arithmetic; the include path says which. */
@@ -18,113 +20,198 @@ static bool fail(const struct compiled_scene *scene, unsigned line, const char *
     return false;
 }
 
-static bool same_length(double a, double b) {
-    real_length left = REAL_LENGTH(a), right = REAL_LENGTH(b);
-    return !length_less(left, right) && !length_less(right, left);
+/* Returns a number as this arithmetic has it: the same for all that it can't tell apart. */
+static double kept_length(double length) {
+    return LENGTH_VALUE(REAL_LENGTH(length)) + 0.0; /* not -0 */
 }
 
-static bool same_unit(double a, double b) {
-    real_unit left = REAL_UNIT(a), right = REAL_UNIT(b);
-    return !unit_less(left, right) && !unit_less(right, left);
+static double kept_unit(double number) {
+    return UNIT_VALUE(REAL_UNIT(number)) + 0.0;
 }
 
-/* A plane face in scaled world coordinates. The normal's first component that is not 0 in this
- * arithmetic is positive: both sides of a wall look alike. */
-struct face {
-    double normal[3], offset;
-    uint16_t surface;
+static bool fail_memory(const struct compiled_scene *scene, struct scene_error *error) {
+    snprintf(error->text, sizeof error->text, "%.200s: out of memory", scene->path);
+    return false;
+}
+
+/* ---- What is one to this arithmetic --------------------------------------------------------- */
+
+enum { SHAPE_NUMBERS = 8 };
+
+/* A face or a curve, by all the numbers that tell one from another. Shapes of one kind and with the
+ * same numbers look alike: two surfaces of one shape are one. */
+struct shape {
+    double number[SHAPE_NUMBERS];
+    uint32_t kind, surface;
     unsigned line;
+    size_t place; /* in the order in which they are told */
 };
 
-enum { FACES_MOST = 6 * COMPILED_PRIMITIVES_MOST + COMPILED_PLANES_MOST };
+struct shapes {
+    struct shape *entries; /* grows as base/grow.h says */
+    size_t count;
+};
 
-static void set_face(struct face *face, const struct compiled_face *from, unsigned line) {
-    int first = 0;
-    while (first < 2 && same_unit(from->normal[first], 0)) {
-        first++;
+/* Adds a shape; false if memory is out. */
+static bool add_shape(struct shapes *shapes, struct shape shape) {
+    if (!GROW(shapes->entries, shapes->count)) {
+        return false;
     }
-    double sign = from->normal[first] < 0 ? -1 : 1;
-    for (int i = 0; i < 3; i++) {
-        face->normal[i] = sign * from->normal[i];
-    }
-    face->offset = sign * from->offset;
-    face->surface = from->surface;
-    face->line = line;
+    shape.place = shapes->count;
+    shapes->entries[shapes->count++] = shape;
+    return true;
 }
 
-static bool same_faces(const struct face *a, const struct face *b) {
-    return same_length(a->offset, b->offset) && same_unit(a->normal[0], b->normal[0]) &&
-           same_unit(a->normal[1], b->normal[1]) && same_unit(a->normal[2], b->normal[2]);
+/* Orders shapes by what they are. */
+static int compare_kinds(const struct shape *a, const struct shape *b) {
+    int order = (a->kind > b->kind) - (a->kind < b->kind);
+    for (int i = 0; i < SHAPE_NUMBERS && order == 0; i++) {
+        order = (a->number[i] > b->number[i]) - (a->number[i] < b->number[i]);
+    }
+    return order;
 }
 
-static bool faces_are_distinct(const struct compiled_scene *scene, struct scene_error *error) {
-    struct face faces[FACES_MOST];
-    int count = 0;
-    for (int i = 0; i < scene->primitive_count; i++) {
-        struct compiled_face own[COMPILED_FACES_MOST];
-        int more = compiled_faces(scene, i, own);
-        for (int j = 0; j < more; j++) {
-            set_face(&faces[count++], &own[j], scene->primitives[i].line);
+/* Orders shapes that are alike by their places. */
+static int compare_shapes(const void *a, const void *b) {
+    const struct shape *one = a, *other = b;
+    const int order = compare_kinds(one, other);
+    return order != 0 ? order : (one->place > other->place) - (one->place < other->place);
+}
+
+/* Returns the first shape, by its place, that looks like an earlier one of another surface; NULL:
+ * there is none. Leaves the shapes in another order. */
+static const struct shape *find_alike(struct shapes *shapes) {
+    const struct shape *found = NULL;
+    if (shapes->count > 1) {
+        qsort(shapes->entries, shapes->count, sizeof *shapes->entries, compare_shapes);
+    }
+    for (size_t i = 1; i < shapes->count; i++) {
+        const struct shape *shape = &shapes->entries[i];
+        if (compare_kinds(shape, shape - 1) == 0 && shape->surface != shape[-1].surface &&
+            (found == NULL || shape->place < found->place)) {
+            found = shape;
         }
     }
-    for (int i = 0; i < count; i++) {
-        for (int j = 0; j < i; j++) {
-            if (faces[i].surface != faces[j].surface && same_faces(&faces[i], &faces[j])) {
-                return fail(scene, faces[i].line, "a wall thinner", "thicker", error);
+    return found;
+}
+
+/* ---- Faces ---------------------------------------------------------------------------------- */
+
+/* Returns the shape of a plane face, in scaled world coordinates. The normal's first component that
+ * is not 0 in this arithmetic is positive: both sides of a wall look alike. */
+static struct shape face_shape(const struct compiled_face *face, unsigned line) {
+    struct shape shape = {.surface = face->surface, .line = line};
+    int first = 0;
+    while (first < 2 && kept_unit(face->normal[first]) == 0) {
+        first++;
+    }
+    double sign = face->normal[first] < 0 ? -1 : 1;
+    for (int i = 0; i < 3; i++) {
+        shape.number[i] = kept_unit(sign * face->normal[i]);
+    }
+    shape.number[3] = kept_length(sign * face->offset);
+    return shape;
+}
+
+/* Lists the faces of all primitives; false if memory is out. */
+static bool list_faces(const struct compiled_scene *scene, struct shapes *shapes) {
+    for (uint32_t i = 0; i < scene->primitive_count; i++) {
+        struct compiled_face faces[COMPILED_FACES_MOST];
+        int count = compiled_faces(scene, i, faces);
+        for (int j = 0; j < count; j++) {
+            if (!add_shape(shapes, face_shape(&faces[j], scene->primitives[i].line))) {
+                return false;
             }
         }
     }
     return true;
 }
 
-static bool same_balls(const struct compiled_ball *a, const struct compiled_ball *b) {
-    return same_length(a->radius, b->radius) && same_length(a->centre[0], b->centre[0]) &&
-           same_length(a->centre[1], b->centre[1]) && same_length(a->centre[2], b->centre[2]);
-}
+/* ---- Curves --------------------------------------------------------------------------------- */
 
 /* Returns how far a quadric reaches along an axis of its own, as a length with the sign of the
  * square. Quadrics without a constant term are told apart by their squares alone. */
 static double reach(const struct compiled_quadric *quadric, int axis) {
     double square = quadric->square[axis];
-    if (same_unit(square, 0)) {
+    if (kept_unit(square) == 0) {
         return 0;
     }
     double length = sqrt(fabs(quadric->constant / square));
     return square < 0 ? -length : length;
 }
 
-static bool same_quadrics(const struct compiled_quadric *a, const struct compiled_quadric *b) {
-    bool same = a->surface != b->surface && same_length(a->centre[0], b->centre[0]) &&
-                same_length(a->centre[1], b->centre[1]) &&
-                same_length(a->centre[2], b->centre[2]) && same_length(a->linear, b->linear) &&
-                same_length(sqrt(fabs(a->constant)), sqrt(fabs(b->constant)));
+/* Returns the shape of a quadric of a frame: frames are kinds. */
+static struct shape quadric_shape(const struct compiled_quadric *quadric, uint32_t frame) {
+    const double constant = sqrt(fabs(quadric->constant));
+    const bool pointed = kept_length(constant) == 0;
+    struct shape shape = {.kind = frame, .surface = quadric->surface};
     for (int i = 0; i < 3; i++) {
-        bool pointed = same_length(sqrt(fabs(a->constant)), 0);
-        same = same && (pointed ? same_unit(a->square[i], b->square[i])
-                                : same_length(reach(a, i), reach(b, i)));
+        shape.number[i] = kept_length(quadric->centre[i]);
+        shape.number[3 + i] =
+            pointed ? kept_unit(quadric->square[i]) : kept_length(reach(quadric, i));
     }
-    return same;
+    shape.number[6] = kept_length(quadric->linear);
+    shape.number[7] = kept_length(constant);
+    return shape;
+}
+
+static struct shape ball_shape(const struct compiled_ball *ball) {
+    struct shape shape = {.surface = ball->surface};
+    for (int i = 0; i < 3; i++) {
+        shape.number[i] = kept_length(ball->centre[i]);
+    }
+    shape.number[3] = kept_length(ball->radius);
+    return shape;
+}
+
+/* Lists the curves of one kind of primitives; false if memory is out. */
+static bool list_curves(const struct compiled_scene *scene, enum primitive_kind kind,
+                        struct shapes *shapes) {
+    for (uint32_t i = 0; i < scene->primitive_count; i++) {
+        const struct compiled_primitive *primitive = &scene->primitives[i];
+        if (primitive->kind != kind) {
+            continue;
+        }
+        struct shape shape =
+            kind == PRIMITIVE_BALL
+                ? ball_shape(&scene->balls[primitive->index])
+                : quadric_shape(&scene->quadrics[primitive->index], primitive->frame);
+        shape.line = primitive->line;
+        if (!add_shape(shapes, shape)) {
+            return false;
+        }
+        shapes->entries[shapes->count - 1].place = i; /* balls and quadrics are told in one order */
+    }
+    return true;
+}
+
+/* ---- Refusals ------------------------------------------------------------------------------- */
+
+static bool faces_are_distinct(const struct compiled_scene *scene, struct scene_error *error) {
+    struct shapes faces = {NULL, 0};
+    bool is_good = list_faces(scene, &faces) || fail_memory(scene, error);
+    const struct shape *alike = is_good ? find_alike(&faces) : NULL;
+    if (alike != NULL) {
+        is_good = fail(scene, alike->line, "a wall thinner", "thicker", error);
+    }
+    free(faces.entries);
+    return is_good;
 }
 
 static bool curves_are_distinct(const struct compiled_scene *scene, struct scene_error *error) {
-    for (int i = 0; i < scene->primitive_count; i++) {
-        const struct compiled_primitive *primitive = &scene->primitives[i];
-        const struct compiled_ball *ball = &scene->balls[primitive->index];
-        const struct compiled_quadric *quadric = &scene->quadrics[primitive->index];
-        for (int j = 0; j < i; j++) {
-            const struct compiled_primitive *other = &scene->primitives[j];
-            bool same =
-                other->kind == primitive->kind &&
-                ((primitive->kind == PRIMITIVE_BALL &&
-                  same_balls(ball, &scene->balls[other->index])) ||
-                 (primitive->kind == PRIMITIVE_QUADRIC && primitive->frame == other->frame &&
-                  same_quadrics(quadric, &scene->quadrics[other->index])));
-            if (same) {
-                return fail(scene, primitive->line, "a shell thinner", "thicker", error);
-            }
-        }
+    struct shapes balls = {NULL, 0}, quadrics = {NULL, 0};
+    bool is_good = (list_curves(scene, PRIMITIVE_BALL, &balls) &&
+                    list_curves(scene, PRIMITIVE_QUADRIC, &quadrics)) ||
+                   fail_memory(scene, error);
+    if (is_good) {
+        const struct shape *ball = find_alike(&balls), *quadric = find_alike(&quadrics);
+        const bool is_ball = ball != NULL && (quadric == NULL || ball->place < quadric->place);
+        const struct shape *first = is_ball ? ball : quadric;
+        is_good = first == NULL || fail(scene, first->line, "a shell thinner", "thicker", error);
     }
-    return true;
+    free(balls.entries);
+    free(quadrics.entries);
+    return is_good;
 }
 
 /* Tells whether a radius is less than a few times the noise. Distances along a ray are uncertain by
@@ -164,7 +251,7 @@ static struct compiled_quadric rounded(const struct compiled_quadric *quadric) {
 #define STRAY_MOST        0.5
 #define SQUARE_STRAY_MOST (1.0 / 64)
 
-static bool keeps_shape(const struct compiled_scene *scene, uint8_t frame,
+static bool keeps_shape(const struct compiled_scene *scene, uint32_t frame,
                         const struct compiled_quadric *quadric) {
     struct compiled_quadric moved = rounded(quadric);
     for (int i = 0; i < 3; i++) {
@@ -177,9 +264,8 @@ static bool keeps_shape(const struct compiled_scene *scene, uint8_t frame,
 }
 
 static bool curves_keep_shape(const struct compiled_scene *scene, struct scene_error *error) {
-    for (int i = 0; i < scene->primitive_count; i++) {
+    for (uint32_t i = 0; i < scene->primitive_count; i++) {
         const struct compiled_primitive *primitive = &scene->primitives[i];
-        const struct compiled_quadric *quadric = &scene->quadrics[primitive->index];
         if (primitive->kind == PRIMITIVE_BALL &&
             is_too_small(scene->balls[primitive->index].radius)) {
             return fail(scene, primitive->line, "a ball smaller", "larger", error);
@@ -187,6 +273,7 @@ static bool curves_keep_shape(const struct compiled_scene *scene, struct scene_e
         if (primitive->kind != PRIMITIVE_QUADRIC) {
             continue;
         }
+        const struct compiled_quadric *quadric = &scene->quadrics[primitive->index];
         if (is_too_small(least_radius(quadric))) {
             return fail(scene, primitive->line, "a solid narrower", "wider", error);
         }
@@ -203,7 +290,7 @@ static bool curves_keep_shape(const struct compiled_scene *scene, struct scene_e
 /* Checks that cells keep size and place. Cells of no size have no number; rounded sizes add up to
  * boundaries elsewhere. */
 static bool cells_keep_place(const struct compiled_scene *scene, struct scene_error *error) {
-    for (int i = 0; i < scene->pattern_count; i++) {
+    for (uint32_t i = 0; i < scene->pattern_count; i++) {
         const struct compiled_pattern *pattern = &scene->patterns[i];
         for (int axis = 0; axis < 3; axis++) {
             if ((pattern->axes >> axis & 1) == 0) {
@@ -213,7 +300,7 @@ static bool cells_keep_place(const struct compiled_scene *scene, struct scene_er
             double cells = 512 / size;
             double stray = cells * fabs(LENGTH_VALUE(REAL_LENGTH(size)) - size) +
                            fabs(LENGTH_VALUE(REAL_LENGTH(origin)) - origin);
-            if (same_length(size, 0) || stray > CELL_STRAY_MOST * size) {
+            if (kept_length(size) == 0 || stray > CELL_STRAY_MOST * size) {
                 return fail(scene, pattern->line, "a pattern's cell smaller", "larger", error);
             }
         }

@@ -10,9 +10,6 @@
 #include "render/per_arithmetic/observe.h"
 #include "scene.h"
 
-/* The widest image holds what the compiler makes. */
-typedef char compiled_sets_fit[(int)COMPILED_PRIMITIVES_MOST == (int)PRIMITIVES_MOST ? 1 : -1];
-
 /* Compiled once for each arithmetic; the include path says which. */
 
 #define NAME_JOIN(prefix, name)  NAME_JOIN_(prefix, name)
@@ -20,27 +17,28 @@ typedef char compiled_sets_fit[(int)COMPILED_PRIMITIVES_MOST == (int)PRIMITIVES_
 #define IMAGE                    NAME_JOIN(image_, REAL_NAME)
 #define ARITHMETIC               NAME_JOIN(arithmetic_, REAL_NAME)
 
-/* The tables and the scene that points to them, in one block. */
+/* The scene that points to its tables, and what stands before them in one block. */
 struct loaded {
     struct scene scene; /* first: the block is freed through it */
     struct estimate estimate;
-    struct frame frames[COMPILED_FRAMES_MOST];
-    struct primitive primitives[COMPILED_PRIMITIVES_MOST];
-    struct box boxes[2 * COMPILED_PRIMITIVES_MOST];
-    struct ball balls[COMPILED_PRIMITIVES_MOST];
-    struct polyhedron polyhedra[COMPILED_PRIMITIVES_MOST];
-    struct plane planes[COMPILED_PLANES_MOST];
-    struct quadric quadrics[COMPILED_PRIMITIVES_MOST];
-    struct primitive_set surfaces[COMPILED_SURFACES_MOST];
-    struct primitive_set hidden_by[COMPILED_PRIMITIVES_MOST];
-    uint8_t programs[COMPILED_PROGRAM_BYTES_MOST];
-    struct object objects[COMPILED_OBJECTS_MOST];
-    struct material materials[COMPILED_MATERIALS_MOST];
-    struct pattern patterns[COMPILED_MATERIALS_MOST];
-    struct pattern_face pattern_faces[COMPILED_PATTERN_FACES_MOST];
-    struct specular_table specular_tables[COMPILED_MATERIALS_MOST];
-    struct light lights[COMPILED_LIGHTS_MOST];
 };
+
+/* What a table begins at a multiple of. */
+enum { TABLE_ALIGNMENT = 64 };
+
+/* Memory that tables are laid out in, one behind the other. */
+struct block {
+    char *start; /* NULL: the tables are only measured */
+    size_t used;
+};
+
+/* Returns the place of a table of that many entries; NULL where tables are only measured. */
+static void *lay_out(struct block *block, uint32_t count, size_t size) {
+    char *place = block->start != NULL ? block->start + block->used : NULL;
+    size_t bytes = count * size + TABLE_ALIGNMENT - 1;
+    block->used += bytes / TABLE_ALIGNMENT * TABLE_ALIGNMENT;
+    return place;
+}
 
 static struct point point_of(const double p[3]) {
     struct point point = {REAL_LENGTH(p[0]), REAL_LENGTH(p[1]), REAL_LENGTH(p[2])};
@@ -64,8 +62,8 @@ static struct energies energies_of(const double e[3]) {
 
 static struct primitive_set set_of(const struct compiled_set *from) {
     struct primitive_set set;
-    for (int i = 0; i < FEATURE_PRIMITIVE_WORDS; i++) {
-        set.word[i] = from->word[i];
+    for (uint32_t i = 0; i < FEATURE_PRIMITIVE_WORDS; i++) {
+        set.word[i] = compiled_set_word(from, i);
     }
     return set;
 }
@@ -100,9 +98,9 @@ static void extinctions_of(real_extinction to[3], const double from[3]) {
     }
 }
 
-static void surfaces_of(uint16_t to[6], const uint16_t from[6]) {
+static void surfaces_of(surface_number to[6], const uint32_t from[6]) {
     for (int i = 0; i < 6; i++) {
-        to[i] = from[i];
+        to[i] = (surface_number)from[i];
     }
 }
 
@@ -125,8 +123,13 @@ static void surfaces_of(uint16_t to[6], const uint16_t from[6]) {
 #define LOAD_LONG(name)         to->name = from->name;
 #define LOAD_SIGNED(name)       to->name = from->name;
 #define LOAD_TRUTH(name)        to->name = from->name;
+#define LOAD_ENTRY(name)        to->name = (entry_number)from->name;
+#define LOAD_SURFACE(name)      to->name = (surface_number)from->name;
 #define LOAD_SURFACES(name)     surfaces_of(to->name, from->name);
+#define LOAD_FIRST(name)        to->name = (run_first)from->name;
+#define LOAD_COUNT(name)        to->name = (run_count)from->name;
 #define LOAD_SET(name)          to->name = set_of(&from->name);
+#define LOAD_MARKS(name)        LOAD_SET(name)
 
 static void load_frame(struct frame *to, const struct compiled_frame *from) {
     FRAME_FIELDS(LOAD_MEMBER)
@@ -192,37 +195,41 @@ static void load_camera(struct camera *to, const struct compiled_camera *from) {
     CAMERA_FIELDS(LOAD_MEMBER)
 }
 
-/* Loads all entries of a table. */
-#define LOAD_TABLE(count, table, load_entry)                                                       \
-    for (int i = 0; i < from->count; i++) {                                                        \
-        load_entry(&to->table[i], &from->table[i]);                                                \
-    }
-
 static void load_set(struct primitive_set *to, const struct compiled_set *from) {
     *to = set_of(from);
 }
 
-static void load_byte(uint8_t *to, const uint8_t *from) {
-    *to = *from;
+static void load_code(program_code *to, const uint32_t *from) {
+    *to = (program_code)*from;
 }
 
-static void load_tables(struct loaded *to, const struct compiled_scene *from) {
-    LOAD_TABLE(frame_count, frames, load_frame)
-    LOAD_TABLE(primitive_count, primitives, load_primitive)
-    LOAD_TABLE(box_count, boxes, load_box)
-    LOAD_TABLE(ball_count, balls, load_ball)
-    LOAD_TABLE(polyhedron_count, polyhedra, load_polyhedron)
-    LOAD_TABLE(plane_count, planes, load_plane)
-    LOAD_TABLE(quadric_count, quadrics, load_quadric)
-    LOAD_TABLE(surface_count, surfaces, load_set)
-    LOAD_TABLE(primitive_count, hidden_by, load_set)
-    LOAD_TABLE(program_length, programs, load_byte)
-    LOAD_TABLE(object_count, objects, load_object)
-    LOAD_TABLE(material_count, materials, load_material)
-    LOAD_TABLE(pattern_count, patterns, load_pattern)
-    LOAD_TABLE(pattern_face_count, pattern_faces, load_pattern_face)
-    LOAD_TABLE(specular_table_count, specular_tables, load_specular_table)
-    LOAD_TABLE(light_count, lights, load_light)
+/* Lays out a table and loads its entries. */
+#define LOAD_TABLE(type, table, entry_count, load_entry)                                           \
+    {                                                                                              \
+        type *table = lay_out(block, from->entry_count, sizeof *table);                            \
+        for (uint32_t i = 0; i < from->entry_count && table != NULL; i++) {                        \
+            load_entry(&table[i], &from->table[i]);                                                \
+        }                                                                                          \
+        to->table = table;                                                                         \
+    }
+
+static void load_tables(struct scene *to, const struct compiled_scene *from, struct block *block) {
+    LOAD_TABLE(struct frame, frames, frame_count, load_frame)
+    LOAD_TABLE(struct primitive, primitives, primitive_count, load_primitive)
+    LOAD_TABLE(struct box, boxes, box_count, load_box)
+    LOAD_TABLE(struct ball, balls, ball_count, load_ball)
+    LOAD_TABLE(struct polyhedron, polyhedra, polyhedron_count, load_polyhedron)
+    LOAD_TABLE(struct plane, planes, plane_count, load_plane)
+    LOAD_TABLE(struct quadric, quadrics, quadric_count, load_quadric)
+    LOAD_TABLE(struct primitive_set, surfaces, surface_count, load_set)
+    LOAD_TABLE(struct primitive_set, hidden_by, primitive_count, load_set)
+    LOAD_TABLE(program_code, programs, program_length, load_code)
+    LOAD_TABLE(struct object, objects, object_count, load_object)
+    LOAD_TABLE(struct material, materials, material_count, load_material)
+    LOAD_TABLE(struct pattern, patterns, pattern_count, load_pattern)
+    LOAD_TABLE(struct pattern_face, pattern_faces, pattern_face_count, load_pattern_face)
+    LOAD_TABLE(struct specular_table, specular_tables, specular_table_count, load_specular_table)
+    LOAD_TABLE(struct light, lights, light_count, load_light)
 }
 
 static void load_scene(struct scene *to, const struct compiled_scene *from) {
@@ -231,44 +238,29 @@ static void load_scene(struct scene *to, const struct compiled_scene *from) {
     SCENE_FIELDS_AFTER(LOAD_MEMBER)
     SCENE_FIELDS_SHOWN(LOAD_MEMBER)
     to->error = (uint32_t)(from->error * 65536 + 0.5);
-    to->primitive_count = from->primitive_count;
-    to->object_count = from->object_count;
-    to->light_count = from->light_count;
+    to->primitive_count = (entry_number)from->primitive_count;
+    to->object_count = (entry_number)from->object_count;
+    to->light_count = (entry_number)from->light_count;
     load_camera(&to->camera, &from->camera);
 }
 
-static void point_at_tables(struct loaded *loaded) {
-    struct scene *scene = &loaded->scene;
-    scene->frames = loaded->frames;
-    scene->primitives = loaded->primitives;
-    scene->boxes = loaded->boxes;
-    scene->balls = loaded->balls;
-    scene->polyhedra = loaded->polyhedra;
-    scene->planes = loaded->planes;
-    scene->quadrics = loaded->quadrics;
-    scene->surfaces = loaded->surfaces;
-    scene->hidden_by = loaded->hidden_by;
-    scene->programs = loaded->programs;
-    scene->objects = loaded->objects;
-    scene->materials = loaded->materials;
-    scene->patterns = loaded->patterns;
-    scene->pattern_faces = loaded->pattern_faces;
-    scene->specular_tables = loaded->specular_tables;
-    scene->lights = loaded->lights;
-}
-
 static struct scene *load(const struct compiled_scene *from, struct scene_error *error) {
-    if (!arithmetic_holds(from, error)) {
+    if (!compiled_fits_bits(from, error) || !arithmetic_holds(from, error)) {
         return NULL;
     }
-    struct loaded *loaded = calloc(1, sizeof *loaded);
+    struct scene measured;
+    struct block block = {NULL, 0};
+    (void)lay_out(&block, 1, sizeof(struct loaded));
+    load_tables(&measured, from, &block);
+    struct loaded *loaded = calloc(1, block.used);
     if (!loaded) {
         snprintf(error->text, sizeof error->text, "%.200s: out of memory", from->path);
         return NULL;
     }
+    block = (struct block){(char *)loaded, 0};
+    (void)lay_out(&block, 1, sizeof *loaded);
     load_scene(&loaded->scene, from);
-    load_tables(loaded, from);
-    point_at_tables(loaded);
+    load_tables(&loaded->scene, from, &block);
     return &loaded->scene;
 }
 

@@ -25,8 +25,8 @@ static int surfaces_of(const char *solid) {
         fail_msg("not compiled: %s", error.text);
         abort();
     }
-    int count = compiled->surface_count;
-    free(compiled);
+    int count = (int)compiled->surface_count;
+    compiled_scene_free(compiled);
     scene_description_free(description);
     return count;
 }

@@ -385,7 +385,7 @@ static void what_is_left_out_was_not_to_be_seen(void **state) {
             uint64_t seed = i * UINT64_C(0x9E3779B97F4A7C15);
             make_random(&seed, with_grain, text[with_grain]);
             struct loaded_scene loaded = load_text(text[with_grain], "f64");
-            dead[with_grain] += (unsigned)(8 + with_grain - loaded.compiled->object_count);
+            dead[with_grain] += (unsigned)(8 + with_grain) - loaded.compiled->object_count;
             shallow[with_grain] += loaded.compiled->depth < 255;
             unload(&loaded);
         }

@@ -214,7 +214,7 @@ static void place(char *text, const char *solid, const double turn[3], const dou
 
 static int primitives_of(const char *text) {
     struct loaded_scene loaded = load_text(text, "f64");
-    int count = loaded.compiled->primitive_count;
+    int count = (int)loaded.compiled->primitive_count;
     unload(&loaded);
     return count;
 }

@@ -212,8 +212,8 @@ static void the_enclosure_is_the_innermost_of_all_around(void **state) {
         struct loaded_scene loaded = load_text(text, "fx");
         const struct compiled_primitive *primitives = loaded.compiled->primitives;
         assert_int_equal(loaded.compiled->primitive_count, 1 + NESTED);
-        assert_int_equal(primitives[0].enclosure, ENCLOSURE_NONE);
-        assert_int_equal(primitives[1 + place[0]].enclosure, ENCLOSURE_NONE);
+        assert_int_equal(primitives[0].enclosure, COMPILED_ENCLOSURE_NONE);
+        assert_int_equal(primitives[1 + place[0]].enclosure, COMPILED_ENCLOSURE_NONE);
         for (int i = 1; i < NESTED; i++) {
             assert_int_equal(primitives[1 + place[i]].enclosure, 1 + place[i - 1]);
         }

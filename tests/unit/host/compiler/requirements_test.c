@@ -286,7 +286,7 @@ static void an_object_is_called_dead_once_for_each_reason(void **state) {
         told += strcmp(compiled->dead[i].what, "object \"it\" (line 6)") == 0;
     }
     assert_int_equal(told, 3); /* of the second one, only the clay could throw a shadow */
-    free(compiled);
+    compiled_scene_free(compiled);
 }
 
 int main(void) {

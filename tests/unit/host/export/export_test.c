@@ -53,7 +53,7 @@ static struct exported export_text(const char *text) {
 
 static void discard(struct exported *exported) {
     free(exported->text);
-    free(exported->scene);
+    compiled_scene_free(exported->scene);
     scene_description_free(exported->description);
 }
 
@@ -458,7 +458,7 @@ static void every_built_in_scene_is_taken(void **state) {
         if (!export_pov_check(description, scene, &error)) {
             fail_msg("%s", error.text);
         }
-        free(scene);
+        compiled_scene_free(scene);
         scene_description_free(description);
     }
 }

@@ -85,12 +85,12 @@ static void a_mix_counts_every_primitive(void **state) {
     struct compiled_scene *compiled = compile_builtin("fig3");
     struct cost_mix mix = cost_mix_of(compiled);
     assert_true(fabs(mix.box - 1) < 1e-12 && mix.ball <= 0 && mix.quadric <= 0);
-    free(compiled);
+    compiled_scene_free(compiled);
     compiled = compile_builtin("fig5");
     mix = cost_mix_of(compiled);
     assert_true(mix.quadric > 0 && mix.ball > 0 && mix.turned_box > 0);
     assert_true(mix.box + mix.turned_box + mix.ball + mix.quadric <= 1 + 1e-12);
-    free(compiled);
+    compiled_scene_free(compiled);
 }
 
 static void operations_add_up(void **state) {
@@ -143,13 +143,13 @@ static void requirements_of_built_in_scenes(void **state) {
     fig3->simple = true;
     assert_false(requirements_total_reflection(fig3));
     fig3->simple = false;
-    for (int i = 0; i < fig3->material_count; i++) {
+    for (uint32_t i = 0; i < fig3->material_count; i++) {
         fig3->materials[i].optical = fig3->materials[0].optical;
         fig3->materials[i].specular = 0;
     }
     assert_false(requirements_total_reflection(fig3));
     assert_false(requirements_highlight(fig3));
-    free(fig3);
+    compiled_scene_free(fig3);
 }
 
 static void count_feature(void *context, const char *name, int value) {
@@ -174,7 +174,7 @@ static void requirements_of(const char *scene, char *text, size_t size) {
         at[1] = ' ';
     }
     (void)fclose(file);
-    free(compiled);
+    compiled_scene_free(compiled);
 }
 
 static void check_and_compile_share_the_features(void **state) {
@@ -183,7 +183,7 @@ static void check_and_compile_share_the_features(void **state) {
     int counts[3] = {0, 0, 0};
     features_tell(fig3, count_feature, counts);
     assert_true(counts[0] > 10 && counts[1] == 1 && counts[2] == 1);
-    free(fig3);
+    compiled_scene_free(fig3);
 }
 
 static void check_names_what_a_scene_requires(void **state) {
@@ -256,7 +256,7 @@ static void make_signatures(const char *arithmetic, const struct tail *tail, uns
     const struct signature_job job = {
         arithmetic_find_any(arithmetic), compiled, first, last, jobs, NULL};
     assert_true(signatures_make(&job, signatures, &error));
-    free(compiled);
+    compiled_scene_free(compiled);
 }
 
 static bool are_equal(const struct signatures *a, const struct signatures *b) {

@@ -59,7 +59,7 @@ static void take_down(struct stage *stage) {
     assert_int_equal(port_chain_finish(stage->chain), BUS_OK);
     assert_int_equal(board_violations(&stage->chain->board), 0);
     port_chain_free(stage->chain);
-    free(stage->compiled);
+    compiled_scene_free(stage->compiled);
     free(stage->scene);
 }
 

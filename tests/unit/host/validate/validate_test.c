@@ -152,11 +152,11 @@ static void cover(struct coverage *coverage, const struct compiled_scene *scene)
     coverage->done.bounded += scene->report.bounded;
     coverage->done.hidden += scene->report.hidden;
     coverage->shadows += scene->has_shadows;
-    for (int i = 0; i < scene->primitive_count; i++) {
-        coverage->enclosures += scene->primitives[i].enclosure != ENCLOSURE_NONE;
+    for (uint32_t i = 0; i < scene->primitive_count; i++) {
+        coverage->enclosures += scene->primitives[i].enclosure != COMPILED_ENCLOSURE_NONE;
         coverage->kinds[scene->primitives[i].kind]++;
     }
-    for (int i = 0; i < scene->quadric_count; i++) {
+    for (uint32_t i = 0; i < scene->quadric_count; i++) {
         coverage->cuts += scene->quadrics[i].cuts != 0;
     }
     coverage->removed += scene->objects[scene->object_count - 1].part + 1 >= scene->object_count;
@@ -182,7 +182,7 @@ static void assert_validates(const struct scene_description *description, const 
         assert_true(step->near < step->points / 4);
     }
     cover(coverage, compiled);
-    free(compiled);
+    compiled_scene_free(compiled);
 }
 
 static void every_step_agrees_with_the_scene(void **state) {
@@ -218,89 +218,31 @@ static void every_step_agrees_with_the_built_in_scenes(void **state) {
 
 /* One scene that has something of each table: solids that lie within one another, apart and in each
  * other's way. */
-static const char damaged_objects[] = BOARD ",\n" OBJECT(
-    "glass",
-    LESS(
-        BOX
-        ", { ball = { centre = (0.1, 0, 0); "
-        "radius = 0.3; }; }")) ",\n" OBJECT("smoke",
-                                            "{ polyhedron = { " PLANES
-                                            "}; translate = (3, 0, 0); }") ",\n" OBJECT("board",
-                                                                                        "{ "
-                                                                                        "hyperbolo"
-                                                                                        "id = { "
-                                                                                        "from = "
-                                                                                        "(0, 3, "
-                                                                                        "-1); to "
-                                                                                        "= "
-                                                                                        "(0.3, "
-                                                                                        "3.2, 1); "
-                                                                                        "radius = "
-                                                                                        "1; "
-                                                                                        "waist = "
-                                                                                        "0.3; }; "
-                                                                                        "}") ","
-                                                                                             "\n" OBJECT(
-                                                                                                 "g"
-                                                                                                 "l"
-                                                                                                 "a"
-                                                                                                 "s"
-                                                                                                 "s",
-                                                                                                 "{"
-                                                                                                 " "
-                                                                                                 "b"
-                                                                                                 "a"
-                                                                                                 "l"
-                                                                                                 "l"
-                                                                                                 " "
-                                                                                                 "="
-                                                                                                 " "
-                                                                                                 "{"
-                                                                                                 " "
-                                                                                                 "c"
-                                                                                                 "e"
-                                                                                                 "n"
-                                                                                                 "t"
-                                                                                                 "r"
-                                                                                                 "e"
-                                                                                                 " "
-                                                                                                 "="
-                                                                                                 " "
-                                                                                                 "("
-                                                                                                 "3"
-                                                                                                 "."
-                                                                                                 "1"
-                                                                                                 ","
-                                                                                                 " "
-                                                                                                 "-"
-                                                                                                 "7"
-                                                                                                 "."
-                                                                                                 "3"
-                                                                                                 ","
-                                                                                                 " "
-                                                                                                 "5"
-                                                                                                 ")"
-                                                                                                 ";"
-                                                                                                 " "
-                                                                                                 "r"
-                                                                                                 "a"
-                                                                                                 "d"
-                                                                                                 "i"
-                                                                                                 "u"
-                                                                                                 "s"
-                                                                                                 " "
-                                                                                                 "="
-                                                                                                 " "
-                                                                                                 "1"
-                                                                                                 ";"
-                                                                                                 " "
-                                                                                                 "}"
-                                                                                                 ";"
-                                                                                                 " "
-                                                                                                 "}");
+#define SMALL_BALL "{ ball = { centre = (0.1, 0, 0); radius = 0.3; }; }"
+#define PRISM      "{ polyhedron = { " PLANES "}; translate = (3, 0, 0); }"
+#define WAIST                                                                                      \
+    "{ hyperboloid = { from = (0, 3, -1); to = (0.3, 3.2, 1); radius = 1; waist = 0.3; }; }"
+#define ABOUT_EYE "{ ball = { centre = (3.1, -7.3, 5); radius = 1; }; }"
+static const char damaged_objects[] =
+    BOARD ",\n" OBJECT("glass", LESS(BOX ", " SMALL_BALL)) ",\n" OBJECT(
+        "smoke", PRISM) ",\n" OBJECT("board", WAIST) ",\n" OBJECT("glass", ABOUT_EYE);
 
-static int find_kind(const struct compiled_scene *scene, enum primitive_kind kind) {
-    for (int i = 0; i < scene->primitive_count; i++) {
+/* Takes a primitive out of a set, or puts it in where it is not there. */
+static void toggle(struct compiled_set *set, uint32_t primitive) {
+    const struct compiled_set old = *set;
+    const bool was_there = compiled_set_has(set, primitive);
+    *set = (struct compiled_set){NULL, 0};
+    for (uint32_t i = 0; i < old.count; i++) {
+        if (old.members[i] != primitive) {
+            assert_true(compiled_set_include(set, old.members[i]));
+        }
+    }
+    assert_true(was_there || compiled_set_include(set, primitive));
+    free(old.members);
+}
+
+static uint32_t find_kind(const struct compiled_scene *scene, enum primitive_kind kind) {
+    for (uint32_t i = 0; i < scene->primitive_count; i++) {
         if (scene->primitives[i].kind == kind) {
             return i;
         }
@@ -310,7 +252,7 @@ static int find_kind(const struct compiled_scene *scene, enum primitive_kind kin
 }
 
 static void program(struct compiled_scene *scene) {
-    scene->programs[scene->objects[2].program + 2] = PROGRAM_UNION;
+    scene->programs[scene->objects[2].program + 2] = COMPILED_UNION;
 }
 static void broken_program(struct compiled_scene *scene) {
     scene->objects[2].length--;
@@ -355,7 +297,7 @@ static void surface_out_of_all(struct compiled_scene *scene) {
     scene->planes[0].surface = scene->surface_count;
 }
 static void surface_set(struct compiled_scene *scene) {
-    scene->surfaces[scene->balls[0].surface].word[0] ^= 1;
+    toggle(&scene->surfaces[scene->balls[0].surface], 0);
 }
 static void left_for_good(struct compiled_scene *scene) {
     scene->quadrics[0].left_for_good = true;
@@ -377,16 +319,16 @@ static void shadow_test(struct compiled_scene *scene) {
     scene->objects[3].in_shadow_test = false;
 }
 static void shadow_primitives(struct compiled_scene *scene) {
-    scene->shadow_primitives.word[0] = 0;
+    compiled_set_clear(&scene->shadow_primitives);
 }
 static void shadows_of_a_light(struct compiled_scene *scene) {
     scene->lights[0].casts_shadows = false;
 }
 static void uses(struct compiled_scene *scene) {
-    scene->objects[2].uses.word[0] ^= 1;
+    toggle(&scene->objects[2].uses, 0);
 }
 static void eye_inside(struct compiled_scene *scene) {
-    scene->camera.inside.word[0] ^= 1;
+    toggle(&scene->camera.inside, 0);
 }
 static void eye_object(struct compiled_scene *scene) {
     scene->camera.object = 1;
@@ -446,7 +388,7 @@ static void whatever_is_damaged_is_found(void **state) {
             fail_msg("damage %zu: %u faults, \"%s\" without \"%s\"", i, validation.faults,
                      validation.first, damages[i].said);
         }
-        free(scene);
+        compiled_scene_free(scene);
     }
     scene_description_free(description);
 }
@@ -466,7 +408,7 @@ static void a_fault_is_told_with_its_place_in_the_file(void **state) {
     assert_int_equal(sscanf(at, ", at (%lf, %lf, %lf)", &place[0], &place[1], &place[2]), 3);
     const double away = hypot(hypot(place[0] + 1200, place[1] - 2900), place[2] + 1900);
     assert_true(away > 249.9 && away < 500.1);
-    free(scene);
+    compiled_scene_free(scene);
     scene_description_free(description);
 }
 
@@ -484,7 +426,7 @@ static void a_step_is_held_to_what_it_claims(void **state) {
     assert_true(compiled_scene_agrees(description, scene, STEP_COMPACT, &validation));
     surface_set(scene);
     assert_true(compiled_scene_agrees(description, scene, STEP_BOUND, &validation));
-    free(scene);
+    compiled_scene_free(scene);
     scene_description_free(description);
 }
 
