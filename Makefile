@@ -50,14 +50,14 @@ LIBS := -lpng -lxxhash -ldeflate $(F128:f128=-lquadmath) -lm -lpthread $(USB_LIB
 # same bits. Of the sets of instructions that are compiled for, one is taken at run time.
 STREAM_REALS := f32 f64 fx
 VECTOR_SETS  := $(if $(filter x86_64%,$(shell $(CC) -dumpmachine)),avx2 avx512)
-ENGINES      := $(foreach real,$(STREAM_REALS),$(patsubst %,$(real)_%,plain $(VECTOR_SETS)))
+ENGINES      := $(foreach real,$(STREAM_REALS) $(STREAM_REALS:%=%_many),$(patsubst %,$(real)_%,plain $(VECTOR_SETS)))
 
 # ---- Sources ------------------------------------------------------------------------------------
 
 FIRMWARE_SOURCES := $(wildcard firmware/*.c)
 # Compiled once for each arithmetic beside the firmware.
 PER_ARITHMETIC_SOURCES := $(wildcard host/render/per_arithmetic/*.c)
-STREAM_SOURCES   := $(wildcard host/stream/*.c) firmware/solids.c
+STREAM_SOURCES    = $(wildcard host/stream/*.c host/stream/$(1)/*.c) firmware/solids.c
 # Both ends of the cable, and the board.
 TESTKIT_SOURCES  := $(wildcard emulator/testing/*.c)
 BOARD_SOURCES    := $(wildcard hal/*.c hal/cable/*.c firmware/adapter/*.c) \
@@ -65,20 +65,21 @@ BOARD_SOURCES    := $(wildcard hal/*.c hal/cable/*.c firmware/adapter/*.c) \
 LEFT_OUT         := $(patsubst %,adapter/driver_%,$(filter-out $(DRIVERS),bulk hid)) \
                     $(if $(PROCESSORS),,$(addprefix boot/,cpu_unicorn unicorn_code unicorn_library unicorn_rom unicorn_run)) \
                     $(if $(VECTOR_SETS),,render/instruction_sets_x86_64)
-HOST_SOURCES     := $(filter-out $(STREAM_SOURCES) $(patsubst %,host/%.c,$(LEFT_OUT) command/main), \
+HOST_SOURCES     := $(filter-out host/stream/%.c $(patsubst %,host/%.c,$(LEFT_OUT) command/main), \
                     $(wildcard host/*/*.c host/lab/*/*.c))
 # What this build has of several kinds: header, type, names. host/base/list.sh makes C of a list.
-LISTS := commands arithmetics stream_engines instruction_sets usb_backends processors
+LISTS := commands arithmetics arithmetics_many stream_engines instruction_sets usb_backends processors
 LIST_commands         := command/command.h command render scenes check compile export tree replay \
                          compare measure paper devices adapter trace boot completion manual help
 LIST_arithmetics      := render/arithmetic.h arithmetic $(ARITHMETICS)
+LIST_arithmetics_many := render/arithmetic.h arithmetic $(ARITHMETICS:%=%_many)
 LIST_stream_engines   := render/engine.h stream_engine $(ENGINES)
 LIST_instruction_sets := render/engine.h instruction_set $(VECTOR_SETS)
 LIST_usb_backends     := adapter/drivers.h usb_backend $(DRIVERS)
 LIST_processors       := boot/cpu.h processor $(PROCESSORS)
 # The objects that a program takes what it calls from.
 LIBRARY := $(patsubst %.c,%.o,$(BOARD_SOURCES) $(HOST_SOURCES)) builtin_scenes.o $(LISTS:%=lists/%.o) \
-           $(patsubst %,arithmetic_%.o,$(ARITHMETICS) $(EXAMPLES)) $(ENGINES:%=stream_engine_%.o)
+           $(patsubst %,arithmetic_%.o,$(ARITHMETICS) $(EXAMPLES) $(ARITHMETICS:%=%_many)) $(ENGINES:%=stream_engine_%.o)
 
 INCLUDE_hal      := -Ihal -Ihal/cable
 INCLUDE_firmware := $(INCLUDE_hal) -Ifirmware
@@ -142,7 +143,7 @@ endef
 # joined CONFIGURATION,NAME,SOURCES,FLAGS: an object of what is compiled in a folder of its own, NAME. The
 # symbol of that name alone leaves it.
 define joined
-$(call objects,$(1)/$(2),$$(FLOATING) $$(CFLAGS_$(1)) -Ifirmware/features/full $(4))
+$(call objects,$(1)/$(2),$$(FLOATING) $$(CFLAGS_$(1)) $(4))
 $$(BUILD)/$(1)/$(2).o: $(patsubst %.c,$$(BUILD)/$(1)/$(2)/%.o,$(3)) $$(BUILD)/sources
 	$$(call combine,$(2))
 
@@ -156,18 +157,31 @@ STREAM_FLAGS := -O3 -fno-trapping-math -fno-math-errno -ffinite-math-only -fno-s
 ifeq ($(findstring clang,$(shell $(CC) --version)),)
 STREAM_FLAGS += -fno-thread-jumps -fno-tree-loop-distribute-patterns
 $(foreach file,search_solids search_quadrics boundaries,$(eval STREAM_FLAGS_$(file) := -fno-tree-pre))
+# A fourth one unrolls loops of NODE_WIDTH before they can become vectors.
+STREAM_FLAGS_search := --param max-completely-peel-times=4
 endif
 STREAM_FLAGS_avx2   := -march=x86-64-v3
 STREAM_FLAGS_avx512 := -march=x86-64-v4 -mprefer-vector-width=512
+
+# Sets of primitives are bits, or lists where a scene has many. The include path chooses.
+SETS_bits := -Ifirmware/features/full -Ihost/render/sets/bits
+SETS_list := -Ifirmware/features/many -Ihost/render/sets/list
+
+# arithmetic CONFIGURATION,REAL,NAME,FLAGS: the firmware in an arithmetic, and what is compiled beside it.
+arithmetic = $(call joined,$(1),$(3),$(FIRMWARE_SOURCES) $(PER_ARITHMETIC_SOURCES),\
+    $(4) $$(if $$(filter firmware%,$$<),-ffreestanding) $(patsubst %,-I%,$(wildcard firmware/real/$(2) firmware/real/lab/$(2))) $$(call include_of,$$<))
+
+# engine CONFIGURATION,REAL,INSTRUCTIONS,SUFFIX,SETS: streams of rays in an arithmetic, for a set of instructions.
+engine = $(call joined,$(1),stream_engine_$(2)$(4)_$(3),$(call STREAM_SOURCES,$(5)),\
+    $$(STREAM_FLAGS) $$(STREAM_FLAGS_$$(*F)) $$(STREAM_FLAGS_$(3)) $(SETS_$(5)) -Ihost/stream/$(5) -Ifirmware/real/$(2:fx=fx_vector) -Ihost/stream/sets/$(3) $$(INCLUDE_host))
 
 # configuration NAME: every object, compiled for it. The include path chooses arithmetic and instructions.
 define configuration
 $(call objects,$(1),$$(POSIX) $$(CFLAGS_$(1)) $$(call include_of,$$<))
 $(call objects,$(1),$$(CFLAGS_$(1)) $$(INCLUDE_host),$$(BUILD)/)
-$(foreach real,$(ARITHMETICS) $(EXAMPLES) count,$(call joined,$(1),arithmetic_$(real),$(FIRMWARE_SOURCES) $(PER_ARITHMETIC_SOURCES),\
-    $$(if $$(filter firmware%,$$<),-ffreestanding) $(patsubst %,-I%,$(wildcard firmware/real/$(real) firmware/real/lab/$(real))) $$(call include_of,$$<)))
-$(foreach real,$(STREAM_REALS),$(foreach set,plain $(VECTOR_SETS),$(call joined,$(1),stream_engine_$(real)_$(set),$(STREAM_SOURCES),\
-    $$(STREAM_FLAGS) $$(STREAM_FLAGS_$$(*F)) $$(STREAM_FLAGS_$(set)) -Ifirmware/real/$(real:fx=fx_vector) -Ihost/stream/sets/$(set) $$(INCLUDE_host))))
+$(foreach real,$(ARITHMETICS) $(EXAMPLES) count,$(call arithmetic,$(1),$(real),arithmetic_$(real),$(SETS_bits)))
+$(foreach real,$(ARITHMETICS),$(call arithmetic,$(1),$(real),arithmetic_$(real)_many,$(SETS_list)))
+$(foreach real,$(STREAM_REALS),$(foreach set,plain $(VECTOR_SETS),$(call engine,$(1),$(real),$(set),,bits)$(call engine,$(1),$(real),$(set),_many,list)))
 endef
 
 all: $(BUILD)/superframe ## Build the program (the default)

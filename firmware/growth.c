@@ -234,7 +234,7 @@ static struct energies attenuated(const struct material *medium, struct energies
     return energies_product(weight, rest);
 }
 
-static const struct material *material_of(const struct scene *scene, uint8_t object) {
+static const struct material *material_of(const struct scene *scene, entry_number object) {
     return &scene->materials[scene->objects[object].material];
 }
 

@@ -13,8 +13,8 @@ struct ray {
     struct point origin;
     struct direction direction;
     struct primitive_set inside;
-    uint16_t surface; /* that it starts on, or SURFACE_NONE */
-    uint8_t object;   /* that it runs in */
+    surface_number surface; /* that it starts on, or SURFACE_NONE */
+    entry_number object;    /* that it runs in */
 };
 
 /* A boundary between two materials. */
@@ -22,10 +22,11 @@ struct hit {
     real_length t;
     struct point where;
     struct direction normal; /* turned towards the arriving ray */
-    uint16_t surface;
-    uint8_t primitive, face;
-    uint8_t before, after; /* objects on the near and the far side */
-    bool leaving;          /* the primitive is left, not entered */
+    surface_number surface;
+    entry_number primitive;
+    uint8_t face;
+    entry_number before, after; /* objects on the near and the far side */
+    bool leaving;               /* the primitive is left, not entered */
     struct primitive_set inside_before, inside_after;
 };
 

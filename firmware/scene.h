@@ -39,6 +39,8 @@
 #define SCENE_SURFACES(name)     surface_number name[6];
 #define SCENE_FIRST(name)        run_first name;
 #define SCENE_COUNT(name)        run_count name;
+#define SCENE_PLACES(name)       real_length name[3][NODE_WIDTH];
+#define SCENE_CHILDREN(name)     run_first name[NODE_WIDTH];
 #define SCENE_SET(name)          struct primitive_set name;
 #define SCENE_MARKS(name)        PRIMITIVE_MARKS(name)
 
@@ -79,6 +81,18 @@ struct quadric {
 
 struct object {
     OBJECT_FIELDS(SCENE_MEMBER)
+};
+
+struct bounds_node {
+    NODE_FIELDS(SCENE_MEMBER)
+};
+
+struct lead {
+    LEAD_FIELDS(SCENE_MEMBER)
+};
+
+struct use {
+    USE_FIELDS(SCENE_MEMBER)
 };
 
 struct pattern {
@@ -122,7 +136,7 @@ struct scene {
     const struct plane *planes;
     const struct quadric *quadrics;
     PRIMITIVE_TABLES /* by which rays are led to primitives */
-    const program_code *programs;
+        const program_code *programs;
     const struct object *objects;     /* [OBJECT_AIR] first */
     const struct material *materials; /* [MATERIAL_AIR] first */
     const struct pattern *patterns;

@@ -17,6 +17,9 @@ enum { QUADRIC_FACE = 6 };
 /* These numbers stand for no entry of a table. */
 enum { PATTERN_NONE = 0xFF, SPECULAR_CONSTANT = 0xFF };
 
+/* A node of a hierarchy has so many bounds. Vectors of numbers are as wide. */
+enum { NODE_WIDTH = 8 };
+
 /* w(theta) is given at so many angles from 0 to 90 degrees. */
 enum { SPECULAR_STEPS = 17 };
 

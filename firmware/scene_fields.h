@@ -13,6 +13,7 @@
  * BYTE, WORD, LONG: 8, 16 and 32 bits. SIGNED: 8 bits with a sign. TRUTH: a bool.
  * ENTRY: the number of an entry of a table. SURFACE: that of a surface. SURFACES: six of those.
  * FIRST, COUNT: where a run of entries begins, and how long the run is.
+ * PLACES: NODE_WIDTH lengths for each axis. CHILDREN: what NODE_WIDTH bounds hold.
  * SET: a set of primitives. MARKS: a set that has room for all primitives. Where rays carry lists,
  * nothing goes by marks, and there are none.
  * Lengths are in scaled units. */
@@ -78,6 +79,32 @@
     F(BYTE, material)                                                                              \
     F(TRUTH, in_shadow_test) /* it, or what it may cut away from, can keep light off a surface */  \
     F(MARKS, uses)           /* the primitives of its program */
+
+/* A node of a hierarchy: NODE_WIDTH bounds, each a little larger than what it holds. A bound holds
+ * another node, or the primitive NODE_PRIMITIVE + number, or nothing: then low is above high. The
+ * places of low and high faces stand by axis, then by bound. */
+#define NODE_FIELDS(F)                                                                             \
+    F(PLACES, low)                                                                                 \
+    F(PLACES, high)                                                                                \
+    F(CHILDREN, child)
+
+/* Where a search goes from within a primitive, and the objects that the primitive takes part in. An
+ * object holds no place that is in none of its keys. */
+#define LEAD_FIELDS(F)                                                                             \
+    /* The hierarchies of what lies strictly within the primitive and not within one of those. The \
+     * second has what can keep off light. NODE_NONE: there is nothing. */                         \
+    F(FIRST, within)                                                                               \
+    F(FIRST, within_shadow)                                                                        \
+    F(TRUTH, in_shadow_test) /* the primitive is one of shadow_primitives */                       \
+    F(TRUTH, stands_apart)   /* from all that is neither within it nor around it */                \
+    F(FIRST, key)            /* into keys: the objects that it is a key of */                      \
+    F(COUNT, key_count)                                                                            \
+    F(FIRST, use) /* into uses: its places in all programs, by object and place */                 \
+    F(COUNT, use_count)
+
+#define USE_FIELDS(F)                                                                              \
+    F(ENTRY, object)                                                                               \
+    F(FIRST, place) /* from the program's first code */
 
 /* Cells of two colours, along the world's axes. */
 #define PATTERN_FIELDS(F)                                                                          \
@@ -163,6 +190,12 @@
     F(TRUTH, fades)          /* C + D is there */                                                  \
     F(LENGTH, fade_start)    /* C */                                                               \
     F(SIGNED, fade_exponent) /* 2^this scaled units make one of the file's */
+
+/* The hierarchies that are not within a primitive, and how many primitives have no end. */
+#define SCENE_HIERARCHY_FIELDS(F)                                                                  \
+    F(FIRST, root)                                                                                 \
+    F(FIRST, shadow_root)                                                                          \
+    F(COUNT, endless_count)
 
 /* At its end. */
 #define SCENE_FIELDS_SHOWN(F)                                                                      \

@@ -7,9 +7,9 @@
 
 /* Finds the face that a boundary lies on, if cells end in it; NULL if none do. */
 static const struct pattern_face *face_of(const struct scene *scene, const struct pattern *pattern,
-                                          uint16_t surface) {
+                                          surface_number surface) {
     const struct pattern_face *face = &scene->pattern_faces[pattern->first_face];
-    for (uint8_t i = 0; i < pattern->face_count; i++) {
+    for (run_count i = 0; i < pattern->face_count; i++) {
         if (face[i].surface == surface) {
             return &face[i];
         }
@@ -131,7 +131,7 @@ struct colours shade(const struct scene *scene, const struct material *material,
         return ambient;
     }
     struct colours direct = {REAL_COLOUR(0.0), REAL_COLOUR(0.0), REAL_COLOUR(0.0)};
-    for (uint8_t i = 0; i < scene->light_count; i++) {
+    for (entry_number i = 0; i < scene->light_count; i++) {
         direct = colours_add(
             direct, lit_by(scene, material, colour, &scene->lights[i], ray, hit, mirrored, counts));
     }

@@ -31,7 +31,7 @@ void views_start(struct local_ray views[VIEWS], const struct point *origin,
     }
 }
 
-const struct local_ray *view_in(const struct scene *scene, uint8_t frame,
+const struct local_ray *view_in(const struct scene *scene, entry_number frame,
                                 struct local_ray views[VIEWS]) {
     const struct local_ray *world = &views[VIEW_WORLD];
     if (!FEATURE_ROTATION || frame == FRAME_WORLD) {
@@ -61,7 +61,7 @@ static inline bool is_falling(const struct local_ray *ray, uint8_t axis) {
 /* Moves `end` back to the farther one of the two faces across an axis, if that face is before
  * `end`. origin, low and high: where the ray's origin and the low and high face lie on the axis. */
 static inline void leave_axis(const struct local_ray *ray, uint8_t axis, real_length origin,
-                              real_length low, real_length high, const uint16_t *surface,
+                              real_length low, real_length high, const surface_number *surface,
                               struct start start, struct box_end *end) {
     if (is_level(ray, axis)) {
         return;
@@ -92,8 +92,8 @@ struct box_end box_exit(const struct box *box, const struct local_ray *ray, stru
 /* Moves `entry` on to the nearer one of the two faces across an axis, if that face is after
  * `entry`. Returns false if the ray runs along the faces and not between them. */
 static inline bool enter_axis(const struct local_ray *ray, uint8_t axis, real_length origin,
-                              real_length low, real_length high, const uint16_t *surface,
-                              uint16_t start_surface, struct box_end *entry) {
+                              real_length low, real_length high, const surface_number *surface,
+                              surface_number start_surface, struct box_end *entry) {
     if (is_level(ray, axis)) {
         return !length_less(origin, low) && length_less(origin, high);
     }
@@ -110,7 +110,7 @@ static inline bool enter_axis(const struct local_ray *ray, uint8_t axis, real_le
     return true;
 }
 
-bool box_entry(const struct box *box, const struct local_ray *ray, uint16_t surface,
+bool box_entry(const struct box *box, const struct local_ray *ray, surface_number surface,
                struct box_end *entry) {
     const struct point *low = &box->minimum, *high = &box->maximum;
     entry->t = length_negate(LENGTH_FAR);
@@ -213,7 +213,7 @@ static uint8_t form_segments(const struct form *form, bool starts_there,
 /* Cuts an interval by the faces across one axis; false if the ray runs past them. A ray that is
  * inside is asked only where it leaves. */
 static bool cut_axis(const struct local_ray *ray, uint8_t axis, real_length origin, real_length low,
-                     real_length high, const uint16_t *surface, struct start start,
+                     real_length high, const surface_number *surface, struct start start,
                      struct box_end *in, struct box_end *out) {
     leave_axis(ray, axis, origin, low, high, surface, start, out);
     return start.inside || enter_axis(ray, axis, origin, low, high, surface, start.surface, in);
@@ -296,8 +296,8 @@ static const struct box *box_of(const struct scene *scene, const struct primitiv
     return &scene->boxes[cut ? scene->quadrics[primitive->index].box : primitive->index];
 }
 
-uint16_t primitive_surface(const struct scene *scene, const struct primitive *primitive,
-                           uint8_t face) {
+surface_number primitive_surface(const struct scene *scene, const struct primitive *primitive,
+                                 uint8_t face) {
     if (FEATURE_BALL && primitive->kind == PRIMITIVE_BALL) {
         return scene->balls[primitive->index].surface;
     }

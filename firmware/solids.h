@@ -13,7 +13,7 @@ struct local_ray {
     real_slope slope[3]; /* of the direction's components; that of 1 where one is zero */
     uint8_t level;       /* bit 0, 1, 2: the component along x, y, z is zero */
     uint8_t falling;     /* bit 0, 1, 2: it is negative */
-    uint8_t frame;       /* that of a ray that has been turned, or FRAME_WORLD: none is there yet */
+    entry_number frame;  /* that of a ray that has been turned, or FRAME_WORLD: none is there yet */
 };
 
 /* The interval in .. out of a ray that lies inside a primitive. Where the ray misses, `hit` is
@@ -36,7 +36,7 @@ void views_start(struct local_ray views[VIEWS], const struct point *origin,
 /* Where a ray starts: on a surface of the primitive, or SURFACE_NONE; and whether it is inside. A
  * face on that surface lies at exactly 0, and is not where a ray that is inside leaves. */
 struct start {
-    uint16_t surface;
+    surface_number surface;
     bool inside;
 };
 
@@ -148,7 +148,7 @@ static inline struct direction turn_back(const struct frame *frame, struct direc
 }
 
 /* Returns a ray in a primitive's frame, turned once for all primitives of that frame. */
-const struct local_ray *view_in(const struct scene *scene, uint8_t frame,
+const struct local_ray *view_in(const struct scene *scene, entry_number frame,
                                 struct local_ray views[VIEWS]);
 
 /* Finds where a ray, or what is before its start, leaves a box: at LENGTH_FAR where there is no
@@ -158,7 +158,7 @@ struct box_end box_exit(const struct box *box, const struct local_ray *ray, stru
 
 /* Finds where a ray enters a box; false if the ray runs past, along two faces. A ray that leaves
  * before it enters does not meet the box. */
-bool box_entry(const struct box *box, const struct local_ray *ray, uint16_t surface,
+bool box_entry(const struct box *box, const struct local_ray *ray, surface_number surface,
                struct box_end *entry);
 
 /* Finds the intervals of a ray inside a primitive that is no box, in order. Returns how many there
@@ -168,8 +168,8 @@ uint8_t primitive_segments(const struct scene *scene, const struct primitive *pr
                            struct segment segments[2]);
 
 /* Returns the number of the surface that a face lies on. */
-uint16_t primitive_surface(const struct scene *scene, const struct primitive *primitive,
-                           uint8_t face);
+surface_number primitive_surface(const struct scene *scene, const struct primitive *primitive,
+                                 uint8_t face);
 
 /* Returns the outward normal at a point of a face. */
 struct direction primitive_normal(const struct scene *scene, const struct primitive *primitive,

@@ -21,10 +21,10 @@ awk -v list="$BUILD/include-files.txt" '
 # The rule that a folder falls under: its longest prefix here.
 BEGIN {
     may["hal"] = "hal hal/*"
-    may["firmware"] = "firmware hal firmware/real/* firmware/features/*"
+    may["firmware"] = "firmware hal firmware/real/* firmware/features/* firmware/sets/*"
     may["firmware/real"] = "firmware/real"
     may["firmware/real/lab"] = "firmware/real/lab firmware/real"
-    may["firmware/features"] = "firmware/features hal"
+    may["firmware/features"] = "firmware/features hal firmware firmware/sets/*"
     may["firmware/adapter"] = "firmware/adapter hal hal/*"
     # The ports for other CPUs lie around the firmware; the module for a web page holds the board too.
     may["firmware/targets"] = "firmware/targets/* firmware hal firmware/real/* firmware/features/*"
@@ -39,11 +39,12 @@ BEGIN {
         may["host/" order[i]] = outside before
     }
     # Compiled beside the firmware, once for each arithmetic.
-    may["host/render/per_arithmetic"] = may["host/render"] " host/render/per_arithmetic firmware/real/* firmware/features/*"
-    may["host/stream"] = may["host/stream"] " host/stream/sets/* firmware/real/* firmware/features/*"
+    may["host/render/per_arithmetic"] = may["host/render"] " host/render/per_arithmetic host/render/sets/* firmware/real/* firmware/features/* firmware/sets/*"
+    may["host/render/sets"] = may["host/render/per_arithmetic"]
+    may["host/stream"] = may["host/stream"] " host/stream/* host/stream/sets/* firmware/real/* firmware/features/* firmware/sets/*"
     # What the rest of host/ may see of the firmware.
     is_public["firmware/image.h"] = is_public["firmware/scene_constants.h"] = is_public["firmware/scene_fields.h"] = 1
-    sees_private["host/render/per_arithmetic"] = sees_private["host/stream"] = 1
+    sees_private["host/render/per_arithmetic"] = sees_private["host/render/sets"] = sees_private["host/stream"] = 1
     freestanding = " float.h iso646.h limits.h stdarg.h stdbool.h stddef.h stdint.h "
     while ((getline file < list) > 0) {
         is_ours[file] = 1
@@ -126,6 +127,8 @@ function wrong(text) {
     lines++
     own = rule_of(folder_of(FILENAME))
     name = $0
+    # A feature set chooses the form of sets, and so the walk.
+    sub(/SETS_WALK$/, "\"sets/bits/walk.h\"", name)
     if (name ~ /</) {
         sub(/^[^<]*</, "", name)
         sub(/>.*/, "", name)

@@ -14,16 +14,16 @@ export CCACHE_DISABLE=1
 folder=${BUILD:-build}/callgraph
 failures=0
 
-# check ARITHMETIC
+# check ARITHMETIC FEATURES
 check() {
     rm -rf "${folder:?}/$1"
     mkdir -p "$folder/$1" || exit 2
     for source in firmware/*.c; do
         gcc -std=c99 -ffreestanding -O0 -fcallgraph-info -I"firmware/real/$1" \
-            -Ifirmware/features/full -Ihal -Ifirmware -c \
+            -Ifirmware/features/"$2" -Ihal -Ifirmware -c \
             -o "$folder/$1/$(basename "$source" .c).o" "$source" || exit 2
     done
-    awk -v arithmetic="$1" '
+    awk -v arithmetic="$1, $2" '
     function name_in(line, key) {
         sub(".*" key ": \"", "", line)
         sub(/".*/, "", line)
@@ -76,7 +76,8 @@ if ! command -v gcc > /dev/null 2>&1; then
     echo 'check_recursion: gcc is needed: it is the compiler that writes call graphs' >&2
     exit 2
 fi
-check fx
-check f32
-check f64
+check fx full
+check f32 full
+check f64 full
+check f64 many
 exit $failures

@@ -3,8 +3,8 @@
 # Holds the tables of docs/scene-format.md to `superframe scenes --keys`: check_scene_page.sh [--write]
 #
 # A table stands between "<!-- keys: TITLE -->" and "<!-- end of keys -->". --write puts the tables
-# of today into the page. Exit status: 0 page and program agree, 1 they do not, or a table is on no
-# page.
+# of today into the page. The examples that the page names are drawn. Exit status: 0 page and program agree,
+# 1 they do not, or a table is on no page.
 set -eu
 cd "$(dirname "$0")/.." || exit 1
 BUILD=${BUILD:-build}
@@ -46,3 +46,12 @@ elif ! diff -u "$page" "$work/page.md"; then
     echo "check_scene_page: $page is not what the program says; tests/check_scene_page.sh --write mends it" >&2
     exit 1
 fi
+
+# The scenes that the page shows: no ray leaks.
+for scene in docs/examples/*.scene; do
+    "$SUPERFRAME" render "$scene" --size 64x40 --arith f32 -o "$work/example.png" --stats "$work/example.json" \
+        --quiet && grep -q '"leaked_rays": 0,' "$work/example.json" || {
+        echo "check_scene_page: $scene: not drawn, or a ray leaked" >&2
+        exit 1
+    }
+done

@@ -42,7 +42,7 @@ $(TOOL)/cost/operations: $(BUILD)/release/arithmetic_count.o
 $(FUZZERS): $(BUILD)/fuzzed/library.a
 $(BUILD)/fuzzed/tests/fuzz/scene_fuzz: $(BUILD)/fuzzed/tests/fuzz/scene_mutator.o
 $(BUILD)/fuzzed/library.a: $(addprefix $(BUILD)/fuzzed/,$(filter hal/% emulator/% firmware/adapter/% host/boot/% \
-    $(patsubst %,host/%/%.o,base scene compiler adapter) arithmetic_fx.o arithmetic_f32.o builtin_scenes.o lists/processors.o,$(LIBRARY)))
+    $(patsubst %,host/%/%.o,base scene compiler adapter) arithmetic_fx.o arithmetic_f32.o arithmetic_f32_many.o builtin_scenes.o lists/processors.o,$(LIBRARY)))
 $(COVERED_PROGRAMS): $(BUILD)/coverage/library.a
 $(BUILD)/coverage/library.a: $(patsubst %.c,$(BUILD)/coverage/%.o,$(BOARD_SOURCES) $(TESTKIT_SOURCES)) \
     $(addprefix $(BUILD)/release/,$(filter-out hal/% emulator/% firmware/%,$(LIBRARY)))
@@ -53,10 +53,10 @@ FLAGS_tests/usb  := -D_DEFAULT_SOURCE $(if $(USB_FLAVOURS),$(call headers_of,umo
 
 # The program without f128 and transports: what only the whole lists name is left in the archive.
 $(BUILD)/superframe_without: $(addprefix $(BUILD)/release/,host/command/main.o lists_without/usb_backends.o \
-    lists_without/arithmetics.o library.a)
+    lists_without/arithmetics.o lists_without/arithmetics_many.o library.a)
 	$(call link,$(filter-out $(USB_LIBS) -lquadmath,$(LIBS)))
 $(LISTS:%=$(BUILD)/lists_without/%.c): $(BUILD)/lists_without/%.c: host/base/list.sh FORCE
-	$(call renew,sh $< $* $(filter-out f128 bulk hid,$(LIST_$*)))
+	$(call renew,sh $< $* $(filter-out f128% bulk hid,$(LIST_$*)))
 
 # The firmware without what the host adds to it: tests/check_symbols.sh reads this.
 FIRMWARE_IMAGES := $(patsubst %,$(BUILD)/release/firmware_%.o,fx f32 f64)
@@ -111,8 +111,9 @@ fresh-prefix: $(BUILD)/superframe $(LIBRARIES)
 	@$(MAKE) --no-print-directory -s install PREFIX='$(abspath $(BUILD))/prefix' DESTDIR=
 
 strict: | setup ## Compile the firmware with one opaque type for each role: no raw arithmetic passes
-	$(Q)$(CC) $(WARNINGS) -ffreestanding -Ifirmware/real/strict -Ifirmware/features/full $(INCLUDE_firmware) \
-	    -fsyntax-only $(FIRMWARE_SOURCES)
+	$(Q)for form in full many; do \
+	    $(CC) $(WARNINGS) -ffreestanding -Ifirmware/real/strict -Ifirmware/features/$$form $(INCLUDE_firmware) \
+	    -fsyntax-only $(FIRMWARE_SOURCES) || exit 1; done
 
 test-kernel: setup ## Draw over USB and HID through the real Linux USB stack, as an ordinary user [test usb kernel]
 	@$(MAKE) --no-print-directory $(BUILD)/superframe $(BUILD)/sanitized/superframe $(LIBRARIES)
@@ -156,14 +157,16 @@ lint-style: | setup # [lint]
 
 lint-cppcheck: | setup # [lint]
 	cppcheck --quiet --std=c99 --enable=warning,performance,portability --error-exitcode=1 \
-	    --suppressions-list=tests/cppcheck_suppressions.txt $(INCLUDE_host) -Ifirmware/real/fx -Ifirmware/features/full \
+	    --suppressions-list=tests/cppcheck_suppressions.txt $(INCLUDE_host) -Ifirmware/real/fx $(SETS_bits) -Ihost/stream/bits \
 	    -Iemulator/testing hal emulator host firmware
 
 # tidy ARITHMETICS,SOURCES,INCLUDES: reads what is compiled for each arithmetic.
 tidy = @printf '%s\n' $(1) | xargs -P 2 -I % clang-tidy --quiet --checks=-clang-analyzer-core.DivideZero $(2) -- \
-    -std=c99 -Ifirmware/real/% $(3) -Ifirmware/features/full $(INCLUDE_host)
+    -std=c99 -Ifirmware/real/% $(3) $(INCLUDE_host)
 lint-tidy: | setup # [lint]
 	@printf '%s\n' $(BOARD_SOURCES) $(HOST_SOURCES) $(TESTKIT_SOURCES) | \
 	    xargs -P 2 -n 8 sh -c 'clang-tidy --quiet "$$@" -- -std=c99 $(POSIX) $(INCLUDE_host) -Iemulator/testing' tidy
-	$(call tidy,fx f64,$(FIRMWARE_SOURCES) $(PER_ARITHMETIC_SOURCES))
-	$(call tidy,fx_vector f64,$(wildcard host/stream/*.c),-Ihost/stream/sets/plain)
+	$(call tidy,fx f64,$(FIRMWARE_SOURCES) $(PER_ARITHMETIC_SOURCES),$(SETS_bits))
+	$(call tidy,f64,$(FIRMWARE_SOURCES) $(PER_ARITHMETIC_SOURCES),$(SETS_list))
+	$(call tidy,fx_vector f64,$(call STREAM_SOURCES,bits),$(SETS_bits) -Ihost/stream/bits -Ihost/stream/sets/plain)
+	$(call tidy,f64,$(call STREAM_SOURCES,list),$(SETS_list) -Ihost/stream/list -Ihost/stream/sets/plain)

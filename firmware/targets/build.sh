@@ -33,7 +33,10 @@ options=${COMPILE:-}
 if [ "$features" = minimal ]; then
     "$SUPERFRAME" compile "$scene" $options --minimal -o "$folder/tables/feature_set.h"
 else
-    cp firmware/features/full/feature_set.h "$folder/tables/feature_set.h"
+    # Sets as lists, where the scene has them.
+    form=full
+    ! grep -q 'FEATURE_NESTING' "$folder/scene.c" || form=many
+    cp firmware/features/$form/feature_set.h "$folder/tables/feature_set.h"
 fi
 
 # A multiple exposure takes a camera whose shutter is opened eight times.

@@ -91,7 +91,8 @@ static int tell_arithmetics(struct json *json, const struct compiled_scene *comp
     for (size_t i = 0; arithmetics_built[i] != NULL; i++) {
         struct scene_error error;
         const char *name = arithmetics_built[i]->image->name;
-        struct scene *scene = arithmetics_built[i]->load(compiled, &error);
+        struct scene *scene =
+            arithmetic_for(arithmetics_built[i], compiled)->load(compiled, &error);
         if (scene == NULL) {
             status =
                 json != NULL ? STATUS_BAD_INPUT : bad_input("%s (--arith %s)", error.text, name);

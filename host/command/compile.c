@@ -26,9 +26,7 @@ static int run_compile(const struct options *options) {
         return bad_input("%s", error.text);
     }
     int status = STATUS_FAILED;
-    if (!compiled_fits_bits(compiled, &error)) {
-        status = bad_input("%s", error.text);
-    } else if (output_open(&output, options->output)) {
+    if (output_open(&output, options->output)) {
         const bool is_minimal = ((const struct compile_options *)options)->minimal;
         scene_short_name(options->operands[0], name, sizeof name);
         errno = 0;

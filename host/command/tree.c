@@ -34,7 +34,8 @@ static int grow_and_print(const struct options *options, const struct compiled_s
                           uint16_t x, uint16_t y) {
     struct scene_error error;
     struct ray_tree tree;
-    const struct arithmetic *arithmetic = arithmetic_find(options->arithmetic);
+    const struct arithmetic *arithmetic =
+        arithmetic_for(arithmetic_find(options->arithmetic), compiled);
     struct scene *scene = arithmetic->load(compiled, &error);
     if (scene == NULL) {
         return bad_input("%s", error.text);

@@ -17,18 +17,6 @@ bool compile_append(struct compiler *compiler, uint32_t code) {
     return true;
 }
 
-uint64_t compile_key(enum known kind) {
-    return bucket_key(0, (uint64_t)kind);
-}
-
-uint32_t compile_note(struct compiler *compiler, uint64_t key, uint32_t entry) {
-    if (entry != COMPILED_NONE && !buckets_add(&compiler->known, key, entry)) {
-        (void)compile_fail_memory(compiler);
-        return COMPILED_NONE;
-    }
-    return entry;
-}
-
 uint32_t compile_new_primitive(struct compiler *compiler, enum primitive_kind kind, uint32_t index,
                                uint32_t frame, bool left_for_good) {
     struct compiled_scene *scene = compiler->scene;

@@ -30,3 +30,15 @@ void compile_show(const struct compiler *compiler, enum compile_step step) {
         compiler->observer->look(compiler->observer->context, step, compiler->scene);
     }
 }
+
+uint64_t compile_key(enum known kind) {
+    return bucket_key(0, (uint64_t)kind);
+}
+
+uint32_t compile_note(struct compiler *compiler, uint64_t key, uint32_t entry) {
+    if (entry != COMPILED_NONE && !buckets_add(&compiler->known, key, entry)) {
+        (void)compile_fail_memory(compiler);
+        return COMPILED_NONE;
+    }
+    return entry;
+}

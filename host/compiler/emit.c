@@ -5,10 +5,12 @@
 #include <ctype.h>
 #include <inttypes.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include <xxhash.h>
 
 #include "compiler/features.h"
+#include "compiler/hierarchy.h"
 
 /* Numbers are written as hexadecimal floating constants, which every compiler reads exactly.
  * Members are named, so that their order does not matter. */
@@ -32,11 +34,6 @@ static void emit_steps(FILE *out, const char *role, const double v[SPECULAR_STEP
     fputc('}', out);
 }
 
-static void emit_surfaces(FILE *out, const uint32_t surface[6]) {
-    fprintf(out, "{%u, %u, %u, %u, %u, %u}", surface[0], surface[1], surface[2], surface[3],
-            surface[4], surface[5]);
-}
-
 /* Writes as many words of a set as the scene needs; an image with larger sets fills the rest with
  * 0. */
 static void emit_set(FILE *out, const struct compiled_set *set, uint32_t words) {
@@ -51,16 +48,76 @@ static const char *truth(bool value) {
     return value ? "true" : "false";
 }
 
-/* What is written, and how many words a set has. */
+/* What is written, and in which form of sets. */
 struct emitter {
     FILE *out;
-    uint32_t words;
+    bool lists;     /* numbers have 32 bits, and sets are lists */
+    uint32_t words; /* of a set of bits */
 };
+
+/* Writes a number that has so many bits where sets are bits. */
+static void emit_number(const struct emitter *to, uint32_t value, unsigned bits) {
+    if (to->lists) {
+        fprintf(to->out, "UINT32_C(%lu)", (unsigned long)value);
+    } else {
+        fprintf(to->out, "%lu", (unsigned long)(value & ((UINT32_C(1) << bits) - 1)));
+    }
+}
+
+static void emit_surfaces(const struct emitter *to, const uint32_t surface[6]) {
+    for (int i = 0; i < 6; i++) {
+        fputs(i > 0 ? ", " : "{", to->out);
+        emit_number(to, surface[i], 16);
+    }
+    fputc('}', to->out);
+}
+
+/* Writes a set in its form. */
+static void emit_either_set(const struct emitter *to, const struct compiled_set *set) {
+    if (!to->lists) {
+        emit_set(to->out, set, to->words);
+        return;
+    }
+    fprintf(to->out, "{%lu, {", (unsigned long)set->count);
+    for (uint32_t i = 0; i < set->count; i++) {
+        fputs(i > 0 ? ", " : "", to->out);
+        emit_number(to, set->members[i], 8);
+    }
+    fputs(set->count > 0 ? "}}" : "0}}", to->out);
+}
+
+static void emit_places(const struct emitter *to, const double places[3][NODE_WIDTH]) {
+    for (int axis = 0; axis < 3; axis++) {
+        for (int i = 0; i < NODE_WIDTH; i++) {
+            fprintf(to->out, "%sREAL_LENGTH(%a)",
+                    i > 0      ? ", "
+                    : axis > 0 ? "}, {"
+                               : "{{",
+                    places[axis][i]);
+        }
+    }
+    fputs("}}", to->out);
+}
+
+static void emit_children(const struct emitter *to, const uint32_t child[NODE_WIDTH]) {
+    for (int i = 0; i < NODE_WIDTH; i++) {
+        fputs(i > 0 ? ", " : "{", to->out);
+        emit_number(to, child[i], 8);
+    }
+    fputc('}', to->out);
+}
+
+/* Tells whether members of a role are there: marks are not, where sets are lists. */
+static bool role_is_there(const struct emitter *to, const char *role) {
+    return !to->lists || strcmp(role, "MARKS") != 0;
+}
 
 /* Members of *from, by the roles of scene_fields.h. */
 #define EMIT_MEMBER(role, name)                                                                    \
-    fputs("." #name " = ", to->out);                                                               \
-    EMIT_##role(from->name) fputs(", ", to->out);
+    if (role_is_there(to, #role)) {                                                                \
+        fputs("." #name " = ", to->out);                                                           \
+        EMIT_##role(from->name) fputs(", ", to->out);                                              \
+    }
 #define EMIT_POINT(value)        emit_vector(to->out, "REAL_LENGTH", value);
 #define EMIT_DIRECTION(value)    emit_vector(to->out, "REAL_UNIT", value);
 #define EMIT_DIRECTIONS(value)   emit_vectors(to->out, "REAL_UNIT", value);
@@ -78,13 +135,15 @@ struct emitter {
 #define EMIT_LONG(value)         fprintf(to->out, "UINT32_C(%lu)", (unsigned long)(value));
 #define EMIT_SIGNED(value)       fprintf(to->out, "%d", value);
 #define EMIT_TRUTH(value)        fputs(truth(value), to->out);
-#define EMIT_SURFACES(value)     emit_surfaces(to->out, value);
-#define EMIT_SET(value)          emit_set(to->out, &(value), to->words);
-#define EMIT_MARKS(value)        emit_set(to->out, &(value), to->words);
-#define EMIT_ENTRY(value)        fprintf(to->out, "%u", (uint8_t)(value));
-#define EMIT_SURFACE(value)      fprintf(to->out, "%u", (uint16_t)(value));
-#define EMIT_FIRST(value)        fprintf(to->out, "%u", (uint16_t)(value));
-#define EMIT_COUNT(value)        fprintf(to->out, "%u", (uint8_t)(value));
+#define EMIT_SURFACES(value)     emit_surfaces(to, value);
+#define EMIT_SET(value)          emit_either_set(to, &(value));
+#define EMIT_MARKS(value)        emit_either_set(to, &(value));
+#define EMIT_PLACES(value)       emit_places(to, value);
+#define EMIT_CHILDREN(value)     emit_children(to, value);
+#define EMIT_ENTRY(value)        emit_number(to, value, 8);
+#define EMIT_SURFACE(value)      emit_number(to, value, 16);
+#define EMIT_FIRST(value)        emit_number(to, value, 16);
+#define EMIT_COUNT(value)        emit_number(to, value, 8);
 
 static void emit_frame(const struct emitter *to, const struct compiled_frame *from) {
     FRAME_FIELDS(EMIT_MEMBER)
@@ -150,33 +209,49 @@ static void emit_camera(const struct emitter *to, const struct compiled_camera *
     CAMERA_FIELDS(EMIT_MEMBER)
 }
 
-static void emit_code(const struct emitter *to, uint32_t code) {
-    fprintf(to->out, "0x%02X", (uint8_t)code);
+static void emit_node(const struct emitter *to, const struct compiled_node *from) {
+    NODE_FIELDS(EMIT_MEMBER)
 }
 
-static void emit_entry_set(const struct emitter *to, const struct compiled_set *from) {
-    emit_set(to->out, from, to->words);
+static void emit_lead(const struct emitter *to, const struct compiled_lead *from) {
+    LEAD_FIELDS(EMIT_MEMBER)
+}
+
+static void emit_use(const struct emitter *to, const struct compiled_use *from) {
+    USE_FIELDS(EMIT_MEMBER)
+}
+
+static void emit_code(const struct emitter *to, uint32_t code) {
+    if (to->lists) {
+        fprintf(to->out, "UINT32_C(0x%02lX)", (unsigned long)code);
+    } else {
+        fprintf(to->out, "0x%02X", (uint8_t)code);
+    }
+}
+
+static void emit_wide(const struct emitter *to, uint32_t number) {
+    emit_number(to, number, 16);
 }
 
 /* Writes a table, if it has entries: C99 has no empty arrays. */
 #define EMIT_TABLE(type, table, count, emit_it)                                                    \
-    if (scene->count > 0) {                                                                        \
-        fprintf(to->out, "\nstatic const " type " " #table "[] = {\n");                            \
-        for (uint32_t i = 0; i < scene->count; i++) {                                              \
+    if (from->count > 0) {                                                                         \
+        fprintf(to->out, "\nstatic const %s " #table "[] = {\n", type);                            \
+        for (uint32_t i = 0; i < from->count; i++) {                                               \
             emit_it                                                                                \
         }                                                                                          \
         fprintf(to->out, "};\n");                                                                  \
     }
 #define EMIT_ENTRY_OF(emit_members, table)                                                         \
     fputs("    {", to->out);                                                                       \
-    emit_members(to, &scene->table[i]);                                                            \
+    emit_members(to, &from->table[i]);                                                             \
     fputs("},\n", to->out);
 #define EMIT_VALUE(emit_value, value)                                                              \
     fputs("    ", to->out);                                                                        \
     emit_value(to, value);                                                                         \
     fputs(",\n", to->out);
 
-static void emit_tables(const struct emitter *to, const struct compiled_scene *scene) {
+static void emit_tables(const struct emitter *to, const struct compiled_scene *from) {
     EMIT_TABLE("struct frame", frames, frame_count, EMIT_ENTRY_OF(emit_frame, frames))
     EMIT_TABLE("struct primitive", primitives, primitive_count,
                EMIT_ENTRY_OF(emit_primitive, primitives))
@@ -186,11 +261,14 @@ static void emit_tables(const struct emitter *to, const struct compiled_scene *s
                EMIT_ENTRY_OF(emit_polyhedron, polyhedra))
     EMIT_TABLE("struct plane", planes, plane_count, EMIT_ENTRY_OF(emit_plane, planes))
     EMIT_TABLE("struct quadric", quadrics, quadric_count, EMIT_ENTRY_OF(emit_quadric, quadrics))
-    EMIT_TABLE("struct primitive_set", surfaces, surface_count,
-               EMIT_VALUE(emit_entry_set, &scene->surfaces[i]))
-    EMIT_TABLE("struct primitive_set", hidden_by, primitive_count,
-               EMIT_VALUE(emit_entry_set, &scene->hidden_by[i]))
-    EMIT_TABLE("uint8_t", programs, program_length, EMIT_VALUE(emit_code, scene->programs[i]))
+    if (!to->lists) {
+        EMIT_TABLE("struct primitive_set", surfaces, surface_count,
+                   EMIT_VALUE(emit_either_set, &from->surfaces[i]))
+        EMIT_TABLE("struct primitive_set", hidden_by, primitive_count,
+                   EMIT_VALUE(emit_either_set, &from->hidden_by[i]))
+    }
+    EMIT_TABLE(to->lists ? "program_code" : "uint8_t", programs, program_length,
+               EMIT_VALUE(emit_code, from->programs[i]))
     EMIT_TABLE("struct object", objects, object_count, EMIT_ENTRY_OF(emit_object, objects))
     EMIT_TABLE("struct material", materials, material_count,
                EMIT_ENTRY_OF(emit_material, materials))
@@ -209,23 +287,46 @@ static void emit_pointer(const struct emitter *to, const char *table, uint32_t c
     }
 }
 
-static void emit_pointers(const struct emitter *to, const struct compiled_scene *scene) {
-    emit_pointer(to, "frames", scene->frame_count);
-    emit_pointer(to, "primitives", scene->primitive_count);
-    emit_pointer(to, "boxes", scene->box_count);
-    emit_pointer(to, "balls", scene->ball_count);
-    emit_pointer(to, "polyhedra", scene->polyhedron_count);
-    emit_pointer(to, "planes", scene->plane_count);
-    emit_pointer(to, "quadrics", scene->quadric_count);
-    emit_pointer(to, "surfaces", scene->surface_count);
-    emit_pointer(to, "hidden_by", scene->primitive_count);
-    emit_pointer(to, "programs", scene->program_length);
-    emit_pointer(to, "objects", scene->object_count);
-    emit_pointer(to, "materials", scene->material_count);
-    emit_pointer(to, "patterns", scene->pattern_count);
-    emit_pointer(to, "pattern_faces", scene->pattern_face_count);
-    emit_pointer(to, "specular_tables", scene->specular_table_count);
-    emit_pointer(to, "lights", scene->light_count);
+static void emit_pointers(const struct emitter *to, const struct compiled_scene *from) {
+    emit_pointer(to, "frames", from->frame_count);
+    emit_pointer(to, "primitives", from->primitive_count);
+    emit_pointer(to, "boxes", from->box_count);
+    emit_pointer(to, "balls", from->ball_count);
+    emit_pointer(to, "polyhedra", from->polyhedron_count);
+    emit_pointer(to, "planes", from->plane_count);
+    emit_pointer(to, "quadrics", from->quadric_count);
+    emit_pointer(to, "surfaces", to->lists ? 0 : from->surface_count);
+    emit_pointer(to, "hidden_by", to->lists ? 0 : from->primitive_count);
+    emit_pointer(to, "programs", from->program_length);
+    emit_pointer(to, "objects", from->object_count);
+    emit_pointer(to, "materials", from->material_count);
+    emit_pointer(to, "patterns", from->pattern_count);
+    emit_pointer(to, "pattern_faces", from->pattern_face_count);
+    emit_pointer(to, "specular_tables", from->specular_table_count);
+    emit_pointer(to, "lights", from->light_count);
+}
+
+/* Writes the tables of sets as lists. */
+static void emit_hierarchy(const struct emitter *to, const struct compiled_hierarchy *from) {
+    EMIT_TABLE("struct bounds_node", nodes, node_count, EMIT_ENTRY_OF(emit_node, nodes))
+    EMIT_TABLE("entry_number", endless, endless_count, EMIT_VALUE(emit_wide, from->endless[i]))
+    EMIT_TABLE("struct lead", leads, lead_count, EMIT_ENTRY_OF(emit_lead, leads))
+    EMIT_TABLE("entry_number", keys, key_count, EMIT_VALUE(emit_wide, from->keys[i]))
+    EMIT_TABLE("struct use", uses, use_count, EMIT_ENTRY_OF(emit_use, uses))
+    EMIT_TABLE("run_first", parents, parent_count, EMIT_VALUE(emit_wide, from->parents[i]))
+}
+
+/* Writes the scene's own members of them. */
+static void emit_roots(const struct emitter *to, const struct compiled_hierarchy *from) {
+    fputs("    ", to->out);
+    SCENE_HIERARCHY_FIELDS(EMIT_MEMBER)
+    fputs("\n", to->out);
+    emit_pointer(to, "nodes", from->node_count);
+    emit_pointer(to, "endless", from->endless_count);
+    emit_pointer(to, "leads", from->lead_count);
+    emit_pointer(to, "keys", from->key_count);
+    emit_pointer(to, "uses", from->use_count);
+    emit_pointer(to, "parents", from->parent_count);
 }
 
 /* Names by enum show; firmware/targets/build.sh looks for the last one. */
@@ -235,7 +336,7 @@ static const char *const show_names[] = {[SHOW_FULL] = "SHOW_FULL",
                                          [SHOW_EXPOSURES] = "SHOW_EXPOSURES"};
 
 static void emit_scene(const struct emitter *to, const struct compiled_scene *from,
-                       const char *name) {
+                       const struct compiled_hierarchy *hierarchy, const char *name) {
     fprintf(to->out, "\nextern const struct scene scene_%s;\n\nconst struct scene scene_%s = {\n",
             name, name);
     fprintf(to->out, "    /* %s */\n    ", show_names[from->show]);
@@ -249,6 +350,9 @@ static void emit_scene(const struct emitter *to, const struct compiled_scene *fr
     fprintf(to->out, "},\n    .primitive_count = %u, .object_count = %u, .light_count = %u,\n",
             from->primitive_count, from->object_count, from->light_count);
     emit_pointers(to, from);
+    if (to->lists) {
+        emit_roots(to, hierarchy);
+    }
     fprintf(to->out, "};\n");
 }
 
@@ -269,11 +373,18 @@ int scene_emit(FILE *out, const struct compiled_scene *scene, const char *name) 
             scene->report.shared, scene->report.simplified, scene->report.fused,
             scene->report.bounded, scene->report.hidden);
     fprintf(out, "#include \"scene.h\"\n");
-    features_emit_assertions(out, scene);
-    const struct emitter emitter = {out, features_primitive_words(scene)};
-    emit_tables(&emitter, scene);
-    emit_scene(&emitter, scene, symbol);
-    return ferror(out) ? -1 : 0;
+    const struct emitter emitter = {out, !compiled_fits_bits(scene),
+                                    features_primitive_words(scene)};
+    struct compiled_hierarchy hierarchy = {0};
+    bool good = !emitter.lists || hierarchy_make(scene, &hierarchy);
+    if (good) {
+        features_emit_assertions(out, scene);
+        emit_tables(&emitter, scene);
+        emit_hierarchy(&emitter, &hierarchy);
+        emit_scene(&emitter, scene, &hierarchy, symbol);
+    }
+    hierarchy_free(&hierarchy);
+    return !good || ferror(out) ? -1 : 0;
 }
 
 bool scene_digest(const struct compiled_scene *scene, char digest[SCENE_DIGEST_SIZE]) {

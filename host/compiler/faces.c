@@ -25,11 +25,6 @@ static int box_faces(const struct compiled_scene *scene, uint32_t frame,
     return count;
 }
 
-const struct compiled_box *compiled_box_of(const struct compiled_scene *scene,
-                                           const struct compiled_quadric *quadric) {
-    return quadric->cuts != 0 ? &scene->boxes[quadric->box] : NULL;
-}
-
 int compiled_faces(const struct compiled_scene *scene, uint32_t primitive_index,
                    struct compiled_face faces[COMPILED_FACES_MOST]) {
     const struct compiled_primitive *primitive = &scene->primitives[primitive_index];

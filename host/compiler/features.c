@@ -2,21 +2,23 @@
 /* What a scene requires of an image of the firmware, as a feature_set.h and as assertions. */
 #include "compiler/features.h"
 
+#include <limits.h>
 #include <stdbool.h>
 #include <string.h>
 
+#include "compiler/hierarchy.h"
 #include "image.h"
 #include "scene/description.h"
 
-/* A constant of firmware/features/full/feature_set.h, with what the scene needs of the constant.
- * The constants come in that file's order; tests/targets/quick_test.sh holds the names against that
- * file. */
+/* A constant of a feature_set.h, with what the scene needs of the constant. The constants come in
+ * the order of firmware/features/; tests/targets/quick_test.sh holds the names against the files
+ * there. */
 struct feature {
     const char *name;
-    int value;
+    int value; /* NOT_OF_FORM: an image with the scene's form of sets does not know the constant */
 };
 
-enum { FEATURES = 27 };
+enum { FEATURES = 29, NOT_OF_FORM = -1 };
 
 /* firmware/features/full/ has room for so many branches: fewer would give another picture. */
 enum { KEPT_BRANCHES = 512 };
@@ -104,10 +106,14 @@ static int depth_required(const struct compiled_scene *scene) {
 }
 
 static void find_features(const struct compiled_scene *scene, struct feature features[FEATURES]) {
+    const bool lists = !compiled_fits_bits(scene);
+    const int nesting = scene->nesting < INT_MAX ? (int)scene->nesting : INT_MAX;
     const struct feature found[FEATURES] = {
         {"DEPTH", depth_required(scene)},
         {"WIDTH", scene->width},
-        {"PRIMITIVE_WORDS", (int)features_primitive_words(scene)},
+        {"PRIMITIVE_WORDS", lists ? NOT_OF_FORM : (int)features_primitive_words(scene)},
+        {"NESTING", lists ? nesting : NOT_OF_FORM},
+        {"LEVELS", lists ? (int)hierarchy_levels(scene) : NOT_OF_FORM},
         {"BOX", scene->box_count > 0},
         {"BALL", scene->ball_count > 0},
         {"POLYHEDRON", scene->polyhedron_count > 0},
@@ -143,7 +149,9 @@ void features_tell(const struct compiled_scene *scene,
     struct feature features[FEATURES];
     find_features(scene, features);
     for (int i = 0; i < FEATURES; i++) {
-        take(context, features[i].name, features[i].value);
+        if (features[i].value != NOT_OF_FORM) {
+            take(context, features[i].name, features[i].value);
+        }
     }
 }
 
@@ -156,10 +164,13 @@ int features_emit(FILE *out, const struct compiled_scene *scene, const char *nam
             name);
     fprintf(out, "#ifndef SUPERFRAME_FEATURE_SET_H\n#define SUPERFRAME_FEATURE_SET_H\n\nenum {\n");
     for (int i = 0; i < FEATURES; i++) {
-        fprintf(out, "    FEATURE_%s = %d%s\n", features[i].name, features[i].value,
-                i + 1 < FEATURES ? "," : "");
+        if (features[i].value != NOT_OF_FORM) {
+            fprintf(out, "    FEATURE_%s = %d%s\n", features[i].name, features[i].value,
+                    i + 1 < FEATURES ? "," : "");
+        }
     }
-    fprintf(out, "};\n\n#include \"sets/bits/primitive_set.h\"\n\n#endif\n");
+    fprintf(out, "};\n\n#include \"sets/%s/primitive_set.h\"\n\n#endif\n",
+            compiled_fits_bits(scene) ? "bits" : "list");
     return ferror(out) ? -1 : 0;
 }
 

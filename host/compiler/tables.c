@@ -65,6 +65,11 @@ uint32_t compiled_set_word(const struct compiled_set *set, uint32_t word) {
 
 /* ---- Numbers -------------------------------------------------------------------------------- */
 
+const struct compiled_box *compiled_box_of(const struct compiled_scene *scene,
+                                           const struct compiled_quadric *quadric) {
+    return quadric->cuts != 0 ? &scene->boxes[quadric->box] : NULL;
+}
+
 /* Tells whether the numbers of all tables but the primitives' are small. */
 static bool numbers_are_small(const struct compiled_scene *scene) {
     for (uint32_t i = 0; i < scene->pattern_count; i++) {
@@ -78,29 +83,12 @@ static bool numbers_are_small(const struct compiled_scene *scene) {
            scene->pattern_face_count < UINT16_MAX;
 }
 
-bool compiled_fits_bits(const struct compiled_scene *scene, struct scene_error *error) {
-    if (scene->primitive_count > COMPILED_BITS_MOST) {
-        (void)snprintf(error->text, sizeof error->text, "%.200s:%u: more than %d different solids",
-                       scene->path, scene->primitives[COMPILED_BITS_MOST].line, COMPILED_BITS_MOST);
-        return false;
-    }
-    if (!numbers_are_small(scene)) {
-        (void)snprintf(
-            error->text, sizeof error->text,
-            "%.200s: more than %d objects, lights, rotations, or faces where a pattern's "
-            "cells end",
-            scene->path, (int)UINT8_MAX - 1);
-        return false;
-    }
+bool compiled_fits_bits(const struct compiled_scene *scene) {
+    bool fits = scene->primitive_count <= COMPILED_BITS_MOST && numbers_are_small(scene);
     for (uint32_t i = 0; i < scene->object_count; i++) {
-        if (scene->objects[i].length > UINT8_MAX) {
-            (void)snprintf(error->text, sizeof error->text,
-                           "%.200s:%u: an object of more than %d solids", scene->path,
-                           scene->objects[i].line, (int)UINT8_MAX / 2 + 1);
-            return false;
-        }
+        fits = fits && scene->objects[i].length <= UINT8_MAX;
     }
-    return true;
+    return fits;
 }
 
 /* ---- Memory --------------------------------------------------------------------------------- */

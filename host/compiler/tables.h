@@ -65,6 +65,8 @@ struct compiled_set {
 #define COMPILED_SURFACES(name)     uint32_t name[6];
 #define COMPILED_FIRST(name)        uint32_t name;
 #define COMPILED_COUNT(name)        uint32_t name;
+#define COMPILED_PLACES(name)       double name[3][NODE_WIDTH];
+#define COMPILED_CHILDREN(name)     uint32_t name[NODE_WIDTH];
 #define COMPILED_SET(name)          struct compiled_set name;
 #define COMPILED_MARKS(name)        struct compiled_set name;
 
@@ -306,8 +308,8 @@ void compiled_set_clear(struct compiled_set *set);
 uint32_t compiled_set_word(const struct compiled_set *set, uint32_t word);
 
 /* Tells whether images whose sets are bits can hold a scene. Such an image has small numbers for
- * all that the tables have. If not, *error says why. */
-bool compiled_fits_bits(const struct compiled_scene *scene, struct scene_error *error);
+ * all that the tables have. */
+bool compiled_fits_bits(const struct compiled_scene *scene);
 
 /* Frees the tables and leaves an empty scene. */
 void compiled_scene_clear(struct compiled_scene *scene);

@@ -12,9 +12,13 @@
 
 struct arithmetic {
     const struct image *image;
+    const char *name; /* the image's; behind it "_many" where sets are lists */
 
     /* How far a distance along a ray may be off by rounding, in scaled units. */
     double noise;
+
+    /* Tells whether sets have room for a scene's primitives, and numbers for its tables. */
+    bool (*has_room)(const struct compiled_scene *compiled);
 
     /* Returns the scene's tables in this arithmetic, in one block that free() takes back. Returns
      * NULL with *error filled where the arithmetic cannot hold the scene, or memory is out. */
@@ -34,6 +38,7 @@ struct arithmetic {
 extern const struct arithmetic arithmetic_fx;
 extern const struct arithmetic arithmetic_f32;
 extern const struct arithmetic arithmetic_f64;
+extern const struct arithmetic arithmetic_f32_many;
 
 /* Two forms of plain Q16.16, to be measured against the others; arithmetic_find() knows neither. */
 extern const struct arithmetic arithmetic_q16;
@@ -41,6 +46,17 @@ extern const struct arithmetic arithmetic_q16_epsilon;
 
 /* The arithmetics of this build, in a list that make writes; NULL ends the list. */
 extern const struct arithmetic *const arithmetics_built[];
+
+/* The same arithmetics with sets as lists; NULL ends the list. */
+extern const struct arithmetic *const arithmetics_many_built[];
+
+/* Returns the same arithmetic with sets as lists; NULL where there is none. */
+const struct arithmetic *arithmetic_with_lists(const struct arithmetic *arithmetic);
+
+/* Returns an arithmetic, or the same one with sets as lists where a scene needs these, or is faster
+ * with them. An arithmetic that has no such form is returned as it is, and may refuse the scene. */
+const struct arithmetic *arithmetic_for(const struct arithmetic *arithmetic,
+                                        const struct compiled_scene *compiled);
 
 /* Finds the arithmetic of that name in this build; NULL if there is none. */
 const struct arithmetic *arithmetic_find(const char *name);

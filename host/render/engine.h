@@ -18,7 +18,7 @@ enum { STREAM_ALIGNMENT = 64 };
 /* One arithmetic for one set of CPU instructions. The rows, bit for bit, and the counts are those
  * of the image's own row(). */
 struct stream_engine {
-    const char *arithmetic; /* "f32" */
+    const char *arithmetic; /* a struct arithmetic's name: "f32", or "f32_many" */
     const char *set;        /* "avx2": a struct instruction_set, or "plain", which every CPU runs */
     size_t memory_bytes; /* what rows() works in, all 0 at first: one for each thread and scene */
 

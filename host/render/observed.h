@@ -23,11 +23,11 @@ enum { OBSERVED_ALL_CHANNELS = 3 };
 struct observed_node {
     uint32_t number, parent; /* from 1 in the order they are reached; parent 0: the eye */
     enum observed_kind kind;
-    uint8_t channel;       /* 0, 1, 2 or OBSERVED_ALL_CHANNELS */
-    uint8_t events;        /* on the path from the eye to here, this boundary not counted */
-    uint8_t before, after; /* objects on the near and the far side; 0: the air */
-    uint8_t primitive, face;
-    uint16_t surface;
+    uint8_t channel;        /* 0, 1, 2 or OBSERVED_ALL_CHANNELS */
+    uint8_t events;         /* on the path from the eye to here, this boundary not counted */
+    uint32_t before, after; /* objects on the near and the far side; 0: the air */
+    uint32_t primitive, surface;
+    uint8_t face;
     bool leaving;
     double distance; /* from the node before */
     double where[3], normal[3];

@@ -24,6 +24,7 @@ struct row_slot {
 /* One render at work. The window is the rows that may be computed ahead of the drawing. */
 struct renderer {
     const struct render_job *job;
+    const struct arithmetic *arithmetic; /* the job's, with room for the scene */
     const struct scene *scene;
     struct render_totals totals;
     struct timespec began;
@@ -147,7 +148,7 @@ static void *work(void *context) {
     struct renderer *renderer = context;
     struct band band;
     unsigned first;
-    band_start(&band, renderer->job->arithmetic, renderer->scene);
+    band_start(&band, renderer->arithmetic, renderer->scene);
     while (take_band(renderer, &first)) {
         unsigned rows = band_rows(renderer, first);
         struct row_slot *slot = slot_of(renderer, first);
@@ -199,7 +200,7 @@ static void draw_once(struct renderer *renderer, row_source *source, unsigned la
                                     .source = source,
                                     .context = renderer,
                                     .exposure = (uint8_t)exposure};
-    job->arithmetic->image->draw(renderer->scene, &drawing);
+    renderer->arithmetic->image->draw(renderer->scene, &drawing);
     if (renderer->kept != NULL && job->exposed != NULL) {
         job->exposed(job->exposed_context, exposure);
     }
@@ -220,7 +221,7 @@ static bool draw_alone(struct renderer *renderer) {
     if (renderer->pixels == NULL) {
         return false;
     }
-    band_start(&renderer->band, renderer->job->arithmetic, renderer->scene);
+    band_start(&renderer->band, renderer->arithmetic, renderer->scene);
     draw(renderer, compute_row);
     band_end(&renderer->band);
     return true;
@@ -293,7 +294,7 @@ static bool make_kept_rows(struct renderer *renderer) {
 static void learn(struct renderer *renderer, struct scene *scene) {
     struct render_totals *totals = &renderer->totals;
     struct render_counts counts = {0};
-    renderer->job->arithmetic->learn(scene, &totals->estimate, &counts);
+    renderer->arithmetic->learn(scene, &totals->estimate, &counts);
     totals->learning_rays = counts.rays;
     totals->rays += counts.rays;
     totals->shadow_rays += counts.shadow_rays;
@@ -304,12 +305,14 @@ static void learn(struct renderer *renderer, struct scene *scene) {
 
 bool render(const struct render_job *job, struct render_totals *totals, struct scene_error *error) {
     struct renderer renderer;
-    struct scene *scene = job->arithmetic->load(job->scene, error);
+    const struct arithmetic *arithmetic = arithmetic_for(job->arithmetic, job->scene);
+    struct scene *scene = arithmetic->load(job->scene, error);
     if (scene == NULL) {
         return false;
     }
     memset(&renderer, 0, sizeof renderer);
     renderer.job = job;
+    renderer.arithmetic = arithmetic;
     renderer.scene = scene;
     renderer.began = stopwatch_start();
     learn(&renderer, scene);

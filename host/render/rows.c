@@ -7,7 +7,7 @@
 void band_start(struct band *band, const struct arithmetic *arithmetic, const struct scene *scene) {
     band->image = arithmetic->image;
     band->scene = scene;
-    band->engine = stream_engine_find(arithmetic->image->name);
+    band->engine = stream_engine_find(arithmetic->name);
     band->block = NULL;
     band->memory = NULL;
     if (band->engine != NULL && band->engine->fits(scene)) {

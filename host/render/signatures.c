@@ -66,7 +66,8 @@ bool signatures_make(const struct signature_job *job, struct signatures *signatu
                      struct scene_error *error) {
     struct estimate estimate;
     struct render_counts counts = {0};
-    struct scene *scene = job->arithmetic->load(job->scene, error);
+    const struct arithmetic *arithmetic = arithmetic_for(job->arithmetic, job->scene);
+    struct scene *scene = arithmetic->load(job->scene, error);
     if (scene == NULL) {
         return false;
     }
@@ -79,8 +80,8 @@ bool signatures_make(const struct signature_job *job, struct signatures *signatu
         free(scene);
         return false;
     }
-    job->arithmetic->learn(scene, &estimate, &counts);
-    struct signing signing = {job->arithmetic, scene, signatures};
+    arithmetic->learn(scene, &estimate, &counts);
+    struct signing signing = {arithmetic, scene, signatures};
     parallel_for(job->first_row, job->last_row, job->jobs, sign_row, &signing, job->stop);
     free(scene);
     return true;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The finish and the optics of boundaries: one pair of objects after the other. */
+/* The finish and the optics of boundaries: one pair of materials after the other. */
 #include "stream/boundaries.h"
 
 #include <string.h>
@@ -40,7 +40,7 @@ static void find_cells(const struct scene *scene, const struct pattern *pattern,
             continue;
         }
         find_odd(where[axis], origin[axis], size[axis], cells);
-        for (int j = 0; j < pattern->face_count; j++) {
+        for (run_count j = 0; j < pattern->face_count; j++) {
             const struct pattern_face face = scene->pattern_faces[pattern->first_face + j];
             if (face.axis == axis) {
                 set_odd_on_face(face, hit->surface, normal[axis], is_behind, cells);
@@ -52,7 +52,10 @@ static void find_cells(const struct scene *scene, const struct pattern *pattern,
     }
 }
 
-/* What is the same wherever the same two objects meet. */
+/* Of a pair of materials, the near one below: the near one's object is the later one. */
+enum { NEAR_IS_LATER = 0x10000 };
+
+/* What is the same wherever the same two materials meet. */
 struct meeting_place {
     struct colours own, own_ambient;     /* Ic and the ambient term */
     struct colours other, other_ambient; /* of the pattern's odd cells */
@@ -68,12 +71,14 @@ static struct colours ambient_of(const struct material *material, struct colours
     return colours_add(material->ambient, colours_scaled(colour, material->ambient_share));
 }
 
+/* Returns what is the same wherever two materials meet, the near one's object being the later one
+ * of the table or not. */
 static struct meeting_place meeting_place(const struct scene *scene, uint32_t before,
-                                          uint32_t after) {
-    const struct material *near = &scene->materials[scene->objects[before].material];
-    const struct material *far = &scene->materials[scene->objects[after].material];
+                                          uint32_t after, bool near_is_later) {
+    const struct material *near = &scene->materials[before];
+    const struct material *far = &scene->materials[after];
     /* Whose surface it is: set_materials() of firmware/growth.c. */
-    bool near_owns = near->transparent != far->transparent ? far->transparent : before > after;
+    bool near_owns = near->transparent != far->transparent ? far->transparent : near_is_later;
     const struct material *owner = near_owns ? near : far;
     const struct pattern *pattern =
         owner->pattern == PATTERN_NONE ? 0 : &scene->patterns[owner->pattern];
@@ -130,18 +135,21 @@ static void apply_place(const struct meeting_place place, const uint32_t here[re
 
 void boundaries_find(const struct scene *scene, const struct hit_lanes *restrict hit,
                      struct boundary_lanes *restrict boundary) {
-    uint32_t left[LANES], here[LANES], odd[LANES];
+    uint32_t left[LANES], here[LANES], odd[LANES], pair[LANES];
     bool fresh = true;
     boundary->gloss_most = 0;
     for (int i = 0; i < LANES; i++) {
         left[i] = hit->is[i];
+        pair[i] = hit->material_before[i] | hit->material_after[i] << 8 |
+                  (hit->before[i] > hit->after[i] ? NEAR_IS_LATER : 0);
     }
     for (uint64_t set = lanes_set(left); set != 0; set = lanes_set(left)) {
         uint32_t first = lanes_first(set);
-        uint32_t before = hit->before[first], after = hit->after[first];
-        struct meeting_place place = meeting_place(scene, before, after);
+        uint32_t those = pair[first];
+        struct meeting_place place =
+            meeting_place(scene, those & 0xFF, those >> 8 & 0xFF, (those & NEAR_IS_LATER) != 0);
         for (int i = 0; i < LANES; i++) {
-            bool same = (hit->before[i] == before) & (hit->after[i] == after);
+            bool same = pair[i] == those;
             here[i] = same ? left[i] : 0;
             left[i] = same ? 0 : left[i];
             odd[i] = 0;

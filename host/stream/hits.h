@@ -3,7 +3,7 @@
 #ifndef SUPERFRAME_HITS_H
 #define SUPERFRAME_HITS_H
 
-#include "stream/search.h"
+#include "search.h"
 
 /* See struct hit. `is` is 1 in the lanes that have a hit, else 0; the other lanes hold nothing of
  * use. */

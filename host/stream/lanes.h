@@ -14,10 +14,6 @@ enum { LANES = 64 };
  * block. Such a vector may reach beyond the last lane; what counts does not. */
 enum { LANES_ROOM = LANES + 16 };
 
-/* The sets of a stream's rays are single words: a scene of more primitives is left to the image's
- * row(). */
-enum { STREAM_PRIMITIVES_MOST = 32 };
-
 struct point_lanes {
     real_length x[LANES_ROOM], y[LANES_ROOM], z[LANES_ROOM];
 };
@@ -52,9 +48,9 @@ struct ray_lanes {
     struct direction_lanes direction;
     struct energy_lanes weight;
     real_length from[LANES_ROOM]; /* where the search for the next crossing begins */
-    uint32_t inside[LANES_ROOM];  /* a set of primitives */
-    uint32_t path[LANES_ROOM];   /* surface it starts on | object it runs in << 16 | events << 24 */
-    uint32_t target[LANES_ROOM]; /* the pixel that it is for, in the band | TARGET_CONTINUED */
+    uint32_t inside[LANES_ROOM];  /* a set of primitives, as set_memory.h has it */
+    uint32_t path[LANES_ROOM];    /* the surface it starts on, and more: path_of() */
+    uint32_t target[LANES_ROOM];  /* the pixel that it is for, in the band | TARGET_CONTINUED */
 };
 
 /* Rays as in struct ray_lanes whose quantities lie apart: for each quantity, where its lanes
@@ -117,22 +113,6 @@ static inline bool lanes_any(const uint32_t lanes[restrict LANES]) {
 /* Returns the number of the first lane in a set that is not empty. */
 static inline uint32_t lanes_first(uint64_t set) {
     return (uint32_t)__builtin_ctzll(set);
-}
-
-static inline uint32_t path_of(uint32_t surface, uint32_t object, uint32_t events) {
-    return surface | object << 16 | events << 24;
-}
-
-static inline uint32_t path_surface(uint32_t path) {
-    return path & 0xFFFF;
-}
-
-static inline uint32_t path_object(uint32_t path) {
-    return path >> 16 & 0xFF;
-}
-
-static inline uint32_t path_events(uint32_t path) {
-    return path >> 24;
 }
 
 #endif

@@ -3,6 +3,7 @@
 #include "stream/queue.h"
 
 #include "compact.h"
+#include "set_memory.h"
 
 static uint32_t take_free(struct queue *queue) {
     uint32_t block = queue->free;
@@ -98,7 +99,7 @@ static void push_into(struct queue *queue, struct queue_bin *bin, const struct r
 void queue_push(struct queue *queue, const struct ray_columns *rays, const uint32_t wanted[LANES]) {
     uint32_t bit[LANES], chosen[LANES], bins = 0;
     for (int i = 0; i < LANES; i++) {
-        bit[i] = wanted[i] << path_object(rays->path[i]) % QUEUE_BINS;
+        bit[i] = wanted[i] << path_bin(rays->path[i], rays->inside[i], QUEUE_BINS);
         bins |= bit[i];
     }
     for (uint32_t number = 0; bins >> number != 0; number++) {

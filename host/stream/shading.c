@@ -55,8 +55,7 @@ static bool step_shadows(struct search_lanes *restrict search, struct way_lanes 
 
 static void cast_shadows(const struct scene *scene, const struct hit_lanes *restrict hit,
                          struct way_lanes *restrict way, struct search_lanes *restrict search,
-                         const uint32_t touches[TOUCHES], struct render_counts *counts) {
-    const uint32_t among = scene->shadow_primitives.word[0];
+                         struct set_memory *memory, struct render_counts *counts) {
     uint32_t shadowed[LANES], rays = 0;
     search->scene = scene;
     search->shadows = true;
@@ -64,15 +63,15 @@ static void cast_shadows(const struct scene *scene, const struct hit_lanes *rest
     copy_directions(&search->world.direction, &way->towards);
     for (int i = 0; i < LANES; i++) {
         search->surface[i] = hit->surface[i];
-        search->inside[i] = hit->inside_before[i] & among;
         search->from[i] = LENGTH_EPSILON;
         search->active[i] = way->lit[i];
         rays += way->lit[i];
     }
+    sets_for_shadows(memory, scene, hit->inside_before, search->inside);
     counts->shadow_rays += rays;
-    search_begin(search, touches);
+    search_begin(search, memory);
     for (;;) {
-        media_shadows(scene, search->inside, shadowed);
+        media_shadows(memory, scene, search->inside, shadowed);
         if (!step_shadows(search, way, shadowed)) {
             return;
         }
@@ -81,7 +80,7 @@ static void cast_shadows(const struct scene *scene, const struct hit_lanes *rest
             bool found =
                 (search->place[i] != PLACE_NONE) & length_less(search->t[i], way->distance[i]);
             search->active[i] = found ? search->active[i] : 0;
-            search->inside[i] ^= found ? search->toggled[i] : 0;
+            search->inside[i] = found ? search_behind(search, i) : search->inside[i];
             search->from[i] = search->t[i];
         }
     }
@@ -174,7 +173,7 @@ static void fade(const struct scene *scene, const struct hit_lanes *hit,
 void shading_local(const struct scene *scene, const struct direction_lanes *direction,
                    const struct hit_lanes *hit, const struct boundary_lanes *boundary,
                    struct colour_lanes *local, struct search_lanes *scratch,
-                   const uint32_t touches[TOUCHES], struct render_counts *counts) {
+                   struct set_memory *memory, struct render_counts *counts) {
     struct way_lanes way;
     struct colour_lanes direct;
     real_energy glint[LANES];
@@ -185,11 +184,11 @@ void shading_local(const struct scene *scene, const struct direction_lanes *dire
     for (int i = 0; i < LANES; i++) {
         direct.red[i] = direct.green[i] = direct.blue[i] = REAL_COLOUR(0.0);
     }
-    for (uint8_t i = 0; i < scene->light_count; i++) {
+    for (entry_number i = 0; i < scene->light_count; i++) {
         const struct light *light = &scene->lights[i];
         find_ways(light, hit, &way);
         if (light->casts_shadows) {
-            cast_shadows(scene, hit, &way, scratch, touches, counts);
+            cast_shadows(scene, hit, &way, scratch, memory, counts);
         }
         if (!lanes_any(way.lit)) {
             continue;

@@ -10,10 +10,13 @@
 #include "stream/objects.h"
 #include "stream/shading.h"
 
-#define STREAM_TEXT(name)         STREAM_TEXT_(name)
-#define STREAM_TEXT_(name)        #name
-#define STREAM_SYMBOL(real, set)  STREAM_SYMBOL_(real, set)
-#define STREAM_SYMBOL_(real, set) stream_engine_##real##_##set
+#define STREAM_TEXT(name)          STREAM_TEXT_(name)
+#define STREAM_TEXT_(name)         #name
+#define STREAM_SYMBOL(real, set)   STREAM_SYMBOL_(real, set)
+#define STREAM_SYMBOL_(real, set)  stream_engine_##real##_##set
+#define STREAM_JOIN(name, suffix)  STREAM_JOIN_(name, suffix)
+#define STREAM_JOIN_(name, suffix) name##suffix
+#define STREAM_REAL                STREAM_JOIN(REAL_NAME, SETS_SUFFIX)
 
 enum { BAND_PIXELS = STREAM_ROWS_MOST * FEATURE_WIDTH };
 
@@ -30,7 +33,7 @@ struct stream {
     const struct scene *scene;
     struct render_counts counts;
     bool absorbs; /* a material of the scene absorbs */
-    uint32_t touches[TOUCHES];
+    struct set_memory memory;
     struct queue queue;
     int64_t sums[BAND_PIXELS][SUMS];
     struct ray_lanes *rays; /* of a step: a block of the queue */
@@ -42,6 +45,7 @@ static void start_eye_rays(struct stream *stream, uint16_t first_row, uint32_t f
                            uint32_t count) {
     const struct scene *scene = stream->scene;
     const struct camera camera = scene->camera;
+    const uint32_t inside = set_of_eye(&stream->memory, scene);
     struct ray_lanes rays;
     int16_t column[LANES], row[LANES];
     uint32_t wanted[LANES];
@@ -66,7 +70,7 @@ static void start_eye_rays(struct stream *stream, uint16_t first_row, uint32_t f
         rays.origin.z[i] = camera.eye.z;
         rays.weight.red[i] = rays.weight.green[i] = rays.weight.blue[i] = REAL_ENERGY(1.0);
         rays.from[i] = LENGTH_EPSILON;
-        rays.inside[i] = camera.inside.word[0];
+        rays.inside[i] = inside;
         rays.path[i] = path_of(SURFACE_NONE, camera.object, 0);
     }
     const struct ray_columns columns = columns_of(&rays);
@@ -129,7 +133,7 @@ static void find_crossings(struct stream *stream, uint32_t count) {
         search->from[i] = rays->from[i];
         search->active[i] = i < count ? 1 : 0;
     }
-    search_begin(search, stream->touches);
+    search_begin(search, &stream->memory);
     search_next(search, &stream->counts.solid_tests);
 }
 
@@ -154,12 +158,11 @@ static void go_on(struct stream *stream, const uint32_t continuing[LANES]) {
 static void sort_lanes(struct stream *stream, uint32_t continuing[LANES], uint32_t gone[LANES]) {
     struct hit_lanes *restrict hit = &stream->hit;
     const struct search_lanes *restrict search = &stream->search;
-    const uint32_t *restrict path = stream->rays->path;
     for (int i = 0; i < LANES; i++) {
-        hit->inside_after[i] = search->inside[i] ^ search->toggled[i];
-        hit->before[i] = path_object(path[i]);
+        hit->inside_after[i] = search_behind(search, i);
     }
-    media_objects(stream->scene, hit->inside_after, hit->after);
+    media_before(&stream->memory, stream->rays, hit->before);
+    media_objects(&stream->memory, stream->scene, hit->inside_after, hit->after);
     media_materials(stream->scene, hit->before, hit->material_before);
     media_materials(stream->scene, hit->after, hit->material_after);
     uint32_t nodes = 0, leaked = 0;
@@ -244,7 +247,7 @@ static void meet_boundaries(struct stream *stream, struct colour_lanes *local) {
     }
     boundaries_find(stream->scene, &stream->hit, &boundary);
     shading_local(stream->scene, &stream->rays->direction, &stream->hit, &boundary, local,
-                  &stream->search, stream->touches, &stream->counts);
+                  &stream->search, &stream->memory, &stream->counts);
     children_grow(stream->scene, stream->rays, &stream->hit, &boundary, &stream->queue, cut);
     if (stream->scene->estimate) {
         add_estimate(stream, &cut[0]);
@@ -272,7 +275,7 @@ static void step(struct stream *stream, uint32_t count) {
 
 static bool scene_absorbs(const struct scene *scene) {
     bool absorbs = false;
-    for (uint8_t i = 0; i < scene->object_count; i++) {
+    for (entry_number i = 0; i < scene->object_count; i++) {
         absorbs |= scene->materials[scene->objects[i].material].absorbs;
     }
     return absorbs;
@@ -281,7 +284,7 @@ static bool scene_absorbs(const struct scene *scene) {
 /* Tells whether every medium treats the primaries alike. */
 static bool scene_is_grey(const struct scene *scene) {
     bool is_grey = true;
-    for (uint8_t i = 0; i < scene->object_count; i++) {
+    for (entry_number i = 0; i < scene->object_count; i++) {
         const struct material *material = &scene->materials[scene->objects[i].material];
         const real_extinction *absorption = material->absorption;
         is_grey &= !material->absorbs ||
@@ -303,7 +306,7 @@ static void start_band(struct stream *stream, const struct scene *scene, uint32_
     stream->scene = scene;
     stream->counts = nothing;
     stream->absorbs = scene_absorbs(scene);
-    touches_set(scene, stream->touches);
+    set_memory_begin(&stream->memory, scene);
     queue_clear(&stream->queue, scene_is_grey(scene));
     memset(stream->sums, 0, pixels * sizeof stream->sums[0]);
 }
@@ -334,7 +337,8 @@ static bool follow_rays(struct stream *stream, uint16_t first, uint32_t pixels) 
         step(stream, count);
         queue_give_back(&stream->queue, block);
         unwatched = (unwatched + 1) % STEPS_UNWATCHED;
-        if (stream->queue.overflowed || (unwatched == 0 && is_exhausted(stream, pixels))) {
+        if (stream->queue.overflowed || set_memory_is_full(&stream->memory) ||
+            (unwatched == 0 && is_exhausted(stream, pixels))) {
             return false;
         }
     }
@@ -375,17 +379,17 @@ static bool material_fits(const struct material *material) {
 /* Tells whether the engine knows a scene. Filters, the simplified model and an accuracy that is
  * asked for are the image's alone. */
 static bool stream_fits(const struct scene *scene) {
-    for (uint8_t i = 0; i < scene->object_count; i++) {
+    for (entry_number i = 0; i < scene->object_count; i++) {
         if (!material_fits(&scene->materials[scene->objects[i].material])) {
             return false;
         }
     }
-    return scene->primitive_count <= STREAM_PRIMITIVES_MOST && touches_fit(scene) &&
-           scene->width <= FEATURE_WIDTH && !scene->simple && !scene->filters && scene->error == 0;
+    return set_memory_fits(scene) && scene->width <= FEATURE_WIDTH && !scene->simple &&
+           !scene->filters && scene->error == 0;
 }
 
-extern const struct stream_engine STREAM_SYMBOL(REAL_NAME, INSTRUCTION_SET);
+extern const struct stream_engine STREAM_SYMBOL(STREAM_REAL, INSTRUCTION_SET);
 
-const struct stream_engine STREAM_SYMBOL(REAL_NAME, INSTRUCTION_SET) = {
-    STREAM_TEXT(REAL_NAME), STREAM_TEXT(INSTRUCTION_SET), sizeof(struct stream), stream_fits,
+const struct stream_engine STREAM_SYMBOL(STREAM_REAL, INSTRUCTION_SET) = {
+    STREAM_TEXT(STREAM_REAL), STREAM_TEXT(INSTRUCTION_SET), sizeof(struct stream), stream_fits,
     stream_rows};

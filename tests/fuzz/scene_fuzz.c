@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Fuzzes the way of a scene's text through reader and compiler to three rows in fx and f32: it is
- * refused in lines that name the file or show it, or no ray leaks. */
+/* Fuzzes the way of a scene's text through reader and compiler to three rows in fx and f32, the
+ * latter in both forms of sets: it is refused in lines that name the file or show it, or no ray
+ * leaks. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,6 +15,7 @@ enum {
     DEPTH_MOST = 5,
     ROWS = 3,
     INTENSITY_MOST = 32768,
+    INSTANCES_MOST = 4000,     /* parts of parts may be a million solids, which take their time */
     SOLID_TESTS_MOST = 1000000 /* no further row is begun beyond these: 128 lights cost time */
 };
 
@@ -84,12 +86,17 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t count) {
     description->width = least(description->width, WIDTH_MOST);
     description->height = least(description->height, HEIGHT_MOST);
     description->depth = least(description->depth, DEPTH_MOST);
-    struct compiled_scene *compiled = scene_compile(description, &error);
-    if (compiled == NULL) {
-        check_refusal(&error);
-    } else {
+    struct compiled_scene *compiled = NULL;
+    if (description->instances <= INSTANCES_MOST) {
+        compiled = scene_compile(description, &error);
+        if (compiled == NULL) {
+            check_refusal(&error);
+        }
+    }
+    if (compiled != NULL) {
         draw(compiled, &arithmetic_fx);
         draw(compiled, &arithmetic_f32);
+        draw(compiled, &arithmetic_f32_many);
         compiled_scene_free(compiled);
     }
     scene_description_free(description);

@@ -74,19 +74,21 @@ static uint8_t *render(const struct compiled_scene *compiled, struct counts *cou
     struct scene_error error;
     struct render_counts ignored;
     const struct pixel_observer observer = {counts, count_node, count_end};
-    struct scene *scene = arithmetic_f64.load(compiled, &error);
+    const struct arithmetic *arithmetic = arithmetic_for(&arithmetic_f64, compiled);
+    struct scene *scene = arithmetic->load(compiled, &error);
     uint8_t *rgb = calloc((size_t)compiled->width * compiled->height, 3);
     if (scene == NULL || rgb == NULL) {
+        const char *why = scene == NULL ? error.text : "out of memory";
         free(scene);
         free(rgb);
-        return fail("scene", "can't be loaded");
+        return fail("scene", why);
     }
     memset(&ignored, 0, sizeof ignored);
     for (uint16_t y = 0; y < compiled->height; y++) {
         for (uint16_t x = 0; x < compiled->width; x++) {
             double level[3];
             uint8_t *pixel = rgb + ((size_t)y * compiled->width + x) * 3;
-            arithmetic_f64.pixel(scene, x, y, level, &ignored, &observer);
+            arithmetic->pixel(scene, x, y, level, &ignored, &observer);
             for (int i = 0; i < 3; i++) {
                 pixel[i] = (uint8_t)floor(fmin(fmax(level[i], 0), 255) + 0.5);
             }

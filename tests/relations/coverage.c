@@ -46,6 +46,7 @@ static const char *const names[SYNTAX_KINDS + MOTIFS + FEATURES] = {
     /* motifs */
     "touching", "standing", "reworded", "coaxial", "cut twice", "off centre", "nested", "overlap",
     "turned faces", "mixed materials", "mirror images", "tree", "around the eye", "eye amid",
+    "crowd",
     /* features */
     "step: shared", "step: simplified", "step: fused", "step: bounded", "step: hidden",
     "step: enclosed", "step: cut quadrics", "step: turned frames", "step: straightened frames",

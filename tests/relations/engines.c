@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Relations between ways to draw one scene, bit for bit: streams of rays, threads. */
+/* Relations between ways to draw one scene, bit for bit: streams of rays, sets as lists, threads.
+ */
 #include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -12,55 +13,110 @@
 
 enum { BAND_BYTES = 3 * 48 * STREAM_ROWS_MOST };
 
+/* Compares rows with those that an image has drawn of the same scene. */
+static void compare_rows(const char *name, unsigned first, size_t bytes, const uint8_t *found,
+                         const struct render_counts *counts, const uint8_t *expected,
+                         const struct render_counts *own, struct trial_result *result) {
+    result->pixels += bytes / 3;
+    result->agreeing += bytes / 3;
+    if (memcmp(found, expected, bytes) != 0) {
+        result_fail(result, FAULT_BITS, "%s: rows from %u are not the image's own", name, first);
+    }
+    if (counts->rays != own->rays || counts->shadow_rays != own->shadow_rays ||
+        counts->nodes != own->nodes || counts->leaked_rays != own->leaked_rays) {
+        result_fail(result, FAULT_BITS, "%s: rows from %u: %u rays, %u of the image's own", name,
+                    first, (unsigned)counts->rays, (unsigned)own->rays);
+    }
+}
+
+/* Draws rows by an image. */
+static void draw_rows(const struct arithmetic *arithmetic, const struct scene *scene,
+                      const struct form *form, unsigned first, unsigned rows, uint8_t *rgb,
+                      struct render_counts *counts) {
+    memset(counts, 0, sizeof *counts);
+    for (unsigned y = 0; y < rows; y++) {
+        arithmetic->image->row(scene, (uint16_t)(first + y), rgb + 3 * form->compiled->width * y,
+                               counts);
+    }
+}
+
+static unsigned rows_from(const struct form *form, unsigned first) {
+    unsigned left = form->compiled->height - first;
+    return left < STREAM_ROWS_MOST ? left : STREAM_ROWS_MOST;
+}
+
 /* Compares the rows of one engine with the image's own, as far as the engine draws them. */
-static void compare_rows(const struct stream_engine *engine, const struct arithmetic *arithmetic,
-                         const struct scene *scene, const struct form *form, void *memory,
-                         struct trial_result *result) {
-    unsigned width = form->compiled->width, height = form->compiled->height;
-    for (unsigned first = 0; first < height; first += STREAM_ROWS_MOST) {
-        unsigned rows = height - first < STREAM_ROWS_MOST ? height - first : STREAM_ROWS_MOST;
+static void compare_engine(const struct stream_engine *engine, const struct arithmetic *arithmetic,
+                           const struct scene *scene, const struct form *form, void *memory,
+                           struct trial_result *result) {
+    for (unsigned first = 0; first < form->compiled->height; first += STREAM_ROWS_MOST) {
+        unsigned rows = rows_from(form, first);
         uint8_t found[BAND_BYTES], expected[BAND_BYTES];
         struct render_counts counts, own;
         memset(&counts, 0, sizeof counts);
-        memset(&own, 0, sizeof own);
-        if (!engine->rows(memory, scene, (uint16_t)first, (uint16_t)rows, found, &counts)) {
-            continue;
-        }
-        for (unsigned y = 0; y < rows; y++) {
-            arithmetic->image->row(scene, (uint16_t)(first + y), expected + 3 * width * y, &own);
-        }
-        result->pixels += (uint64_t)rows * width;
-        result->agreeing += (uint64_t)rows * width;
-        if (memcmp(found, expected, 3 * (size_t)width * rows) != 0) {
-            result_fail(result, FAULT_BITS, "%s: rows from %u are not the image's own", engine->set,
-                        first);
-        }
-        if (counts.rays != own.rays || counts.shadow_rays != own.shadow_rays ||
-            counts.nodes != own.nodes || counts.leaked_rays != own.leaked_rays) {
-            result_fail(result, FAULT_BITS, "%s: rows from %u: %u rays, %u of the image's own",
-                        engine->set, first, (unsigned)counts.rays, (unsigned)own.rays);
+        if (engine->rows(memory, scene, (uint16_t)first, (uint16_t)rows, found, &counts)) {
+            draw_rows(arithmetic, scene, form, first, rows, expected, &own);
+            compare_rows(engine->set, first, 3 * (size_t)form->compiled->width * rows, found,
+                         &counts, expected, &own, result);
         }
     }
 }
 
-void check_streams(struct form *form, int arithmetic, struct rendering *room,
-                   struct trial_result *result) {
-    const struct arithmetic *own = relation_arithmetic(arithmetic);
+/* Compares all engines of an arithmetic with the image. */
+static void compare_engines(const struct arithmetic *own, struct form *form,
+                            struct trial_result *result) {
     struct scene *scene = own->load(form->compiled, &form->error);
     const struct stream_engine *engine;
-    (void)room;
-    result->applies = false;
-    for (unsigned i = 0; scene && (engine = stream_engine_get(own->image->name, i)) != NULL; i++) {
+    for (unsigned i = 0; scene && (engine = stream_engine_get(own->name, i)) != NULL; i++) {
         void *memory = NULL;
         if (engine->fits(scene) &&
             posix_memalign(&memory, STREAM_ALIGNMENT, engine->memory_bytes) == 0) {
             memset(memory, 0, engine->memory_bytes);
             result->applies = true;
-            compare_rows(engine, own, scene, form, memory, result);
+            compare_engine(engine, own, scene, form, memory, result);
         }
         free(memory);
     }
     free(scene);
+}
+
+void check_streams(struct form *form, int arithmetic, struct rendering *room,
+                   struct trial_result *result) {
+    const struct arithmetic *own = relation_arithmetic(arithmetic);
+    const struct arithmetic *many = arithmetic_with_lists(own);
+    (void)room;
+    result->applies = false;
+    if (own->has_room(form->compiled)) {
+        compare_engines(own, form, result);
+    }
+    if (many != NULL && many->has_room(form->compiled)) {
+        compare_engines(many, form, result);
+    }
+}
+
+void check_lists(struct form *form, int arithmetic, struct rendering *room,
+                 struct trial_result *result) {
+    const struct arithmetic *own = relation_arithmetic(arithmetic);
+    const struct arithmetic *many = arithmetic_with_lists(own);
+    (void)room;
+    result->applies = many != NULL && own->has_room(form->compiled);
+    struct scene *bits = result->applies ? own->load(form->compiled, &form->error) : NULL;
+    struct scene *lists = bits ? many->load(form->compiled, &form->error) : NULL;
+    result->applies = bits != NULL;
+    if (bits != NULL && lists == NULL) {
+        result_fail(result, FAULT_REFUSED, "lists: %.200s", form->error.text);
+    }
+    for (unsigned first = 0; lists && first < form->compiled->height; first += STREAM_ROWS_MOST) {
+        unsigned rows = rows_from(form, first);
+        uint8_t found[BAND_BYTES], expected[BAND_BYTES];
+        struct render_counts counts, expected_counts;
+        draw_rows(own, bits, form, first, rows, expected, &expected_counts);
+        draw_rows(many, lists, form, first, rows, found, &counts);
+        compare_rows("lists", first, 3 * (size_t)form->compiled->width * rows, found, &counts,
+                     expected, &expected_counts, result);
+    }
+    free(lists);
+    free(bits);
 }
 
 /* One bus is bound at a time, whatever the threads. */

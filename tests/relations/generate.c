@@ -7,6 +7,9 @@
 
 #include "chance.h"
 
+/* Scenes of so many solids take longer than the rest. */
+enum { CROWD_EVERY = 10 };
+
 static void set_model(struct syntax *syntax, uint64_t *random) {
     int width = 24 + 8 * (chance_pick(random, 100) / 50) + 16 * (chance_pick(random, 100) / 90);
     syntax->width = width;
@@ -90,6 +93,9 @@ void generate_scene(struct syntax *syntax, uint64_t seed) {
     }
     if (chance_is(random, 12)) {
         generate_motif(syntax, random, MOTIF_EYE_AMID);
+    }
+    if (seed % CROWD_EVERY == CROWD_EVERY - 1 && syntax->part_count + 2 <= SYNTAX_PARTS_MOST) {
+        generate_motif(syntax, random, MOTIF_CROWD);
     }
     if (syntax->object_count == 0) {
         generate_motif(syntax, random, MOTIF_TREE);

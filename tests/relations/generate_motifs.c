@@ -306,6 +306,37 @@ static void add_around_eye(const struct site *site) {
                          generate_box(site->syntax, -size, -size, -size, size, size, size));
 }
 
+/* Adds a crowd, of 50 to 180 solids, as one object: a handful of leaves that a part makes a row of,
+ * and another part a field. */
+static void add_crowd(const struct site *site) {
+    struct syntax *syntax = site->syntax;
+    int handful = syntax_add(syntax, SYNTAX_UNION), row = syntax_add(syntax, SYNTAX_UNION);
+    int field = syntax_add(syntax, SYNTAX_UNION);
+    for (int i = 3 + chance_pick(site->random, 3); i > 0; i--) {
+        int placed = syntax_add(syntax, SYNTAX_UNION);
+        syntax_adopt(syntax, placed, generate_leaf(syntax, site->random));
+        for (int j = 0; j < 3; j++) {
+            syntax->solids[placed].scale[j] = 0.25;
+            syntax->solids[placed].translate[j] = chance_step(site->random, -1, 1) / 2;
+        }
+        syntax_adopt(syntax, handful, placed);
+    }
+    int few = syntax_add_part(syntax, handful);
+    for (int i = 0; i < 6; i++) {
+        int placed = use(syntax, few);
+        syntax->solids[placed].translate[0] = 1.375 * i - 3.5;
+        syntax_adopt(syntax, row, placed);
+    }
+    int many = syntax_add_part(syntax, row);
+    for (int i = 3 + chance_pick(site->random, 4); i > 0; i--) {
+        int placed = use(syntax, many);
+        syntax->solids[placed].translate[1] = 1.375 * i - 4;
+        syntax->solids[placed].translate[2] = 0.5 + 0.25 * chance_pick(site->random, 8);
+        syntax_adopt(syntax, field, placed);
+    }
+    stand(site, any_material(site), field);
+}
+
 /* On no grid that the solids' own places are on. */
 static void add_eye_amid(const struct site *site) {
     struct syntax *syntax = site->syntax;
@@ -325,6 +356,7 @@ void generate_motif(struct syntax *syntax, uint64_t *random, enum motif motif) {
         [MOTIF_TURNED] = add_turned,         [MOTIF_MIXED] = add_mixed,
         [MOTIF_MIRRORED] = add_mirrored,     [MOTIF_TREE] = add_tree,
         [MOTIF_AROUND_EYE] = add_around_eye, [MOTIF_EYE_AMID] = add_eye_amid,
+        [MOTIF_CROWD] = add_crowd,
     };
     struct site site = {syntax,    random,   chance_step(random, -2, 2), chance_step(random, -2, 2),
                         {1, 1, 1}, {0, 0, 0}};

@@ -8,7 +8,7 @@
 
 enum { ORACLE_AIR = -1, ORACLE_UNKNOWN = -2 };
 
-enum { ORACLE_NODES_MOST = 1024, ORACLE_LIMITS_MOST = 4096 };
+enum { ORACLE_NODES_MOST = 4096, ORACLE_LIMITS_MOST = 16384 };
 
 /* p Q p + b p + c <= 0; a plane has no Q. */
 struct oracle_limit {

@@ -68,6 +68,8 @@ void result_fail(struct trial_result *result, enum fault fault, const char *form
 /* Checks by engines.c. */
 void check_streams(struct form *form, int arithmetic, struct rendering *room,
                    struct trial_result *result);
+void check_lists(struct form *form, int arithmetic, struct rendering *room,
+                 struct trial_result *result);
 void check_jobs(struct form *form, int arithmetic, struct rendering *room,
                 struct trial_result *result);
 

@@ -132,7 +132,8 @@ static void say_form(struct syntax *scene, int solid) {
 }
 
 /* Rewrites all that have an axis. Coefficients are rounded: the same solid in two wordings would
- * get two surfaces, farther from each other than what the compiler takes for one. */
+ * get two surfaces, farther from each other than what the compiler takes for one. Of a crowd, more
+ * slabs without an end would overlap at one place than lists have room for. */
 bool rewrite_forms(struct syntax *scene, uint64_t *random) {
     int list[SYNTAX_SOLIDS_MOST], count = syntax_list(scene, list);
     bool has_changed = false;
@@ -145,5 +146,5 @@ bool rewrite_forms(struct syntax *scene, uint64_t *random) {
             has_changed = true;
         }
     }
-    return has_changed && (scene->motifs >> MOTIF_REWORDED & 1) == 0;
+    return has_changed && (scene->motifs & (1u << MOTIF_REWORDED | 1u << MOTIF_CROWD)) == 0;
 }

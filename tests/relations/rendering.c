@@ -76,7 +76,7 @@ static int seen_material(const struct painter *painter, int material) {
     return material == painter->invisible ? ORACLE_AIR : material;
 }
 
-static int material_of(const struct painter *painter, uint8_t object) {
+static int material_of(const struct painter *painter, uint32_t object) {
     const struct compiled_scene *compiled = painter->form->compiled;
     return painter->form->materials[compiled->objects[object].material];
 }
@@ -323,6 +323,7 @@ static double tolerance_of(const struct arithmetic *arithmetic) {
 bool rendering_draw(struct form *form, const struct arithmetic *arithmetic, int invisible,
                     struct rendering *picture) {
     struct oracle *oracle = malloc(sizeof *oracle);
+    arithmetic = arithmetic_for(arithmetic, form->compiled);
     struct scene *scene = arithmetic->load(form->compiled, &form->error);
     bool good =
         oracle != NULL && scene != NULL &&

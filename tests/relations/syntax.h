@@ -57,6 +57,7 @@ enum motif {
     MOTIF_TREE,       /* a random tree of operations */
     MOTIF_AROUND_EYE, /* the eye in a transparent solid */
     MOTIF_EYE_AMID,   /* the eye where the solids are, within some of them or just beside */
+    MOTIF_CROWD,      /* dozens of small solids */
     MOTIFS
 };
 

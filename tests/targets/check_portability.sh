@@ -10,21 +10,26 @@ set -u
 cd "$(dirname "$0")/../.." || exit 1
 BUILD=${BUILD:-build}
 work=$BUILD/targets/avr
-mkdir -p "$work"
-# Every feature, with a stack of rays that such a machine has room for.
-sed 's/FEATURE_DEPTH = [0-9]*/FEATURE_DEPTH = 10/; s/FEATURE_KEPT = [0-9]*/FEATURE_KEPT = 0/' \
-    firmware/features/full/feature_set.h > "$work/feature_set.h"
 failures=0
-for real in fx fx_32 fx_16; do
+# Every feature, with a stack of rays that such a machine has room for, in both forms of sets.
+for form in full many; do
+    mkdir -p "$work/$form/features"
+    sed 's/FEATURE_DEPTH = [0-9]*/FEATURE_DEPTH = 10/; s/FEATURE_KEPT = [0-9]*/FEATURE_KEPT = 0/' \
+        firmware/features/all.h > "$work/$form/features/all.h"
+    sed 's/FEATURE_NESTING = [0-9]*/FEATURE_NESTING = 8/' \
+        firmware/features/$form/feature_set.h > "$work/$form/feature_set.h"
+done
+for variant in full/fx full/fx_32 full/fx_16 many/fx_16; do
+    form=${variant%/*} real=${variant#*/}
     for source in firmware/*.c; do
         object=$work/$(basename "$source" .c).o
         if ! avr-gcc -mmcu=atmega2560 -std=c99 -pedantic -Wall -Wextra -Werror -Os -ffreestanding \
-            -Ifirmware/real/$real -I"$work" -Ihal -Ifirmware -c -o "$object" "$source"; then
+            -Ifirmware/real/$real -I"$work/$form" -Ihal -Ifirmware -c -o "$object" "$source"; then
             failures=$((failures + 1))
             continue
         fi
         if avr-nm -u "$object" | grep -E '__(u?divdi3|u?moddi3|divmoddi4|udivmod64|divdi)'; then
-            echo "$source, $real: asks for a 64-bit division"
+            echo "$source, $variant: asks for a 64-bit division"
             failures=$((failures + 1))
         fi
     done

@@ -21,6 +21,25 @@ wrong() {
     failures=$((failures + 1))
 }
 
+# crowd FILE: writes a scene whose sets of primitives are lists.
+crowd() {
+    {
+        echo 'version = 1; size = [40, 25]; depth = 4; camera = { eye = [0, -14, 7]; look_at = [0, 0, 0]; };'
+        echo 'lights = ({ direction = [1, 2, -3]; });'
+        echo 'materials = { clay = { colour = [200, 90, 40]; diffuse = 0.7; };'
+        echo '  glass = { ior = 1.5; colour = [20, 30, 40]; diffuse = 0.2; }; };'
+        echo 'objects = ({ material = "clay"; solid = { half_space = { normal = [0, 0, 1]; offset = 0; }; }; }'
+        for i in 0 1 2 3 4 5 6 7 8 9; do
+            for j in 0 1 2 3 4 5 6 7 8 9; do
+                material=clay
+                [ $(((i + j) % 2)) -eq 0 ] || material=glass
+                echo ", { material = \"$material\"; solid = { ball = { centre = [$i - 4.5, $j - 4.5, 0.4]; radius = 0.45; }; }; }"
+            done
+        done
+        echo ');'
+    } > "$1"
+}
+
 native_hash() {
     "$SUPERFRAME" render "$1" --size $SIZE --depth $DEPTH --quiet -o "$work/native.png" --stats - |
         sed -n 's/.*"trace_hash": "\([0-9a-f]*\)".*/\1/p'
@@ -28,10 +47,12 @@ native_hash() {
 
 # One hash everywhere, on a scene of boxes and on one of balls and rotated boxes, and in full.
 hashes() {
-    for run in 'cortex-m3 fig3 minimal' 'cortex-m3 fig4b full' 'wasm fig3 minimal' '386-flat fig3 minimal'; do
+    crowd "$work/crowd.scene"
+    for run in 'cortex-m3 fig3 minimal' 'cortex-m3 fig4b full' 'wasm fig3 minimal' '386-flat fig3 minimal' \
+        "386-flat $work/crowd.scene minimal" "wasm $work/crowd.scene full"; do
         # shellcheck disable=SC2086 # three words
         set -- $run
-        folder=$work/$1-$2
+        folder=$work/$1-$(basename "$2")
         expected=$(native_hash "$2")
         if ! sh firmware/targets/build.sh "$1" fx "$2" $SIZE $DEPTH "$3" "$folder" ||
             ! TARGET_TIMEOUT=100 sh tests/targets/run_target.sh "$1" "$folder"; then
@@ -135,6 +156,7 @@ lacking_feature() {
     lacks_each fig4b --model simple --colour full
     lacks_each fig7-frustum
     lacks_each tests/targets/features.scene
+    lacks_each "$work/crowd.scene"
     # Who looks on is no scene's matter.
     sort -u "$missing/names.txt" > "$missing/tried.txt"
     sed 's/ =.*//' "$work/full.txt" | grep -v FEATURE_OBSERVER | diff - "$missing/tried.txt" >&2 ||
@@ -181,10 +203,16 @@ too_large() {
 
 # --minimal knows every feature that there is.
 feature_names() {
-    "$SUPERFRAME" compile fig3 --minimal -o - | grep -o 'FEATURE_[A-Z_]* =' | sort > "$work/minimal.txt"
-    grep -o 'FEATURE_[A-Z_]* =' firmware/features/full/feature_set.h | sort > "$work/full.txt"
-    [ -s "$work/full.txt" ] && diff "$work/full.txt" "$work/minimal.txt" ||
-        wrong 'host/compiler/features.c and firmware/features/full/feature_set.h differ'
+    crowd "$work/crowd.scene"
+    for form in full:fig3 many:"$work/crowd.scene"; do
+        "$SUPERFRAME" compile "${form#*:}" --minimal -o - | grep -o 'FEATURE_[A-Z_]* =' |
+            sort > "$work/minimal.txt"
+        cat firmware/features/all.h "firmware/features/${form%%:*}/feature_set.h" |
+            grep -o 'FEATURE_[A-Z_]* =' | sort > "$work/full.txt"
+        [ -s "$work/full.txt" ] && diff "$work/full.txt" "$work/minimal.txt" ||
+            wrong "host/compiler/features.c and firmware/features/${form%%:*}/feature_set.h differ"
+    done
+    cat firmware/features/all.h firmware/features/*/feature_set.h | grep -o 'FEATURE_[A-Z_]* =' | sort -u > "$work/full.txt"
 }
 
 # What `make size` says of figures that grew: FIELD (5 code ... 9 instructions), FACTOR, the status.

@@ -7,6 +7,12 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+/* What a ray does with these sets (ray.c). */
+#define SETS_WALK "sets/bits/walk.h"
+
+/* Stands behind the names of what a host makes for these sets. */
+#define SETS_SUFFIX
+
 /* The numbers of a scene's tables, as small as this form lets them be. */
 typedef uint8_t entry_number;
 typedef uint16_t surface_number;
@@ -36,6 +42,9 @@ enum { PRIMITIVES_MOST = 32 * FEATURE_PRIMITIVE_WORDS };
 struct primitive_set {
     uint32_t word[FEATURE_PRIMITIVE_WORDS];
 };
+
+/* What a ray crosses at one place. */
+typedef struct primitive_set crossed_set;
 
 /* Returns the index of the word that holds a primitive's bit. Where there is but one word, nothing
  * is worked out. */
@@ -73,7 +82,7 @@ static inline void set_restrict(struct primitive_set *set, const struct primitiv
 }
 
 /* Enters the primitives of `which` that the set is outside of, and leaves the others of `which`. */
-static inline void set_toggle(struct primitive_set *set, const struct primitive_set *which) {
+static inline void set_toggle(struct primitive_set *set, const crossed_set *which) {
     for (uint8_t i = 0; i < FEATURE_PRIMITIVE_WORDS; i++) {
         set->word[i] ^= which->word[i];
     }

@@ -10,35 +10,20 @@
 #include "render/per_arithmetic/observe.h"
 #include "scene.h"
 
-/* Compiled once for each arithmetic; the include path says which. */
+/* Compiled once for each arithmetic and form of sets; the include path says which. */
 
 #define NAME_JOIN(prefix, name)  NAME_JOIN_(prefix, name)
 #define NAME_JOIN_(prefix, name) prefix##name
+#define NAME_TEXT(name)          NAME_TEXT_(name)
+#define NAME_TEXT_(name)         #name
 #define IMAGE                    NAME_JOIN(image_, REAL_NAME)
-#define ARITHMETIC               NAME_JOIN(arithmetic_, REAL_NAME)
+#define ARITHMETIC               NAME_JOIN(NAME_JOIN(arithmetic_, REAL_NAME), SETS_SUFFIX)
 
-/* The scene that points to its tables, and what stands before them in one block. */
+/* The scene and its estimate, in one block with the tables. */
 struct loaded {
     struct scene scene; /* first: the block is freed through it */
     struct estimate estimate;
 };
-
-/* What a table begins at a multiple of. */
-enum { TABLE_ALIGNMENT = 64 };
-
-/* Memory that tables are laid out in, one behind the other. */
-struct block {
-    char *start; /* NULL: the tables are only measured */
-    size_t used;
-};
-
-/* Returns the place of a table of that many entries; NULL where tables are only measured. */
-static void *lay_out(struct block *block, uint32_t count, size_t size) {
-    char *place = block->start != NULL ? block->start + block->used : NULL;
-    size_t bytes = count * size + TABLE_ALIGNMENT - 1;
-    block->used += bytes / TABLE_ALIGNMENT * TABLE_ALIGNMENT;
-    return place;
-}
 
 static struct point point_of(const double p[3]) {
     struct point point = {REAL_LENGTH(p[0]), REAL_LENGTH(p[1]), REAL_LENGTH(p[2])};
@@ -58,14 +43,6 @@ static struct colours colours_of(const double c[3]) {
 static struct energies energies_of(const double e[3]) {
     struct energies energies = {REAL_ENERGY(e[0]), REAL_ENERGY(e[1]), REAL_ENERGY(e[2])};
     return energies;
-}
-
-static struct primitive_set set_of(const struct compiled_set *from) {
-    struct primitive_set set;
-    for (uint32_t i = 0; i < FEATURE_PRIMITIVE_WORDS; i++) {
-        set.word[i] = compiled_set_word(from, i);
-    }
-    return set;
 }
 
 static void directions_of(struct direction to[3], const double from[3][3]) {
@@ -128,8 +105,9 @@ static void surfaces_of(surface_number to[6], const uint32_t from[6]) {
 #define LOAD_SURFACES(name)     surfaces_of(to->name, from->name);
 #define LOAD_FIRST(name)        to->name = (run_first)from->name;
 #define LOAD_COUNT(name)        to->name = (run_count)from->name;
-#define LOAD_SET(name)          to->name = set_of(&from->name);
-#define LOAD_MARKS(name)        LOAD_SET(name)
+
+/* LOAD_SET, LOAD_MARKS and the tables of sets. */
+#include "load_sets.h"
 
 static void load_frame(struct frame *to, const struct compiled_frame *from) {
     FRAME_FIELDS(LOAD_MEMBER)
@@ -195,41 +173,29 @@ static void load_camera(struct camera *to, const struct compiled_camera *from) {
     CAMERA_FIELDS(LOAD_MEMBER)
 }
 
-static void load_set(struct primitive_set *to, const struct compiled_set *from) {
-    *to = set_of(from);
-}
-
 static void load_code(program_code *to, const uint32_t *from) {
     *to = (program_code)*from;
 }
 
-/* Lays out a table and loads its entries. */
-#define LOAD_TABLE(type, table, entry_count, load_entry)                                           \
-    {                                                                                              \
-        type *table = lay_out(block, from->entry_count, sizeof *table);                            \
-        for (uint32_t i = 0; i < from->entry_count && table != NULL; i++) {                        \
-            load_entry(&table[i], &from->table[i]);                                                \
-        }                                                                                          \
-        to->table = table;                                                                         \
-    }
-
-static void load_tables(struct scene *to, const struct compiled_scene *from, struct block *block) {
-    LOAD_TABLE(struct frame, frames, frame_count, load_frame)
-    LOAD_TABLE(struct primitive, primitives, primitive_count, load_primitive)
-    LOAD_TABLE(struct box, boxes, box_count, load_box)
-    LOAD_TABLE(struct ball, balls, ball_count, load_ball)
-    LOAD_TABLE(struct polyhedron, polyhedra, polyhedron_count, load_polyhedron)
-    LOAD_TABLE(struct plane, planes, plane_count, load_plane)
-    LOAD_TABLE(struct quadric, quadrics, quadric_count, load_quadric)
-    LOAD_TABLE(struct primitive_set, surfaces, surface_count, load_set)
-    LOAD_TABLE(struct primitive_set, hidden_by, primitive_count, load_set)
-    LOAD_TABLE(program_code, programs, program_length, load_code)
-    LOAD_TABLE(struct object, objects, object_count, load_object)
-    LOAD_TABLE(struct material, materials, material_count, load_material)
-    LOAD_TABLE(struct pattern, patterns, pattern_count, load_pattern)
-    LOAD_TABLE(struct pattern_face, pattern_faces, pattern_face_count, load_pattern_face)
-    LOAD_TABLE(struct specular_table, specular_tables, specular_table_count, load_specular_table)
-    LOAD_TABLE(struct light, lights, light_count, load_light)
+static void load_tables(struct block *block, struct scene *to, const struct compiled_scene *from) {
+    LOAD_TABLE(struct frame, from->frame_count, frames, from->frames, load_frame)
+    LOAD_TABLE(struct primitive, from->primitive_count, primitives, from->primitives,
+               load_primitive)
+    LOAD_TABLE(struct box, from->box_count, boxes, from->boxes, load_box)
+    LOAD_TABLE(struct ball, from->ball_count, balls, from->balls, load_ball)
+    LOAD_TABLE(struct polyhedron, from->polyhedron_count, polyhedra, from->polyhedra,
+               load_polyhedron)
+    LOAD_TABLE(struct plane, from->plane_count, planes, from->planes, load_plane)
+    LOAD_TABLE(struct quadric, from->quadric_count, quadrics, from->quadrics, load_quadric)
+    LOAD_TABLE(program_code, from->program_length, programs, from->programs, load_code)
+    LOAD_TABLE(struct object, from->object_count, objects, from->objects, load_object)
+    LOAD_TABLE(struct material, from->material_count, materials, from->materials, load_material)
+    LOAD_TABLE(struct pattern, from->pattern_count, patterns, from->patterns, load_pattern)
+    LOAD_TABLE(struct pattern_face, from->pattern_face_count, pattern_faces, from->pattern_faces,
+               load_pattern_face)
+    LOAD_TABLE(struct specular_table, from->specular_table_count, specular_tables,
+               from->specular_tables, load_specular_table)
+    LOAD_TABLE(struct light, from->light_count, lights, from->lights, load_light)
 }
 
 static void load_scene(struct scene *to, const struct compiled_scene *from) {
@@ -244,24 +210,45 @@ static void load_scene(struct scene *to, const struct compiled_scene *from) {
     load_camera(&to->camera, &from->camera);
 }
 
-static struct scene *load(const struct compiled_scene *from, struct scene_error *error) {
-    if (!compiled_fits_bits(from, error) || !arithmetic_holds(from, error)) {
-        return NULL;
-    }
-    struct scene measured;
+/* Puts all tables into a block. */
+static void load_all(const struct set_tables *sets, struct block *block, struct scene *to,
+                     const struct compiled_scene *from) {
+    load_scene(to, from);
+    load_tables(block, to, from);
+    sets_load(sets, block, to, from);
+}
+
+/* Loads twice: the first time, the block is measured. */
+static struct scene *load_block(const struct set_tables *sets, const struct compiled_scene *from) {
     struct block block = {NULL, 0};
-    (void)lay_out(&block, 1, sizeof(struct loaded));
-    load_tables(&measured, from, &block);
-    struct loaded *loaded = calloc(1, block.used);
-    if (!loaded) {
-        snprintf(error->text, sizeof error->text, "%.200s: out of memory", from->path);
+    struct loaded *loaded;
+    struct scene measured;
+    (void)block_take(&block, 1, sizeof *loaded);
+    load_all(sets, &block, &measured, from);
+    block.memory = calloc(1, block.used);
+    if (block.memory == NULL) {
         return NULL;
     }
-    block = (struct block){(char *)loaded, 0};
-    (void)lay_out(&block, 1, sizeof *loaded);
-    load_scene(&loaded->scene, from);
-    load_tables(&loaded->scene, from, &block);
+    block.used = 0;
+    loaded = block_take(&block, 1, sizeof *loaded);
+    load_all(sets, &block, &loaded->scene, from);
     return &loaded->scene;
+}
+
+static struct scene *load(const struct compiled_scene *from, struct scene_error *error) {
+    struct set_tables sets;
+    struct scene *scene = NULL;
+    if (!sets_fit(from, error) || !arithmetic_holds(from, error)) {
+        return NULL;
+    }
+    if (sets_prepare(&sets, from)) {
+        scene = load_block(&sets, from);
+    }
+    sets_release(&sets);
+    if (scene == NULL) {
+        snprintf(error->text, sizeof error->text, "%.200s: out of memory", from->path);
+    }
+    return scene;
 }
 
 static void learn(struct scene *scene, struct estimate *estimate, struct render_counts *counts) {
@@ -276,5 +263,10 @@ static void learn(struct scene *scene, struct estimate *estimate, struct render_
 
 extern const struct image IMAGE;
 
-const struct arithmetic ARITHMETIC = {&IMAGE, LENGTH_VALUE(LENGTH_NOISE), load, learn,
+const struct arithmetic ARITHMETIC = {&IMAGE,
+                                      NAME_TEXT(NAME_JOIN(REAL_NAME, SETS_SUFFIX)),
+                                      LENGTH_VALUE(LENGTH_NOISE),
+                                      sets_have_room,
+                                      load,
+                                      learn,
                                       observe_pixel};

@@ -267,7 +267,7 @@ struct overlap {
     bool some, all;
 };
 
-static struct overlap overlap_of(const struct compiled_scene *scene, uint8_t one, uint8_t other,
+static struct overlap overlap_of(const struct compiled_scene *scene, uint32_t one, uint32_t other,
                                  const struct leaf pair[2]) {
     struct overlap overlap = {false, true};
     uint64_t seed = 424243;

@@ -146,8 +146,13 @@ static void a_render_adds_up_rows_beyond_32_bits(void **state) {
     loaded.compiled->estimates = false;
     const struct image image = {"heavy", arithmetic_fx.image->learn, heavy_row,
                                 arithmetic_fx.image->draw};
-    const struct arithmetic arithmetic = {&image, arithmetic_fx.noise, arithmetic_fx.load,
-                                          arithmetic_fx.learn, arithmetic_fx.pixel};
+    const struct arithmetic arithmetic = {&image,
+                                          "heavy",
+                                          arithmetic_fx.noise,
+                                          arithmetic_fx.has_room,
+                                          arithmetic_fx.load,
+                                          arithmetic_fx.learn,
+                                          arithmetic_fx.pixel};
     for (int i = 0; i < 3; i++) {
         struct bus bus;
         struct render_totals totals;

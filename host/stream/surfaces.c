@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The table of surfaces, from the solids of a scene. */
-#include "stream/surface_sets.h"
+/* The surfaces of a scene, which its own tables do not count. */
+#include "stream/surfaces.h"
 
 static uint32_t larger(uint32_t a, uint32_t b) {
     return a > b ? a : b;
@@ -42,21 +42,10 @@ static uint32_t last_of_primitive(const struct scene *scene, const struct primit
 }
 
 /* Returns the number of the scene's last surface. */
-static uint32_t last_surface(const struct scene *scene) {
+uint32_t surface_last(const struct scene *scene) {
     uint32_t last = 0;
-    for (uint8_t i = 0; i < scene->primitive_count; i++) {
+    for (entry_number i = 0; i < scene->primitive_count; i++) {
         last = larger(last, last_of_primitive(scene, &scene->primitives[i]));
     }
     return last;
-}
-
-bool touches_fit(const struct scene *scene) {
-    return last_surface(scene) < TOUCHES - 1;
-}
-
-void touches_set(const struct scene *scene, uint32_t touches[TOUCHES]) {
-    const uint32_t count = scene->primitive_count > 0 ? last_surface(scene) + 1 : 0;
-    for (uint32_t i = 0; i < TOUCHES; i++) {
-        touches[i] = i < count ? scene->surfaces[i].word[0] : 0;
-    }
 }

@@ -38,10 +38,19 @@ static uint32_t union_of(const uint32_t sets[restrict LANES]) {
     return all;
 }
 
-void media_objects(const struct scene *scene, const uint32_t inside[restrict LANES],
-                   uint32_t object[restrict LANES]) {
+void media_before(struct set_memory *memory, const struct ray_lanes *restrict rays,
+                  uint32_t object[restrict LANES]) {
+    (void)memory;
+    for (int i = 0; i < LANES; i++) {
+        object[i] = path_object(rays->path[i]);
+    }
+}
+
+void media_objects(struct set_memory *memory, const struct scene *scene,
+                   const uint32_t inside[restrict LANES], uint32_t object[restrict LANES]) {
     const uint32_t any = union_of(inside);
     uint32_t holds[LANES];
+    (void)memory;
     for (int i = 0; i < LANES; i++) {
         object[i] = OBJECT_AIR;
     }
@@ -56,10 +65,11 @@ void media_objects(const struct scene *scene, const uint32_t inside[restrict LAN
     }
 }
 
-void media_shadows(const struct scene *scene, const uint32_t inside[restrict LANES],
-                   uint32_t shadow[restrict LANES]) {
+void media_shadows(struct set_memory *memory, const struct scene *scene,
+                   const uint32_t inside[restrict LANES], uint32_t shadow[restrict LANES]) {
     const uint32_t any = union_of(inside);
     uint32_t holds[LANES];
+    (void)memory;
     for (int i = 0; i < LANES; i++) {
         shadow[i] = scene->materials[MATERIAL_AIR].casts_shadow ? 1 : 0;
     }

@@ -3,8 +3,8 @@
 #ifndef SUPERFRAME_SEARCH_H
 #define SUPERFRAME_SEARCH_H
 
+#include "set_memory.h"
 #include "stream/lanes.h"
-#include "stream/surface_sets.h"
 
 /* The axes whose slopes are there, and those on which some lane's component is zero: bits 0, 1,
  * 2. */
@@ -46,6 +46,11 @@ struct search_lanes {
     struct sloping world_sloping;
 };
 
+/* Returns the set behind a lane's crossing. */
+static inline uint32_t search_behind(const struct search_lanes *search, int lane) {
+    return search->inside[lane] ^ search->toggled[lane];
+}
+
 static inline bool crossed_leaving(uint32_t crossed) {
     return crossed >= CROSSED_LEAVING;
 }
@@ -54,9 +59,8 @@ static inline uint32_t crossed_primitive(uint32_t crossed) {
     return crossed % CROSSED_LEAVING;
 }
 
-/* Fills in what follows from the world's origins and directions and from `surface`. touches is the
- * scene's table. */
-void search_begin(struct search_lanes *search, const uint32_t touches[TOUCHES]);
+/* Fills in what follows from the world's origins and directions and from `surface`. */
+void search_begin(struct search_lanes *search, struct set_memory *memory);
 
 /* Finds each active lane's nearest crossing at or after `from`. Adds the number of tests to
  * *solid_tests. */

@@ -3,8 +3,8 @@
 #ifndef SUPERFRAME_SEARCH_SOLIDS_H
 #define SUPERFRAME_SEARCH_SOLIDS_H
 
+#include "search.h"
 #include "stream/interval.h"
-#include "stream/search.h"
 
 /* The lanes that may leave a primitive and those that may enter it, as 1 or 0, and how many they
  * are. Rays of one object are mostly all on one side: each step knows one side alone. */

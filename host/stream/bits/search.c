@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The next crossing of each lane's ray, primitive by primitive. */
+#include "search_solids.h"
 #include "solids.h"
-#include "stream/search_solids.h"
 
 static const struct sloping sloping_unknown = {0, 0};
 
@@ -26,13 +26,13 @@ static void need_slopes(struct local_lanes *restrict local, struct sloping *slop
     }
 }
 
-void search_begin(struct search_lanes *restrict search, const uint32_t touches[restrict TOUCHES]) {
+void search_begin(struct search_lanes *restrict search, struct set_memory *restrict memory) {
     search->world_sloping = sloping_unknown;
     for (int i = 0; i < SEARCH_VIEWS; i++) {
         search->frames[i] = FRAME_WORLD;
     }
     for (int i = 0; i < LANES; i++) {
-        search->touch[i] = touches_of(touches, search->surface[i]);
+        search->touch[i] = touches_of(memory, search->surface[i]);
     }
 }
 

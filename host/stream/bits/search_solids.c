@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Where rays cross boxes, balls and polyhedra: firmware/solids.c for many rays at once. */
-#include "stream/search_solids.h"
+#include "search_solids.h"
 
 #include "solids.h"
 
