@@ -6,7 +6,7 @@
 #include "ray.h"
 #include "solids.h"
 
-/* Whether there can be solids other than boxes. */
+/* Tells whether there can be solids other than boxes. */
 enum { FEATURES_BEYOND_BOXES = FEATURE_BALL || FEATURE_POLYHEDRON || FEATURE_QUADRIC };
 
 /* The nearest place where a primitive is entered or left. */
@@ -18,7 +18,7 @@ struct crossing {
     bool leaving;
 };
 
-/* What a search for the next crossing goes by. */
+/* Holds what a search for the next crossing goes by. */
 struct search {
     const struct scene *scene;
     struct local_ray views[VIEWS];

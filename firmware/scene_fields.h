@@ -88,8 +88,8 @@
     F(PLACES, high)                                                                                \
     F(CHILDREN, child)
 
-/* Where a search goes from within a primitive, and the objects that the primitive takes part in. An
- * object holds no place that is in none of its keys. */
+/* Leads a search on from within a primitive, and names the objects that the primitive is part of.
+ * An object holds no place that is in none of its keys. */
 #define LEAD_FIELDS(F)                                                                             \
     /* The hierarchies of what lies strictly within the primitive and not within one of those. The \
      * second has what can keep off light. NODE_NONE: there is nothing. */                         \

@@ -14,10 +14,11 @@ superframe=$build/superframe
 failures=0
 
 COMPILE='clang -std=c99 -O1 -gline-tables-only -fsanitize=memory -fno-sanitize-recover=all
-    -Ifirmware/features/full -Ihal -Ifirmware'
+    -Ihal -Ifirmware'
 
-# Compiles the firmware in an arithmetic, two files at a time.
+# firmware ARITHMETIC FEATURES: compiles the firmware, two files at a time. check() takes it from then on.
 firmware() {
+    features=-Ifirmware/features/$2
     rm -rf "${folder:?}/$1"
     mkdir -p "$folder/$1" || exit 2
     # shellcheck disable=SC2086 # the compiler and its options are words
@@ -25,7 +26,7 @@ firmware() {
         xargs -P 2 -I FILE sh -c 'file=$1 folder=$2 arithmetic=$3; shift 3
             exec "$@" "-Ifirmware/real/$arithmetic" \
                 -c -o "$folder/$arithmetic/$(basename "$file" .c).o" "$file"' \
-            firmware FILE "$folder" "$1" $COMPILE || exit 2
+            firmware FILE "$folder" "$1" $COMPILE "$features" || exit 2
 }
 
 # check ARITHMETIC SCENE OPTION...: the options are those of compile.
@@ -33,11 +34,11 @@ check() {
     arithmetic=$1
     scene=$2
     shift 2
-    tables=$folder/$scene.c
+    tables=$folder/$(basename "$scene" .scene).c
     "$superframe" compile "$scene" "$@" -o "$tables" || exit 2
     name=$(sed -n 's/^const struct scene \([a-zA-Z0-9_]*\).*/\1/p' "$tables")
     # shellcheck disable=SC2086 # the compiler and its options are words
-    $COMPILE "-Ifirmware/real/$arithmetic" "-DSCENE=$name" "-DIMAGE=image_$arithmetic" \
+    $COMPILE "$features" "-Ifirmware/real/$arithmetic" "-DSCENE=$name" "-DIMAGE=image_$arithmetic" \
         -o "$folder/image" tests/uninitialised_image.c "$tables" "$folder/$arithmetic"/*.o -lm ||
         exit 2
     if timeout -k 5 60 "$folder/image" > "$folder/log" 2>&1; then
@@ -49,14 +50,16 @@ check() {
     fi
 }
 
-firmware fx
+firmware fx full
 check fx fig3 --size 8x5
 check fx fig3 --size 8x5 --tail estimate
 check fx fig4a --size 8x5 --depth 40 --error 16
 check fx fig5 --size 8x5 --error 4
 check fx fig6a --size 8x5 --colour dither
 check fx fig6b --size 8x5 --colour exposures
-firmware f32
+firmware f32 full
 check f32 fig5 --size 8x5 --error 8
 check f32 figA --size 8x5 --depth 20 --tail estimate
+firmware f32 many
+check f32 docs/examples/chandelier.scene --size 8x5
 [ $failures -eq 0 ]

@@ -12,6 +12,21 @@ static inline uint32_t place_of(uint32_t surface, uint32_t face) {
     return surface << 8 | face;
 }
 
+/* A crossing's primitive, with this bit where the primitive is left, not entered. */
+#define CROSSED_LEAVING UINT32_C(0x80000000)
+
+static inline uint32_t crossed_of(uint32_t primitive, bool leaving) {
+    return leaving ? primitive | CROSSED_LEAVING : primitive;
+}
+
+static inline bool crossed_leaving(uint32_t crossed) {
+    return crossed >= CROSSED_LEAVING;
+}
+
+static inline uint32_t crossed_primitive(uint32_t crossed) {
+    return crossed % CROSSED_LEAVING;
+}
+
 /* An interval of a ray inside a primitive: see struct segment. */
 struct interval {
     real_length in, out;

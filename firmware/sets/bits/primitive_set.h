@@ -7,7 +7,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* What a ray does with these sets (ray.c). */
+/* Names the header with what a ray does with these sets (ray.c). */
 #define SETS_WALK "sets/bits/walk.h"
 
 /* Stands behind the names of what a host makes for these sets. */
@@ -43,7 +43,7 @@ struct primitive_set {
     uint32_t word[FEATURE_PRIMITIVE_WORDS];
 };
 
-/* What a ray crosses at one place. */
+/* Holds what a ray crosses at one place. */
 typedef struct primitive_set crossed_set;
 
 /* Returns the index of the word that holds a primitive's bit. Where there is but one word, nothing

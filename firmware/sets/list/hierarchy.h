@@ -110,7 +110,7 @@ static inline void try_entry(struct search *search, entry_number index,
     }
 }
 
-/* What waits to be looked at: nodes and primitives, the nearest one last. */
+/* Holds what waits to be looked at: nodes and primitives, the nearest one last. */
 struct waiting {
     uint16_t count;
     run_first child[WAITING_MOST];

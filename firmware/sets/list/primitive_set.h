@@ -7,7 +7,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* What a ray does with these sets (ray.c). */
+/* Names the header with what a ray does with these sets (ray.c). */
 #define SETS_WALK "sets/list/walk.h"
 
 /* Stands behind the names of what a host makes for these sets. */
@@ -57,7 +57,7 @@ struct primitive_set {
     entry_number member[SET_MOST];
 };
 
-/* What a ray crosses at one place: all that it was inside of, and as much again. */
+/* Holds what a ray crosses at one place: all that it was inside of, and as much again. */
 typedef struct {
     uint16_t count;
     entry_number member[2 * SET_MOST];

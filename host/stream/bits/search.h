@@ -4,6 +4,7 @@
 #define SUPERFRAME_SEARCH_H
 
 #include "set_memory.h"
+#include "stream/interval.h"
 #include "stream/lanes.h"
 
 /* The axes whose slopes are there, and those on which some lane's component is zero: bits 0, 1,
@@ -20,7 +21,7 @@ struct local_lanes {
     uint32_t level[3][LANES], falling[3][LANES]; /* 1: the component is zero, is negative */
 };
 
-enum { SEARCH_VIEWS = 2, CROSSED_LEAVING = 256 };
+enum { SEARCH_VIEWS = 2 };
 
 /* What a search goes by, and what the search has found. */
 struct search_lanes {
@@ -35,7 +36,7 @@ struct search_lanes {
     /* The nearest crossing. */
     real_length t[LANES];
     uint32_t place[LANES];   /* its surface and face (interval.h), or PLACE_NONE */
-    uint32_t crossed[LANES]; /* the primitive, + CROSSED_LEAVING where it is left, not entered */
+    uint32_t crossed[LANES]; /* the primitive, and whether it is left: crossed_of() */
     uint32_t toggled[LANES]; /* all primitives that are crossed there */
 
     /* After the arrays, so that the arrays begin where vectors like to. */
@@ -49,14 +50,6 @@ struct search_lanes {
 /* Returns the set behind a lane's crossing. */
 static inline uint32_t search_behind(const struct search_lanes *search, int lane) {
     return search->inside[lane] ^ search->toggled[lane];
-}
-
-static inline bool crossed_leaving(uint32_t crossed) {
-    return crossed >= CROSSED_LEAVING;
-}
-
-static inline uint32_t crossed_primitive(uint32_t crossed) {
-    return crossed % CROSSED_LEAVING;
 }
 
 /* Fills in what follows from the world's origins and directions and from `surface`. */

@@ -66,7 +66,7 @@ static inline void search_consider(struct search_lanes *restrict search, int i, 
     bool better = valid & !(same & near) & precedes;
     search->t[i] = better ? found.t : best;
     search->place[i] = better ? found.place : place;
-    search->crossed[i] = better ? index + (leaving ? CROSSED_LEAVING : 0) : search->crossed[i];
+    search->crossed[i] = better ? crossed_of(index, leaving) : search->crossed[i];
     search->toggled[i] = better ? bit : toggled | (coincide ? bit : 0);
 }
 

@@ -4,7 +4,6 @@
 #include "search.h"
 
 #include "sets/list/walk.h"
-#include "stream/interval.h"
 
 void search_begin(struct search_lanes *restrict search, struct set_memory *restrict memory) {
     struct world_lanes *restrict world = &search->world;
@@ -53,7 +52,7 @@ static void search_lane(struct search_lanes *search, int lane, struct render_cou
     }
     search->t[lane] = crossing.t;
     search->place[lane] = place_of(crossing.surface, crossing.face);
-    search->crossed[lane] = crossing.primitive | (crossing.leaving ? CROSSED_LEAVING : 0);
+    search->crossed[lane] = crossed_of(crossing.primitive, crossing.leaving);
     search->behind[lane] = set_behind(search->memory, search->inside[lane], &toggled);
 }
 

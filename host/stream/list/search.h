@@ -4,6 +4,7 @@
 #define SUPERFRAME_SEARCH_H
 
 #include "set_memory.h"
+#include "stream/interval.h"
 
 /* Rays as the world sees them. */
 struct world_lanes {
@@ -12,9 +13,6 @@ struct world_lanes {
     real_slope slope[3][LANES];
     uint32_t level[LANES], falling[LANES]; /* as in struct local_ray */
 };
-
-/* Stands in front of a primitive's number where the primitive is left. */
-#define CROSSED_LEAVING UINT32_C(0x80000000)
 
 /* What a search goes by, and what the search has found. */
 struct search_lanes {
@@ -27,7 +25,7 @@ struct search_lanes {
     /* The nearest crossing. */
     real_length t[LANES];
     uint32_t place[LANES];   /* its surface and face (interval.h), or PLACE_NONE */
-    uint32_t crossed[LANES]; /* the primitive, with CROSSED_LEAVING where it is left */
+    uint32_t crossed[LANES]; /* the primitive, and whether it is left: crossed_of() */
     uint32_t behind[LANES];  /* the set behind the crossing */
 
     const struct scene *scene;
@@ -38,14 +36,6 @@ struct search_lanes {
 /* Returns the set behind a lane's crossing. */
 static inline uint32_t search_behind(const struct search_lanes *search, int lane) {
     return search->behind[lane];
-}
-
-static inline bool crossed_leaving(uint32_t crossed) {
-    return crossed >= CROSSED_LEAVING;
-}
-
-static inline uint32_t crossed_primitive(uint32_t crossed) {
-    return crossed % CROSSED_LEAVING;
 }
 
 /* Fills in what follows from the world's origins and directions. */
