@@ -14,9 +14,9 @@ struct set_tables {
     struct compiled_hierarchy hierarchy;
 };
 
-/* Tells whether lists have room for a scene. */
 typedef char levels_fit[(int)HIERARCHY_LEVELS_MOST <= (int)FEATURE_LEVELS ? 1 : -1];
 
+/* Tells whether lists have room for a scene. */
 static bool sets_have_room(const struct compiled_scene *from) {
     return from->nesting <= FEATURE_NESTING;
 }
