@@ -7,8 +7,9 @@
 
 #include "chance.h"
 
-/* Scenes of so many solids take longer than the rest. */
-enum { CROWD_EVERY = 10 };
+/* Every so many seeds: crowds, which take longer than the rest, and light straight from above,
+ * whose shadow rays run exactly along an axis. */
+enum { CROWD_EVERY = 10, UPRIGHT_EVERY = 7 };
 
 static void set_model(struct syntax *syntax, uint64_t *random) {
     int width = 24 + 8 * (chance_pick(random, 100) / 50) + 16 * (chance_pick(random, 100) / 90);
@@ -83,6 +84,12 @@ void generate_scene(struct syntax *syntax, uint64_t seed) {
     set_camera(syntax, random);
     generate_materials(syntax, random);
     set_lights(syntax, random);
+    if (seed % UPRIGHT_EVERY == 0) {
+        struct syntax_light *light = &syntax->lights[0];
+        light->parallel = true;
+        light->place[0] = light->place[1] = 0;
+        light->place[2] = -1;
+    }
     set_floor(syntax, random);
     int count = 1 + chance_pick(random, 3);
     for (int i = 0; i < count; i++) {

@@ -148,6 +148,12 @@ bool prepare_turn(struct syntax *scene, uint64_t *random) {
     for (int i = 0; i < scene->material_count; i++) {
         scene->materials[i].pattern.present = false;
     }
+    for (int i = 0; i < scene->light_count; i++) {
+        struct syntax_light *light = &scene->lights[i];
+        if (light->parallel && light->place[0] == 0 && light->place[1] == 0) {
+            light->place[0] = 0.25; /* along a wall, rounding decides whether the wall is lit */
+        }
+    }
     return !syntax_has_endless(scene);
 }
 
