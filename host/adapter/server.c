@@ -42,7 +42,7 @@ struct connection {
 struct run {
     const struct usbip_server *server;
     struct connection places[PLACES]; /* the first: of the client that has the device */
-    int64_t now;                      /* milliseconds by a clock that nobody sets */
+    int64_t now;                      /* by stopwatch_ms() */
     int64_t accept_at, keep_at;       /* not before */
     uint64_t came;                    /* how many have come */
     bool is_to_keep;
@@ -53,11 +53,6 @@ struct run {
 struct usbip_limits usbip_default_limits(void) {
     const struct usbip_limits limits = {5000, 500, 30, 1000};
     return limits;
-}
-
-static int64_t read_clock(void) {
-    const struct timespec now = stopwatch_start();
-    return (int64_t)now.tv_sec * 1000 + now.tv_nsec / 1000000;
 }
 
 /* Tells of a client. A reader that has stopped reading, or has gone, must not stop the server. */
@@ -303,11 +298,11 @@ static void keep_what_was_drawn(struct run *run) {
 static void serve(struct run *run, const volatile sig_atomic_t *stop) {
     struct pollfd watched[PLACES + 1];
     unsigned places[PLACES + 1];
-    run->now = read_clock();
+    run->now = stopwatch_ms();
     run->keep_at = run->now + run->server->limits.keep_ms;
     while (!run->is_over && *stop == 0) {
         unsigned count = watch(run, watched, places);
-        run->now = read_clock();
+        run->now = stopwatch_ms();
         for (unsigned i = 0; i + 1 < count; i++) {
             attend(run, &run->places[places[i]], watched[i].revents);
         }

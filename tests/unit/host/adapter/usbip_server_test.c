@@ -29,7 +29,7 @@ static void note_signal(int number) {
 
 /* Writes when it was called. */
 static void keep(void *context) {
-    const int64_t now = clock_ms();
+    const int64_t now = stopwatch_ms();
     assert_int_equal(write(*(const int *)context, &now, sizeof now), sizeof now);
 }
 
@@ -131,10 +131,10 @@ static void silent_connections_hold_no_place(void **state) {
     for (unsigned i = 0; i < 100; i++) {
         silent[i] = connect_to(port);
     }
-    int64_t began = clock_ms();
+    int64_t began = stopwatch_ms();
     int asking = connect_to(port);
     assert_true(client_list(asking));
-    assert_true(clock_ms() - began < VISIT_MS);
+    assert_true(stopwatch_ms() - began < VISIT_MS);
     assert_true(is_closed_within(silent[0], 0));
     assert_false(is_closed_within(silent[99], 0));
     (void)close(asking);
@@ -157,9 +157,9 @@ static void the_device_is_given_to_one_and_the_next_waits_for_a_while(void **sta
     (void)state;
     int first = connect_to(port), second = connect_to(port);
     assert_int_equal(client_import(first), 0);
-    int64_t began = clock_ms();
+    int64_t began = stopwatch_ms();
     assert_int_equal(client_import(second), 2);
-    assert_in_range(clock_ms() - began, BUSY_MS - 1, VISIT_MS - 1);
+    assert_in_range(stopwatch_ms() - began, BUSY_MS - 1, VISIT_MS - 1);
     assert_true(is_closed_within(second, SLACK_MS));
     (void)close(first);
     (void)close(second);
@@ -207,9 +207,9 @@ static void who_reads_nothing_loses_the_device(void **state) {
     (void)state;
     client_init(&client, connect_to(port), false);
     client_attach(&client);
-    int64_t before = clock_ms();
+    int64_t before = stopwatch_ms();
     client_stuff(&client);
-    int64_t began = clock_ms();
+    int64_t began = stopwatch_ms();
     int next;
     do {
         next = connect_to(port);
@@ -219,8 +219,9 @@ static void who_reads_nothing_loses_the_device(void **state) {
         }
         assert_int_equal(status, 2);
         (void)close(next);
-    } while (clock_ms() - began < 5000);
-    assert_true(clock_ms() - before >= 1000 && clock_ms() - began <= 1000 + SLACK_MS + BUSY_MS);
+    } while (stopwatch_ms() - began < 5000);
+    assert_true(stopwatch_ms() - before >= 1000 &&
+                stopwatch_ms() - began <= 1000 + SLACK_MS + BUSY_MS);
     assert_true(was_told("left: it does not answer, or read what it is sent"));
     (void)close(next);
     (void)close(client.socket);
@@ -236,27 +237,27 @@ static void who_reads_slowly_stops_nobody(void **state) {
     client_stuff(&client);
     for (unsigned i = 0; i < 4; i++) {
         assert_int_equal(recv(client.socket, &byte, 1, 0), 1);
-        int64_t began = clock_ms();
+        int64_t began = stopwatch_ms();
         int asking = connect_to(port);
         assert_true(client_list(asking));
-        assert_true(clock_ms() - began < SLACK_MS);
+        assert_true(stopwatch_ms() - began < SLACK_MS);
         (void)close(asking);
         pause_ms(50);
     }
-    int64_t began = clock_ms();
+    int64_t began = stopwatch_ms();
     assert_int_equal(kill(server, SIGTERM), 0);
     assert_int_equal(wait_for_end(), 0);
-    assert_true(clock_ms() - began < SLACK_MS);
+    assert_true(stopwatch_ms() - began < SLACK_MS);
     (void)close(client.socket);
 }
 
 /* ---- What is kept ---------------------------------------------------------------------------- */
 
 static void what_clients_drew_is_kept_no_more_often_than_the_limit(void **state) {
-    int64_t began = clock_ms(), last = began - KEEP_MS, at;
+    int64_t began = stopwatch_ms(), last = began - KEEP_MS, at;
     unsigned count = 0;
     (void)state;
-    while (clock_ms() - began < 3 * KEEP_MS) {
+    while (stopwatch_ms() - began < 3 * KEEP_MS) {
         int visitor = connect_to(port);
         assert_int_equal(client_import(visitor), 0);
         (void)close(visitor);
@@ -264,7 +265,7 @@ static void what_clients_drew_is_kept_no_more_often_than_the_limit(void **state)
     }
     pause_ms(KEEP_MS + 300); /* the last of them is kept too, without another event */
     assert_int_equal(fcntl(kept, F_SETFL, O_NONBLOCK), 0);
-    int64_t until = clock_ms();
+    int64_t until = stopwatch_ms();
     while (read(kept, &at, sizeof at) == sizeof at) {
         assert_true(at - last >= KEEP_MS - 1);
         last = at;
@@ -320,10 +321,10 @@ static int64_t vanish(bool is_answer_under_way, unsigned lost_s) {
         pause_ms(50);
     }
     assert_true(set_loopback(false));
-    int64_t began = clock_ms();
+    int64_t began = stopwatch_ms();
     assert_int_equal(kill(server, SIGCONT), 0);
     assert_int_equal(wait_for_end(), 0);
-    int64_t took = clock_ms() - began;
+    int64_t took = stopwatch_ms() - began;
     assert_true(was_told("left: it does not answer, or read what it is sent"));
     return took;
 }
