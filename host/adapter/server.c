@@ -294,6 +294,7 @@ static void serve(struct run *run, const volatile sig_atomic_t *stop) {
     run->now = stopwatch_ms();
     run->keep_at = run->now + run->server->limits.keep_ms;
     while (!run->is_over && *stop == 0) {
+        keep_what_was_drawn(run);
         unsigned count = watch(run, watched, places);
         run->now = stopwatch_ms();
         for (unsigned i = 0; i < count; i++) {
@@ -302,7 +303,6 @@ static void serve(struct run *run, const volatile sig_atomic_t *stop) {
         if ((watched[count].revents & POLLIN) != 0) {
             welcome(run);
         }
-        keep_what_was_drawn(run);
     }
 }
 
