@@ -29,10 +29,7 @@ static struct {
 } counts;
 
 static uint32_t draw_number(uint32_t below) {
-    state_of_random ^= state_of_random << 13;
-    state_of_random ^= state_of_random >> 7;
-    state_of_random ^= state_of_random << 17;
-    return (uint32_t)(state_of_random >> 32) % below;
+    return next_random(&state_of_random) % below;
 }
 
 /* What the server frees is free at once: what the sanitizer would keep is not the server's. */
@@ -45,7 +42,6 @@ static int start_server(void **state) {
                    "%s:quarantine_size_mb=1:thread_local_quarantine_size_kb=64",
                    before != NULL ? before : "");
     assert_int_equal(setenv("ASAN_OPTIONS", options, 1), 0);
-    adapter_name_files(&server);
     adapter_start(&server, words);
     return 0;
 }
@@ -79,7 +75,7 @@ static size_t make_request(uint8_t bytes[40]) {
     return is_list ? 8 : 40;
 }
 
-/* A command that is allowed, or nearly. */
+/* Makes a command that is allowed, or nearly. */
 static size_t make_command(uint8_t *bytes) {
     static const uint16_t lengths[] = {0, 1, 8, 18, 63, 64, 255, 512, 4096, 16384};
     static const uint8_t requests[] = {0, 1, 3, 6, 8, 9, 10, 11};
@@ -218,10 +214,7 @@ static void the_server_lives_among_strangers(void **state) {
         }
     }
     long grown = adapter_memory_kb(&server) - before;
-    int64_t interrupted = stopwatch_ms();
-    assert_int_equal(kill(server.pid, SIGTERM), 0);
-    assert_int_equal(adapter_wait(&server), 0);
-    int64_t ended = stopwatch_ms() - interrupted;
+    int64_t ended = adapter_end(&server);
     for (unsigned i = 0; i < STRANGERS; i++) {
         (void)close(strangers[i].socket);
     }
