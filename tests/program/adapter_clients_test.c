@@ -113,7 +113,8 @@ static void who_reads_a_byte_a_second_stops_nobody(void **state) {
 
 /* ---- The device changes hands ---------------------------------------------------------------- */
 
-/* A transfer lies before the end of every second client: the server has to read that first. */
+/* Has the device many times. A transfer lies before the end of every second client: the server has
+ * to read that first. */
 static void attach_again_and_again(void (*leave)(int)) {
     static const uint8_t data[16384];
     static struct usbip_client client;
@@ -245,7 +246,7 @@ static unsigned port_of(int descriptor) {
     return ntohs(place.sin_port);
 }
 
-/* Three visitors: one looks, one has the device and leaves, one has it to the end. */
+/* Lets in three visitors: one looks, one has the device and leaves, one has it to the end. */
 static void let_three_come(unsigned ports[3]) {
     int first = connect_to(server.port);
     assert_true(client_list(first));

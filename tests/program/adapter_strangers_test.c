@@ -32,7 +32,7 @@ static uint32_t draw_number(uint32_t below) {
     return next_random(&state_of_random) % below;
 }
 
-/* What the server frees is free at once: what the sanitizer would keep is not the server's. */
+/* Starts a server that frees at once: what the sanitizer would keep is not the server's. */
 static int start_server(void **state) {
     const char *const words[] = {"-o", server.picture, "--quiet", NULL};
     const char *before = getenv("ASAN_OPTIONS");
@@ -50,11 +50,6 @@ static int stop_server(void **state) {
     (void)state;
     adapter_stop(&server);
     return 0;
-}
-
-static unsigned long asked_number(const char *name, unsigned long otherwise) {
-    const char *text = getenv(name);
-    return text != NULL ? strtoul(text, NULL, 10) : otherwise;
 }
 
 /* ---- What strangers say ---------------------------------------------------------------------- */

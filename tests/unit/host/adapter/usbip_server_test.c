@@ -305,8 +305,7 @@ static int64_t vanish(bool is_answer_under_way, unsigned lost_s) {
 
 /* Lets a client vanish in a process of its own, whose namespace ends with it. */
 static void check_vanishing(bool is_answer_under_way) {
-    const char *asked = getenv("LOST_SECONDS");
-    unsigned lost_s = asked != NULL ? (unsigned)strtoul(asked, NULL, 10) : 3;
+    unsigned lost_s = (unsigned)asked_number("LOST_SECONDS", 3);
     int ends[2];
     int64_t took = -2;
     assert_int_equal(pipe(ends), 0);
