@@ -33,7 +33,6 @@ struct connection {
     int socket;       /* -1: a free place */
     uint64_t number;  /* in the order of coming */
     int64_t deadline; /* by the server's clock: then the client is sent away */
-    bool is_broken;   /* nothing can be sent any more */
     char name[NAME_SIZE];
     struct usbip_client client;
 };
@@ -42,7 +41,7 @@ struct connection {
 struct run {
     const struct usbip_server *server;
     struct connection places[PLACES]; /* the first: of the client that has the device */
-    int64_t now;                      /* milliseconds by a clock that nobody sets */
+    int64_t now;                      /* by stopwatch_ms() */
     int64_t accept_at, keep_at;       /* not before */
     uint64_t came;                    /* how many have come */
     bool is_to_keep;
@@ -53,11 +52,6 @@ struct run {
 struct usbip_limits usbip_default_limits(void) {
     const struct usbip_limits limits = {5000, 500, 30, 1000};
     return limits;
-}
-
-static int64_t read_clock(void) {
-    const struct timespec now = stopwatch_start();
-    return (int64_t)now.tv_sec * 1000 + now.tv_nsec / 1000000;
 }
 
 /* Tells of a client. A reader that has stopped reading, or has gone, must not stop the server. */
@@ -165,7 +159,6 @@ static void welcome(struct run *run) {
     connection->socket = socket;
     connection->number = ++run->came;
     connection->deadline = run->now + run->server->limits.visit_ms;
-    connection->is_broken = false;
     (void)snprintf(connection->name, sizeof connection->name, "%s", name);
     usbip_client_init(&connection->client, run->server->device);
     tell(run, name, "came", "");
@@ -173,9 +166,10 @@ static void welcome(struct run *run) {
 
 /* ---- One connection -------------------------------------------------------------------------- */
 
+/* Ends a visit whose answers can't be sent any more. */
 static void break_off(struct connection *connection, const char *reason) {
     usbip_client_end(&connection->client, reason);
-    connection->is_broken = true;
+    connection->client.answer_count = 0;
 }
 
 /* Returns the error that the system has noted. */
@@ -254,39 +248,33 @@ static void attend(struct run *run, struct connection *connection, short seen) {
     } else if (is_late) {
         usbip_client_end(client, "it took too long to ask for something");
     }
-    if (!connection->is_broken) {
-        send_answers(connection);
-    }
-    if (client->is_over && (client->answer_count == 0 || connection->is_broken || is_late)) {
+    send_answers(connection);
+    if (client->is_over && (client->answer_count == 0 || is_late)) {
         part(run, connection);
     }
 }
 
 /* ---- All of them ----------------------------------------------------------------------------- */
 
-/* Waits until something can be done, or the time has to be looked at. Fills what is to be watched,
- * and whose it is; the listener is the last, without a place. Returns how many are watched: no more
- * than are open, as poll() asks. */
+/* Waits until something can be done, or the time has to be looked at. Fills what is watched: first
+ * the connections, whose places are filled too, then the listener. Returns how many connections
+ * there are: poll() is given no more descriptors than are open, as it asks. */
 static unsigned watch(const struct run *run, struct pollfd watched[PLACES + 1],
-                      unsigned places[PLACES + 1]) {
+                      unsigned places[PLACES]) {
     unsigned count = 0;
     for (unsigned i = 0; i < PLACES; i++) {
         const struct connection *connection = &run->places[i];
         if (connection->socket >= 0) {
             bool is_read = usbip_client_room(&connection->client) > 0;
             bool is_written = connection->client.answer_count > 0;
-            watched[count].fd = connection->socket;
-            watched[count].events = (short)((is_read ? POLLIN : 0) | (is_written ? POLLOUT : 0));
+            short events = (short)((is_read ? POLLIN : 0) | (is_written ? POLLOUT : 0));
+            watched[count] = (struct pollfd){.fd = connection->socket, .events = events};
             places[count++] = i;
         }
     }
-    watched[count].fd = run->server->listener;
-    watched[count].events = run->now >= run->accept_at ? POLLIN : 0;
-    places[count++] = PLACES;
-    for (unsigned i = 0; i < count; i++) {
-        watched[i].revents = 0; /* where poll() fails, nothing was seen */
-    }
-    (void)poll(watched, count, POLL_MS);
+    watched[count] = (struct pollfd){.fd = run->server->listener,
+                                     .events = run->now >= run->accept_at ? POLLIN : 0};
+    (void)poll(watched, count + 1, POLL_MS); /* where it fails, nothing was seen */
     return count;
 }
 
@@ -302,19 +290,19 @@ static void keep_what_was_drawn(struct run *run) {
 
 static void serve(struct run *run, const volatile sig_atomic_t *stop) {
     struct pollfd watched[PLACES + 1];
-    unsigned places[PLACES + 1];
-    run->now = read_clock();
+    unsigned places[PLACES];
+    run->now = stopwatch_ms();
     run->keep_at = run->now + run->server->limits.keep_ms;
     while (!run->is_over && *stop == 0) {
+        keep_what_was_drawn(run);
         unsigned count = watch(run, watched, places);
-        run->now = read_clock();
-        for (unsigned i = 0; i + 1 < count; i++) {
+        run->now = stopwatch_ms();
+        for (unsigned i = 0; i < count; i++) {
             attend(run, &run->places[places[i]], watched[i].revents);
         }
-        if ((watched[count - 1].revents & POLLIN) != 0) {
+        if ((watched[count].revents & POLLIN) != 0) {
             welcome(run);
         }
-        keep_what_was_drawn(run);
     }
 }
 

@@ -26,13 +26,14 @@ struct usbip_limits {
 struct usbip_server {
     int listener; /* listens; stays the caller's, and becomes non-blocking */
     struct usb_device *device;
-    const struct address_range *allowed; /* who may come; `count` of them, 0: anybody */
+    const struct address_range *allowed; /* who may come; 0 of them: anybody */
     size_t allowed_count;
     struct usbip_limits limits;
     bool is_quiet; /* nothing is told of who comes and leaves */
     bool is_once;  /* the server ends when the first client that had the device has left */
 
-    /* Keeps what a client drew that has left the device. One descriptor is free for it. */
+    /* Keeps what a client drew that has left the device. One descriptor is free for it. What is
+     * drawn by the server's end is the caller's to keep. */
     void (*keep)(void *context);
     void *context;
 };

@@ -4,18 +4,17 @@
  * No sockets: bytes go in by usbip_client_take(), and what the client is to be sent waits in
  * `answers`. The protocol is the Linux kernel's, version 1.1.1
  * (Documentation/usb/usbip_protocol.rst). */
-#ifndef SUPERFRAME_EMULATOR_USBIP_H
-#define SUPERFRAME_EMULATOR_USBIP_H
+#ifndef SUPERFRAME_USBIP_H
+#define SUPERFRAME_USBIP_H
 
 #include "usb_device.h"
 
 enum {
     USBIP_PORT = 3240, /* the registered one */
     USBIP_HEADER_BYTES = 48,
-    USBIP_TRANSFER_MOST =
-        65536,              /* bytes of a transfer to the device; more ends the client's visit */
-    USBIP_IN_MOST = 16384,  /* bytes of one transfer from the device */
-    USBIP_PARKED_MOST = 32, /* transfers from the device that may wait for data */
+    USBIP_TRANSFER_MOST = 65536, /* bytes of one transfer to the device; more ends the visit */
+    USBIP_IN_MOST = 16384,       /* bytes of one transfer from the device */
+    USBIP_PARKED_MOST = 32,      /* transfers from the device that may wait for data */
     USBIP_ANSWERS_MOST = 2 * (USBIP_HEADER_BYTES + USBIP_IN_MOST) /* bytes that may wait */
 };
 
@@ -28,7 +27,7 @@ struct usbip_parked {
     uint8_t endpoint;
 };
 
-/* A client. About 97 KB, of which a client without the device uses the first kilobytes. */
+/* A client. About 99 KB, of which a client without the device touches less than one. */
 struct usbip_client {
     struct usb_device *device;
     bool wants_device; /* asks for the device: usbip_client_give() answers, and nothing before */

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Measures seconds by a clock that nobody sets. */
+/* Measures time by a clock that nobody sets. */
 #ifndef SUPERFRAME_STOPWATCH_H
 #define SUPERFRAME_STOPWATCH_H
 
+#include <stdint.h>
 #include <time.h>
 
 static inline struct timespec stopwatch_start(void) {
@@ -21,6 +22,12 @@ static inline double stopwatch_between(const struct timespec *began, const struc
 static inline double stopwatch_seconds(const struct timespec *began) {
     struct timespec now = stopwatch_start();
     return stopwatch_between(began, &now);
+}
+
+/* Returns milliseconds since a moment that stays the same while the machine runs. */
+static inline int64_t stopwatch_ms(void) {
+    const struct timespec now = stopwatch_start();
+    return (int64_t)now.tv_sec * 1000 + now.tv_nsec / 1000000;
 }
 
 #endif

@@ -2,9 +2,7 @@
 /* superframe adapter: a virtual USB adapter with the emulated board behind it, served by USB/IP. */
 #include <errno.h>
 #include <netdb.h>
-#include <netinet/in.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <sys/socket.h>
 #include <unistd.h>

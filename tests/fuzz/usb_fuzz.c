@@ -79,7 +79,8 @@ static void take_packets(uint8_t endpoint, const uint8_t *bytes, size_t count) {
     }
 }
 
-/* A client that does not read before the server stops to listen: the queue keeps to its bounds. */
+/* Plays a client that reads nothing until the server stops to listen: the queue keeps its bounds.
+ */
 static void be_client(const uint8_t *bytes, size_t count) {
     usbip_client_init(&client, &device);
     for (size_t taken = 1; count > 0 && taken > 0;) {

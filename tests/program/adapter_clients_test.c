@@ -12,15 +12,10 @@ enum { CROWD = 16, LISTS = 5000, TIMES = 400 };
 
 static struct adapter_process server;
 
-static void start(const char *const *words) {
-    adapter_name_files(&server);
-    adapter_start(&server, words);
-}
-
 static int start_server(void **state) {
     const char *const words[] = {"-o", server.picture, NULL};
     (void)state;
-    start(words);
+    adapter_start(&server, words);
     return 0;
 }
 
@@ -32,29 +27,15 @@ static int stop_server(void **state) {
 
 /* Asks for the list. Returns the milliseconds that it took. */
 static int64_t time_of_list(void) {
-    int64_t began = clock_ms();
+    int64_t began = stopwatch_ms();
     int asking = connect_to(server.port);
     assert_true(client_list(asking));
     (void)close(asking);
-    return clock_ms() - began;
+    return stopwatch_ms() - began;
 }
 
-/* Ends the server as Ctrl-C would. */
 static void end_within_a_second(void) {
-    int64_t began = clock_ms();
-    assert_int_equal(kill(server.pid, SIGTERM), 0);
-    assert_int_equal(adapter_wait(&server), 0);
-    assert_true(clock_ms() - began < 1000);
-}
-
-/* What the server has said so far. */
-static const char *said(void) {
-    static char text[65536];
-    FILE *log = fopen(server.log, "r");
-    assert_non_null(log);
-    text[fread(text, 1, sizeof text - 1, log)] = '\0';
-    (void)fclose(log);
-    return text;
+    assert_true(adapter_end(&server) < 1000);
 }
 
 /* ---- Crowds ---------------------------------------------------------------------------------- */
@@ -70,7 +51,7 @@ static void silent_connections_keep_nobody_out_and_end(void **state) {
         assert_true(is_closed_within(silent[i], 6000));
         (void)close(silent[i]);
     }
-    assert_non_null(strstr(said(), "left: it took too long to ask for something"));
+    assert_non_null(strstr(adapter_said(&server), "left: it took too long to ask for something"));
 }
 
 /* Only who has the device takes buffers for transfers. */
@@ -132,7 +113,8 @@ static void who_reads_a_byte_a_second_stops_nobody(void **state) {
 
 /* ---- The device changes hands ---------------------------------------------------------------- */
 
-/* A transfer lies before the end of every second client: the server has to read that first. */
+/* Has the device many times. A transfer lies before the end of every second client: the server has
+ * to read that first. */
 static void attach_again_and_again(void (*leave)(int)) {
     static const uint8_t data[16384];
     static struct usbip_client client;
@@ -154,14 +136,14 @@ static void the_device_is_free_once_its_client_has_closed(void **state) {
     (void)state;
     attach_again_and_again(close_with_end);
     end_within_a_second();
-    assert_null(strstr(said(), "another client has the device"));
+    assert_null(strstr(adapter_said(&server), "another client has the device"));
 }
 
 static void the_device_is_free_once_its_client_has_reset(void **state) {
     (void)state;
     attach_again_and_again(close_with_reset);
     end_within_a_second();
-    assert_null(strstr(said(), "another client has the device"));
+    assert_null(strstr(adapter_said(&server), "another client has the device"));
 }
 
 /* The picture is replaced, so that each writing gives the name to another file. */
@@ -170,8 +152,8 @@ static void the_picture_is_written_once_a_second_and_at_the_end(void **state) {
     unsigned written = 0;
     (void)state;
     assert_int_equal(stat(server.picture, &seen), 0);
-    int64_t began = clock_ms();
-    while (clock_ms() - began < 2500) {
+    int64_t began = stopwatch_ms();
+    while (stopwatch_ms() - began < 2500) {
         int visitor = connect_to(server.port);
         assert_int_equal(client_import(visitor), 0);
         (void)close(visitor);
@@ -194,7 +176,6 @@ static void run_with_few_descriptors(rlim_t most, bool is_list_answered) {
     const char *const words[] = {"-o", server.picture, NULL};
     struct stat first, last;
     int silent[20];
-    adapter_name_files(&server);
     server.descriptors = most;
     adapter_start(&server, words);
     assert_int_equal(stat(server.picture, &first), 0);
@@ -244,7 +225,7 @@ static void only_allowed_addresses_are_served(void **state) {
                  {"127.1.77.8", true},
                  {"127.2.0.1", false}};
     (void)state;
-    start(words);
+    adapter_start(&server, words);
     for (unsigned i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         int asking = connect_between(cases[i].from, "127.0.0.1", server.port);
         assert_true(asking >= 0);
@@ -255,7 +236,7 @@ static void only_allowed_addresses_are_served(void **state) {
         }
         (void)close(asking);
     }
-    assert_non_null(strstr(said(), "refused: --allow does not name its address"));
+    assert_non_null(strstr(adapter_said(&server), "refused: --allow does not name its address"));
 }
 
 static unsigned port_of(int descriptor) {
@@ -265,7 +246,7 @@ static unsigned port_of(int descriptor) {
     return ntohs(place.sin_port);
 }
 
-/* Three visitors: one looks, one has the device and leaves, one has it to the end. */
+/* Lets in three visitors: one looks, one has the device and leaves, one has it to the end. */
 static void let_three_come(unsigned ports[3]) {
     int first = connect_to(server.port);
     assert_true(client_list(first));
@@ -282,11 +263,11 @@ static void let_three_come(unsigned ports[3]) {
     (void)close(third);
 }
 
-/* The lines of one client, in their order. */
+/* Asserts that these are the lines of one client, in their order. */
 static void assert_told(unsigned port, const char *const told[3]) {
     char name[64], lines[1024] = "";
     (void)snprintf(name, sizeof name, "superframe: 127.0.0.1 port %u: ", port);
-    for (const char *at = strstr(said(), name); at != NULL; at = strstr(at, name)) {
+    for (const char *at = strstr(adapter_said(&server), name); at != NULL; at = strstr(at, name)) {
         at += strlen(name);
         (void)snprintf(lines + strlen(lines), sizeof lines - strlen(lines), "%.*s\n",
                        (int)strcspn(at, "\n"), at);
@@ -316,9 +297,9 @@ static void quiet_is_quiet(void **state) {
     const char *const words[] = {"--quiet", NULL};
     unsigned ports[3];
     (void)state;
-    start(words);
+    adapter_start(&server, words);
     let_three_come(ports);
-    assert_string_equal(said(), "");
+    assert_string_equal(adapter_said(&server), "");
 }
 
 /* Starts a server whose log is a pipe. Returns the pipe's other end. */
@@ -363,9 +344,9 @@ static void addresses_that_others_can_reach_are_warned_of(void **state) {
         const char *const words[] = {"--listen", cases[i].listen,
                                      cases[i].allow == NULL ? NULL : "--allow", cases[i].allow,
                                      NULL};
-        start(words);
+        adapter_start(&server, words);
         end_within_a_second();
-        const char *text = said();
+        const char *text = adapter_said(&server);
         assert_int_equal(strstr(text, "warning: other machines can reach 0.0.0.0") != NULL,
                          cases[i].is_warned);
         assert_int_equal(strstr(text, "ssh -N -L ") != NULL, cases[i].is_warned);

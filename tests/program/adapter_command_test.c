@@ -17,7 +17,6 @@ static struct adapter_process server;
 static int start_server(void **state) {
     const char *const words[] = {"--once", "-o", server.picture, NULL};
     (void)state;
-    adapter_name_files(&server);
     adapter_start(&server, words);
     return 0;
 }
@@ -145,7 +144,7 @@ static void an_interrupt_ends_it_with_its_picture(void **state) {
     assert_int_equal(access(server.picture, R_OK), 0);
 }
 
-/* The exit status of the program with these words; what it says is in said. */
+/* Returns the exit status of the program with these words; what it says is in said. */
 static int run_adapter_with(const char *words, char *said, size_t size) {
     char command[1024];
     (void)snprintf(command, sizeof command, "timeout 20 '%s' adapter %s 2>&1", getenv("SUPERFRAME"),

@@ -29,13 +29,10 @@ static struct {
 } counts;
 
 static uint32_t draw_number(uint32_t below) {
-    state_of_random ^= state_of_random << 13;
-    state_of_random ^= state_of_random >> 7;
-    state_of_random ^= state_of_random << 17;
-    return (uint32_t)(state_of_random >> 32) % below;
+    return next_random(&state_of_random) % below;
 }
 
-/* What the server frees is free at once: what the sanitizer would keep is not the server's. */
+/* Starts a server that frees at once: what the sanitizer would keep is not the server's. */
 static int start_server(void **state) {
     const char *const words[] = {"-o", server.picture, "--quiet", NULL};
     const char *before = getenv("ASAN_OPTIONS");
@@ -45,7 +42,6 @@ static int start_server(void **state) {
                    "%s:quarantine_size_mb=1:thread_local_quarantine_size_kb=64",
                    before != NULL ? before : "");
     assert_int_equal(setenv("ASAN_OPTIONS", options, 1), 0);
-    adapter_name_files(&server);
     adapter_start(&server, words);
     return 0;
 }
@@ -54,11 +50,6 @@ static int stop_server(void **state) {
     (void)state;
     adapter_stop(&server);
     return 0;
-}
-
-static unsigned long asked_number(const char *name, unsigned long otherwise) {
-    const char *text = getenv(name);
-    return text != NULL ? strtoul(text, NULL, 10) : otherwise;
 }
 
 /* ---- What strangers say ---------------------------------------------------------------------- */
@@ -79,7 +70,7 @@ static size_t make_request(uint8_t bytes[40]) {
     return is_list ? 8 : 40;
 }
 
-/* A command that is allowed, or nearly. */
+/* Makes a command that is allowed, or nearly. */
 static size_t make_command(uint8_t *bytes) {
     static const uint16_t lengths[] = {0, 1, 8, 18, 63, 64, 255, 512, 4096, 16384};
     static const uint8_t requests[] = {0, 1, 3, 6, 8, 9, 10, 11};
@@ -178,7 +169,7 @@ static void act(struct stranger *stranger) {
 
 /* Asks for the list, and sometimes for the device, which another client may have. */
 static void ask(void) {
-    int64_t began = clock_ms();
+    int64_t began = stopwatch_ms();
     int asking = connect_to(server.port);
     if (draw_number(20) == 0) {
         int status = client_import(asking);
@@ -189,7 +180,7 @@ static void ask(void) {
         assert_true(client_list(asking));
         counts.lists++;
     }
-    int64_t took = clock_ms() - began;
+    int64_t took = stopwatch_ms() - began;
     (void)close(asking);
     counts.slowest_ms = took > counts.slowest_ms ? took : counts.slowest_ms;
     assert_true(took < ANSWER_MS);
@@ -204,24 +195,21 @@ static void the_server_lives_among_strangers(void **state) {
     for (unsigned i = 0; i < STRANGERS; i++) {
         strangers[i].socket = -1;
     }
-    int64_t began = clock_ms(), asked = began;
-    while (clock_ms() - began < ms) {
+    int64_t began = stopwatch_ms(), asked = began;
+    while (stopwatch_ms() - began < ms) {
         for (unsigned i = 0; i < 50; i++) {
             act(&strangers[draw_number(STRANGERS)]);
         }
-        if (clock_ms() - asked >= PROBE_MS) {
+        if (stopwatch_ms() - asked >= PROBE_MS) {
             ask();
-            asked = clock_ms();
+            asked = stopwatch_ms();
         }
-        if (before == 0 && clock_ms() - began > ms / 5) {
+        if (before == 0 && stopwatch_ms() - began > ms / 5) {
             before = adapter_memory_kb(&server); /* the first pictures have been written by then */
         }
     }
     long grown = adapter_memory_kb(&server) - before;
-    int64_t interrupted = clock_ms();
-    assert_int_equal(kill(server.pid, SIGTERM), 0);
-    assert_int_equal(adapter_wait(&server), 0);
-    int64_t ended = clock_ms() - interrupted;
+    int64_t ended = adapter_end(&server);
     for (unsigned i = 0; i < STRANGERS; i++) {
         (void)close(strangers[i].socket);
     }

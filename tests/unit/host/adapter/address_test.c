@@ -12,7 +12,7 @@
 
 #include "adapter/address.h"
 
-/* An address as accept() gives it. */
+/* Makes an address as accept() gives it. */
 static struct sockaddr_storage from(const char *text) {
     struct sockaddr_storage place;
     memset(&place, 0, sizeof place);

@@ -15,13 +15,12 @@
 
 #include "adapter/server.h"
 
-enum { VISIT_MS = 800, BUSY_MS = 400, KEEP_MS = 500, SLACK_MS = 600, NOT_TO_BE_HAD = 77 };
+enum { VISIT_MS = 800, BUSY_MS = 400, KEEP_MS = 500, SLACK_MS = 600 };
 
 static volatile sig_atomic_t stop;
 static struct usb_device device;
-static pid_t server;
-static int port, kept; /* the read end of what keep() writes */
-static FILE *told;     /* what the server says */
+static struct adapter_process server;
+static int kept; /* the read end of what keep() writes */
 
 static void note_signal(int number) {
     stop = number;
@@ -29,7 +28,7 @@ static void note_signal(int number) {
 
 /* Writes when it was called. */
 static void keep(void *context) {
-    const int64_t now = clock_ms();
+    const int64_t now = stopwatch_ms();
     assert_int_equal(write(*(const int *)context, &now, sizeof now), sizeof now);
 }
 
@@ -43,13 +42,12 @@ static void start(bool is_once, unsigned lost_s) {
     assert_int_equal(bind(listener, (struct sockaddr *)&place, sizeof place), 0);
     assert_int_equal(listen(listener, 64), 0);
     assert_int_equal(getsockname(listener, (struct sockaddr *)&place, &size), 0);
-    port = ntohs(place.sin_port);
+    server.port = ntohs(place.sin_port);
+    adapter_name_files(&server);
     assert_int_equal(pipe(ends), 0);
-    told = tmpfile();
-    assert_non_null(told);
-    server = fork();
-    assert_true(server >= 0);
-    if (server == 0) {
+    server.pid = fork();
+    assert_true(server.pid >= 0);
+    if (server.pid == 0) {
         const struct usbip_limits limits = {VISIT_MS, BUSY_MS, lost_s, KEEP_MS};
         const struct usbip_server options = {.listener = listener,
                                              .device = &device,
@@ -58,8 +56,10 @@ static void start(bool is_once, unsigned lost_s) {
                                              .keep = keep,
                                              .context = &ends[1]};
         (void)close(ends[0]);
-        (void)dup2(fileno(told), STDERR_FILENO);
-        (void)fcntl(STDERR_FILENO, F_SETFL, O_APPEND); /* the reader moves the place */
+        if (freopen(server.log, "w", stderr) == NULL) {
+            _exit(126);
+        }
+        (void)setvbuf(stderr, NULL, _IONBF, 0); /* freopen() may give it a buffer */
         (void)signal(SIGTERM, note_signal);
         power_on(BOARD_1987);
         usb_device_init(&device, &board_bus.bus, 0x00D0, "SERVER", true);
@@ -78,32 +78,9 @@ static int start_quickly(void **state) {
 
 static int end(void **state) {
     (void)state;
-    if (server > 0) {
-        (void)kill(server, SIGKILL);
-        (void)waitpid(server, NULL, 0);
-    }
+    adapter_stop(&server);
     (void)close(kept);
-    (void)fclose(told);
-    server = 0;
     return 0;
-}
-
-static bool was_told(const char *text) {
-    char line[256];
-    bool is_found = false;
-    rewind(told);
-    while (!is_found && fgets(line, sizeof line, told) != NULL) {
-        is_found = strstr(line, text) != NULL;
-    }
-    return is_found;
-}
-
-/* Waits for the server's end. Returns its exit status. */
-static int wait_for_end(void) {
-    int status = -1;
-    assert_int_equal(waitpid(server, &status, 0), server);
-    server = 0;
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
 /* ---- Before the device ----------------------------------------------------------------------- */
@@ -112,7 +89,7 @@ static int wait_for_end(void) {
 static void who_asks_for_nothing_is_sent_away_in_time(void **state) {
     static const uint8_t half[40] = {0x01, 0x11, 0x80, 0x03};
     (void)state;
-    int silent = connect_to(port), slow = connect_to(port);
+    int silent = connect_to(server.port), slow = connect_to(server.port);
     assert_false(is_closed_within(silent, VISIT_MS / 2));
     for (unsigned i = 0; i < 8; i++) {
         (void)client_write(slow, half + i, 1);
@@ -129,12 +106,12 @@ static void silent_connections_hold_no_place(void **state) {
     int silent[100];
     (void)state;
     for (unsigned i = 0; i < 100; i++) {
-        silent[i] = connect_to(port);
+        silent[i] = connect_to(server.port);
     }
-    int64_t began = clock_ms();
-    int asking = connect_to(port);
+    int64_t began = stopwatch_ms();
+    int asking = connect_to(server.port);
     assert_true(client_list(asking));
-    assert_true(clock_ms() - began < VISIT_MS);
+    assert_true(stopwatch_ms() - began < VISIT_MS);
     assert_true(is_closed_within(silent[0], 0));
     assert_false(is_closed_within(silent[99], 0));
     (void)close(asking);
@@ -147,7 +124,7 @@ static void silent_connections_hold_no_place(void **state) {
 static void the_device_may_be_kept_in_silence(void **state) {
     static struct usbip_client client;
     (void)state;
-    client_init(&client, connect_to(port), false);
+    client_init(&client, connect_to(server.port), false);
     client_attach(&client);
     assert_false(is_closed_within(client.socket, 2 * VISIT_MS));
     (void)close(client.socket);
@@ -155,11 +132,11 @@ static void the_device_may_be_kept_in_silence(void **state) {
 
 static void the_device_is_given_to_one_and_the_next_waits_for_a_while(void **state) {
     (void)state;
-    int first = connect_to(port), second = connect_to(port);
+    int first = connect_to(server.port), second = connect_to(server.port);
     assert_int_equal(client_import(first), 0);
-    int64_t began = clock_ms();
+    int64_t began = stopwatch_ms();
     assert_int_equal(client_import(second), 2);
-    assert_in_range(clock_ms() - began, BUSY_MS - 1, VISIT_MS - 1);
+    assert_in_range(stopwatch_ms() - began, BUSY_MS - 1, VISIT_MS - 1);
     assert_true(is_closed_within(second, SLACK_MS));
     (void)close(first);
     (void)close(second);
@@ -167,12 +144,11 @@ static void the_device_is_given_to_one_and_the_next_waits_for_a_while(void **sta
 
 /* The first client's end lies behind what it has sent; the server has to read that first. */
 static void who_waits_gets_the_device_once_it_is_free(void **state) {
-    static const uint8_t request[40] = {0x01, 0x11, 0x80, 0x03, 0, 0, 0, 0, '1', '-', '1'};
     uint8_t reply[8];
     (void)state;
-    int first = connect_to(port), second = connect_to(port);
+    int first = connect_to(server.port), second = connect_to(server.port);
     assert_int_equal(client_import(first), 0);
-    assert_true(client_write(second, request, sizeof request));
+    assert_true(client_ask(second));
     pause_ms(BUSY_MS / 3);
     (void)close(first);
     assert_true(client_read(second, reply, sizeof reply));
@@ -182,20 +158,18 @@ static void who_waits_gets_the_device_once_it_is_free(void **state) {
 
 /* The system tells the server again and again of a reset that the server does not take in. */
 static void who_resets_while_it_waits_does_not_keep_the_server_busy(void **state) {
-    static const uint8_t request[40] = {0x01, 0x11, 0x80, 0x03, 0, 0, 0, 0, '1', '-', '1'};
     (void)state;
     double used = seconds_of_children();
-    int first = connect_to(port);
+    int first = connect_to(server.port);
     assert_int_equal(client_import(first), 0);
     for (unsigned i = 0; i < 2; i++) {
-        int second = connect_to(port);
-        assert_true(client_write(second, request, sizeof request));
+        int second = connect_to(server.port);
+        assert_true(client_ask(second));
         pause_ms(50);
         close_with_reset(second);
         pause_ms(BUSY_MS);
     }
-    assert_int_equal(kill(server, SIGTERM), 0);
-    assert_int_equal(wait_for_end(), 0);
+    (void)adapter_end(&server);
     assert_true(seconds_of_children() - used < 0.3);
     (void)close(first);
 }
@@ -205,23 +179,25 @@ static void who_resets_while_it_waits_does_not_keep_the_server_busy(void **state
 static void who_reads_nothing_loses_the_device(void **state) {
     static struct usbip_client client;
     (void)state;
-    client_init(&client, connect_to(port), false);
+    client_init(&client, connect_to(server.port), false);
     client_attach(&client);
-    int64_t before = clock_ms();
+    int64_t before = stopwatch_ms();
     client_stuff(&client);
-    int64_t began = clock_ms();
+    int64_t began = stopwatch_ms();
     int next;
     do {
-        next = connect_to(port);
+        next = connect_to(server.port);
         int status = client_import(next);
         if (status == 0) {
             break;
         }
         assert_int_equal(status, 2);
         (void)close(next);
-    } while (clock_ms() - began < 5000);
-    assert_true(clock_ms() - before >= 1000 && clock_ms() - began <= 1000 + SLACK_MS + BUSY_MS);
-    assert_true(was_told("left: it does not answer, or read what it is sent"));
+    } while (stopwatch_ms() - began < 5000);
+    assert_true(stopwatch_ms() - before >= 1000 &&
+                stopwatch_ms() - began <= 1000 + SLACK_MS + BUSY_MS);
+    assert_non_null(
+        strstr(adapter_said(&server), "left: it does not answer, or read what it is sent"));
     (void)close(next);
     (void)close(client.socket);
 }
@@ -231,40 +207,37 @@ static void who_reads_slowly_stops_nobody(void **state) {
     static struct usbip_client client;
     uint8_t byte;
     (void)state;
-    client_init(&client, connect_to(port), false);
+    client_init(&client, connect_to(server.port), false);
     client_attach(&client);
     client_stuff(&client);
     for (unsigned i = 0; i < 4; i++) {
         assert_int_equal(recv(client.socket, &byte, 1, 0), 1);
-        int64_t began = clock_ms();
-        int asking = connect_to(port);
+        int64_t began = stopwatch_ms();
+        int asking = connect_to(server.port);
         assert_true(client_list(asking));
-        assert_true(clock_ms() - began < SLACK_MS);
+        assert_true(stopwatch_ms() - began < SLACK_MS);
         (void)close(asking);
         pause_ms(50);
     }
-    int64_t began = clock_ms();
-    assert_int_equal(kill(server, SIGTERM), 0);
-    assert_int_equal(wait_for_end(), 0);
-    assert_true(clock_ms() - began < SLACK_MS);
+    assert_true(adapter_end(&server) < SLACK_MS);
     (void)close(client.socket);
 }
 
 /* ---- What is kept ---------------------------------------------------------------------------- */
 
 static void what_clients_drew_is_kept_no_more_often_than_the_limit(void **state) {
-    int64_t began = clock_ms(), last = began - KEEP_MS, at;
+    int64_t began = stopwatch_ms(), last = began - KEEP_MS, at;
     unsigned count = 0;
     (void)state;
-    while (clock_ms() - began < 3 * KEEP_MS) {
-        int visitor = connect_to(port);
+    while (stopwatch_ms() - began < 3 * KEEP_MS) {
+        int visitor = connect_to(server.port);
         assert_int_equal(client_import(visitor), 0);
         (void)close(visitor);
         pause_ms(5);
     }
     pause_ms(KEEP_MS + 300); /* the last of them is kept too, without another event */
     assert_int_equal(fcntl(kept, F_SETFL, O_NONBLOCK), 0);
-    int64_t until = clock_ms();
+    int64_t until = stopwatch_ms();
     while (read(kept, &at, sizeof at) == sizeof at) {
         assert_true(at - last >= KEEP_MS - 1);
         last = at;
@@ -277,7 +250,7 @@ static void what_clients_drew_is_kept_no_more_often_than_the_limit(void **state)
 static void who_only_looked_leaves_nothing_to_keep(void **state) {
     int64_t at;
     (void)state;
-    int asking = connect_to(port);
+    int asking = connect_to(server.port);
     assert_true(client_list(asking));
     (void)close(asking);
     pause_ms(KEEP_MS + 300);
@@ -311,27 +284,28 @@ static int64_t vanish(bool is_answer_under_way, unsigned lost_s) {
     }
     assert_true(set_loopback(true));
     start(true, lost_s);
-    client_init(&client, connect_to(port), false);
+    client_init(&client, connect_to(server.port), false);
     client_attach(&client);
     pause_ms(300); /* the last answer is acknowledged */
     if (is_answer_under_way) {
-        assert_int_equal(kill(server, SIGSTOP), 0);
+        assert_int_equal(kill(server.pid, SIGSTOP), 0);
         assert_true(client_submit(&client, 0, true, get, NULL, 18) != 0);
         pause_ms(50);
     }
     assert_true(set_loopback(false));
-    int64_t began = clock_ms();
-    assert_int_equal(kill(server, SIGCONT), 0);
-    assert_int_equal(wait_for_end(), 0);
-    int64_t took = clock_ms() - began;
-    assert_true(was_told("left: it does not answer, or read what it is sent"));
+    int64_t began = stopwatch_ms();
+    assert_int_equal(kill(server.pid, SIGCONT), 0);
+    assert_int_equal(adapter_wait(&server), 0);
+    int64_t took = stopwatch_ms() - began;
+    assert_non_null(
+        strstr(adapter_said(&server), "left: it does not answer, or read what it is sent"));
+    adapter_stop(&server);
     return took;
 }
 
-/* In a process of its own, whose namespace ends with it. */
+/* Lets a client vanish in a process of its own, whose namespace ends with it. */
 static void check_vanishing(bool is_answer_under_way) {
-    const char *asked = getenv("LOST_SECONDS");
-    unsigned lost_s = asked != NULL ? (unsigned)strtoul(asked, NULL, 10) : 3;
+    unsigned lost_s = (unsigned)asked_number("LOST_SECONDS", 3);
     int ends[2];
     int64_t took = -2;
     assert_int_equal(pipe(ends), 0);

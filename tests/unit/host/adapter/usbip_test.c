@@ -11,6 +11,7 @@ static struct usb_device device;
 static struct usbip_client client;
 static uint8_t seen[SEEN_SIZE]; /* what the client was sent */
 static size_t seen_count;
+static const uint8_t import_request[40] = {0x01, 0x11, 0x80, 0x03, 0, 0, 0, 0, '1', '-', '1'};
 
 /* Takes out the answers that wait. */
 static void see(void) {
@@ -222,12 +223,11 @@ static void only_a_free_device_of_that_name_is_given(void **state) {
 }
 
 static void bytes_may_come_one_by_one(void **state) {
-    uint8_t request[40] = {0x01, 0x11, 0x80, 0x03, 0, 0, 0, 0, '1', '-', '1'};
     (void)state;
     arrive(true);
-    for (size_t i = 0; i < sizeof request; i++) {
+    for (size_t i = 0; i < sizeof import_request; i++) {
         assert_false(client.wants_device);
-        hand_in(request + i, 1);
+        hand_in(import_request + i, 1);
     }
     assert_true(client.wants_device);
 }
@@ -235,9 +235,10 @@ static void bytes_may_come_one_by_one(void **state) {
 /* Until the server has decided, nothing is answered and no byte of what follows is taken. */
 static void who_wants_the_device_waits_for_the_answer(void **state) {
     static const uint8_t set_configuration[8] = {0, 9, 1};
-    uint8_t request[40 + HEADER] = {0x01, 0x11, 0x80, 0x03, 0, 0, 0, 0, '1', '-', '1'};
+    uint8_t request[40 + HEADER] = {0};
     (void)state;
     arrive(true);
+    memcpy(request, import_request, sizeof import_request);
     put_number(request + 40, 1);
     put_number(request + 44, 70);
     memcpy(request + 40 + 40, set_configuration, 8);
@@ -255,10 +256,9 @@ static void who_wants_the_device_waits_for_the_answer(void **state) {
 
 /* A visit that ends first leaves nothing to be given. */
 static void who_is_sent_away_wants_nothing(void **state) {
-    uint8_t request[40] = {0x01, 0x11, 0x80, 0x03, 0, 0, 0, 0, '1', '-', '1'};
     (void)state;
     arrive(true);
-    hand_in(request, sizeof request);
+    hand_in(import_request, sizeof import_request);
     usbip_client_end(&client, "the first reason");
     usbip_client_end(&client, "the second");
     assert_true(client.is_over && !client.wants_device);
