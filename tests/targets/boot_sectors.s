@@ -583,6 +583,6 @@ word:
     begin
     sti
     hlt
-#= endless | 1 | no end within 20000000 instructions
+#= endless | 1 | no end within 20000000 instructions; at 0001FC
     begin
 1:  jmp     1b
