@@ -4,7 +4,7 @@
 #define SUPERFRAME_UNICORN_RUN_INTERNAL_H
 
 #include "boot/cpu.h"
-#include "boot/pc98_machine.h"
+#include "boot/pc98_ports.h"
 #include "boot/unicorn_library.h"
 
 enum {
