@@ -258,6 +258,13 @@ static void write_split(struct board *board, uint16_t port, uint16_t value) {
     }
 }
 
+enum { TWO_WORDS = 4 }; /* the width of a 32-bit access */
+
+/* Tells whether a width is one that a 16-bit bus has. */
+static bool is_of_the_bus(unsigned width) {
+    return width == BUS_BYTE || width == BUS_WORD;
+}
+
 /* Does a write of one byte or one word. */
 static void write_once(struct board *board, uint16_t port, uint16_t value, unsigned width) {
     unsigned offset = (uint16_t)(port - board->desc.base);
@@ -280,9 +287,9 @@ static void write_once(struct board *board, uint16_t port, uint16_t value, unsig
 }
 
 void board_write_any(struct board *board, uint16_t port, uint32_t value, unsigned width) {
-    if (board_width_is_there(width)) {
+    if (is_of_the_bus(width)) {
         write_once(board, port, (uint16_t)value, width);
-    } else if (width == BOARD_TWO_WORDS) {
+    } else if (width == TWO_WORDS) {
         write_once(board, port, (uint16_t)value, BUS_WORD);
         write_once(board, (uint16_t)(port + 2), (uint16_t)(value >> 16), BUS_WORD);
     }
@@ -376,10 +383,10 @@ static uint16_t read_once(struct board *board, uint16_t port, unsigned width) {
 }
 
 uint32_t board_read(struct board *board, uint16_t port, unsigned width) {
-    if (board_width_is_there(width)) {
+    if (is_of_the_bus(width)) {
         return read_once(board, port, width);
     }
-    if (width != BOARD_TWO_WORDS) {
+    if (width != TWO_WORDS) {
         return UINT32_MAX;
     }
     uint32_t low = read_once(board, port, BUS_WORD);

@@ -11,13 +11,6 @@ static inline bool board_decodes(const struct board *board, uint16_t port) {
     return (uint16_t)(port - board->desc.base) < BOARD_PORTS;
 }
 
-enum { BOARD_TWO_WORDS = 4 }; /* the width of a 32-bit access */
-
-/* Tells whether a width is one that a 16-bit bus has. */
-static inline bool board_width_is_there(unsigned width) {
-    return width == BUS_BYTE || width == BUS_WORD;
-}
-
 /* Counts a use of a behaviour. Suffices by itself for behaviours that are no violation in either
  * profile. */
 static inline void board_note_use(struct board *board, enum board_behaviour behaviour) {

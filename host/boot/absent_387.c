@@ -14,8 +14,7 @@ enum {
     STORE_STATUS = 0xDD,  /* with digit 7: FNSTSW */
     STORE_DIGIT = 7,
     ADDRESS_SIZE = 0x67,
-    NO_REGISTER = -1,
-    LONGEST = 15 /* bytes of an instruction, as the CPU takes it */
+    NO_REGISTER = -1
 };
 
 /* Returns the offset that ModRM and displacement name with 16 bits. */
@@ -60,9 +59,10 @@ static enum processor_register segment_of(uint8_t prefix, uint8_t modrm) {
 struct absent_387_answer absent_387_answer(const uint8_t *bytes, size_t count,
                                            const uint32_t registers[PROCESSOR_REGISTERS]) {
     struct absent_387_answer answer = {.is_known = false};
-    uint8_t code[LONGEST + 4] = {0}; /* and zeros behind it, for what ModRM does not have */
-    memcpy(code, bytes, count < LONGEST ? count : LONGEST);
-    struct instruction instruction = instruction_decode(code, LONGEST, false);
+    uint8_t code[INSTRUCTION_BYTES_MOST + 4] = {
+        0}; /* and zeros behind it, for what ModRM does not have */
+    memcpy(code, bytes, count < INSTRUCTION_BYTES_MOST ? count : INSTRUCTION_BYTES_MOST);
+    struct instruction instruction = instruction_decode(code, INSTRUCTION_BYTES_MOST, false);
     if (instruction.kind != INSTRUCTION_387) {
         return answer;
     }

@@ -20,15 +20,14 @@
  * of a later CPU. Nor is there paging that moves an address, or an interrupt in protected mode. */
 
 enum processor_end {
-    PROCESSOR_HALTED,      /* HLT with interrupts off: the program has stopped by itself */
-    PROCESSOR_WAITING,     /* the program waits for a key that nobody will press */
-    PROCESSOR_LOST,        /* a bad opcode, an exception, an address where nothing is */
-    PROCESSOR_RESET,       /* the program has reset the machine */
-    PROCESSOR_LIMIT,       /* too many instructions */
-    PROCESSOR_STOPPED,     /* the caller's flag was set */
-    PROCESSOR_BUS_FAILED,  /* the bus says why */
-    PROCESSOR_UNAVAILABLE, /* not built in, or not to be set up; `reason` says what is missing */
-    PROCESSOR_ENDS
+    PROCESSOR_HALTED,     /* HLT with interrupts off: the program has stopped by itself */
+    PROCESSOR_WAITING,    /* the program waits for a key that nobody will press */
+    PROCESSOR_LOST,       /* a bad opcode, an exception, an address where nothing is */
+    PROCESSOR_RESET,      /* the program has reset the machine */
+    PROCESSOR_LIMIT,      /* too many instructions */
+    PROCESSOR_STOPPED,    /* the caller's flag was set */
+    PROCESSOR_BUS_FAILED, /* the bus says why */
+    PROCESSOR_UNAVAILABLE /* not built in, or not to be set up; `reason` says what is missing */
 };
 
 struct processor_job {

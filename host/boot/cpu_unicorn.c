@@ -20,8 +20,7 @@ enum {
     MEMORY_SIZE_BYTE = 0x501,
     MEMORY_640_KIB = 0x04,
     DRIVE_BYTE = 0x584,
-    TEXT_BASE = 0xA0000,
-    FLAG_INTERRUPTS = 0x0200
+    TEXT_BASE = 0xA0000
 };
 
 /* The regions of memory: begin and length. */
@@ -54,7 +53,7 @@ static void enter_block(uc_engine *engine, uint64_t address, uint32_t size, void
     }
     if (block->has_387 && (unicorn_get(run, UC_X86_REG_CR0) & CONTROL_NO_387) == 0) {
         if (unicorn_is_protected(run)) {
-            unicorn_end(run, PROCESSOR_LOST, "an instruction of a 387, which this machine lacks");
+            unicorn_lack_387(run);
         } else {
             unicorn_pause(run, PAUSE_387, 0);
         }
@@ -70,21 +69,27 @@ static void enter_block(uc_engine *engine, uint64_t address, uint32_t size, void
     }
 }
 
+/* Maps bytes of the machine's memory at an address; false if Unicorn fails. */
+static bool map(struct run *run, uint32_t address, uint32_t begin, uint32_t length) {
+    return run->unicorn.mem_map_ptr(run->engine, address, length, UC_PROT_ALL,
+                                    run->memory + begin) == UC_ERR_OK;
+}
+
+/* Maps what lies below 1 MiB, `above` bytes above its own place. */
+static bool map_regions(struct run *run, uint32_t above) {
+    bool is_right = true;
+    for (size_t i = 0; is_right && i < sizeof regions / sizeof regions[0]; i++) {
+        is_right = map(run, above + regions[i].begin, regions[i].begin, regions[i].length);
+    }
+    return is_right;
+}
+
 /* Maps what lies above 1 MiB: with address line 20 the extended memory, without it what lies below
  * 1 MiB once more. */
 static bool map_above(struct run *run) {
-    bool is_right = true;
     run->is_line_20_followed = run->ports.is_line_20_on;
-    if (run->is_line_20_followed) {
-        return run->unicorn.mem_map_ptr(run->engine, LINE_20, LINE_20, UC_PROT_ALL,
-                                        run->memory + LINE_20) == UC_ERR_OK;
-    }
-    for (size_t i = 0; is_right && i < sizeof regions / sizeof regions[0]; i++) {
-        is_right =
-            run->unicorn.mem_map_ptr(run->engine, LINE_20 + regions[i].begin, regions[i].length,
-                                     UC_PROT_ALL, run->memory + regions[i].begin) == UC_ERR_OK;
-    }
-    return is_right;
+    return run->is_line_20_followed ? map(run, LINE_20, LINE_20, LINE_20)
+                                    : map_regions(run, LINE_20);
 }
 
 /* Maps what lies above 1 MiB anew, after address line 20 was switched. */
@@ -148,7 +153,7 @@ static bool refuse_opcode(uc_engine *engine, void *context) {
     struct run *run = context;
     (void)engine;
     if (unicorn_is_protected(run)) {
-        unicorn_end(run, PROCESSOR_LOST, "an opcode that the CPU does not have");
+        unicorn_lack_opcode(run);
     } else {
         unicorn_pause(run, PAUSE_INTERRUPT, VECTOR_OPCODE);
     }
@@ -208,13 +213,8 @@ static void fill_memory(struct run *run) {
 
 /* Opens Unicorn with the machine's memory; false if Unicorn fails. */
 static bool open_engine(struct run *run) {
-    bool is_right = run->unicorn.open(UC_ARCH_X86, UC_MODE_16, &run->engine) == UC_ERR_OK;
-    for (size_t i = 0; is_right && i < sizeof regions / sizeof regions[0]; i++) {
-        is_right =
-            run->unicorn.mem_map_ptr(run->engine, regions[i].begin, regions[i].length, UC_PROT_ALL,
-                                     run->memory + regions[i].begin) == UC_ERR_OK;
-    }
-    return is_right && map_above(run) && add_hooks(run);
+    return run->unicorn.open(UC_ARCH_X86, UC_MODE_16, &run->engine) == UC_ERR_OK &&
+           map_regions(run, 0) && map_above(run) && add_hooks(run);
 }
 
 /* Sets the machine up as its ROM leaves it for the jump to the boot sector; false if Unicorn
@@ -257,8 +257,7 @@ static void leave_unicorn(int signal_number) {
  * that its translator gets wrong, such as FF DF. */
 static bool start(struct run *run, uc_err *error) {
     struct sigaction action, before;
-    const uint32_t from = 16 * (unicorn_get(run, UC_X86_REG_CS) & 0xFFFF) +
-                          (unicorn_get(run, UC_X86_REG_EIP) & 0xFFFF);
+    const uint32_t from = unicorn_address(run, UC_X86_REG_CS, unicorn_get(run, UC_X86_REG_EIP));
     memset(&action, 0, sizeof action);
     action.sa_handler = leave_unicorn;
     (void)sigemptyset(&action.sa_mask);

@@ -3,11 +3,14 @@
 #include "boot/disk_image.h"
 
 #include <inttypes.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
-#define ALLOWED "allowed are a raw image of 1261568 bytes, a D88 and an FDI of such a disk"
-#define CONVERT "; Virtual Floppy Image Converter for instance makes one of these of it"
+#define ALLOWED   "allowed are a raw image of 1261568 bytes, a D88 and an FDI of such a disk"
+#define HARD_DISK ", a hard disk's; floppies are taken: " ALLOWED
+#define EXPORT    "; HxC's own program exports a raw one"
+#define CONVERT   "; Virtual Floppy Image Converter for instance makes one of these of it"
 
 enum { TRACKS = PC98_CYLINDERS * PC98_HEADS };
 
@@ -25,6 +28,21 @@ static uint32_t word(const struct image *image, size_t at) {
 
 static uint32_t long_word(const struct image *image, size_t at) {
     return word(image, at) | word(image, at + 2) << 16;
+}
+
+/* Says why the file is refused, in one English sentence. Returns false. */
+static bool refuse(const struct image *image, const char *format, ...)
+#if defined(__GNUC__)
+    __attribute__((format(printf, 2, 3)))
+#endif
+    ;
+
+static bool refuse(const struct image *image, const char *format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    (void)vsnprintf(image->reason, image->reason_size, format, arguments);
+    va_end(arguments);
+    return false;
 }
 
 /* ---- D88 ------------------------------------------------------------------------------------- */
@@ -67,9 +85,8 @@ static bool is_d88(const struct image *image) {
 }
 
 static bool refuse_track(const struct image *image, unsigned track, const char *what) {
-    (void)snprintf(image->reason, image->reason_size, "a D88 image: cylinder %u, head %u %s",
-                   track / PC98_HEADS, track % PC98_HEADS, what);
-    return false;
+    return refuse(image, "a D88 image: cylinder %u, head %u %s", track / PC98_HEADS,
+                  track % PC98_HEADS, what);
 }
 
 /* Reads the sector whose header lies at `at`, which is in the file. */
@@ -109,10 +126,8 @@ static bool read_d88_track(const struct image *image, size_t at, unsigned track,
 
 static bool read_d88(const struct image *image, struct pc98_disk *disk) {
     if (image->bytes[D88_MEDIUM] != D88_2HD) {
-        (void)snprintf(image->reason, image->reason_size,
-                       "a D88 image of another disk than a 2HD one (medium %02Xh); " ALLOWED,
-                       image->bytes[D88_MEDIUM]);
-        return false;
+        return refuse(image, "a D88 image of another disk than a 2HD one (medium %02Xh); " ALLOWED,
+                      image->bytes[D88_MEDIUM]);
     }
     disk->is_protected = image->bytes[D88_PROTECTED] != 0;
     memset(disk->status, DISK_NO_ADDRESS_MARK, sizeof disk->status);
@@ -158,23 +173,18 @@ static bool read_fdi(const struct image *image, struct pc98_disk *disk) {
     uint32_t size = long_word(image, FDI_SECTOR_SIZE), sectors = long_word(image, FDI_SECTORS);
     uint32_t heads = long_word(image, FDI_HEADS), cylinders = long_word(image, FDI_CYLINDERS);
     if (heads > FLOPPY_HEADS_MOST || cylinders > FLOPPY_CYLINDERS_MOST) {
-        (void)snprintf(image->reason, image->reason_size,
-                       "an HDI image, a hard disk's; floppies are taken: " ALLOWED);
-        return false;
+        return refuse(image, "an HDI image" HARD_DISK);
     }
     if (size != PC98_SECTOR_BYTES || sectors != PC98_SECTORS || heads != PC98_HEADS ||
         cylinders != PC98_CYLINDERS) {
-        (void)snprintf(image->reason, image->reason_size,
-                       "an FDI image of %" PRIu32 " x %" PRIu32 " x %" PRIu32 " sectors of %" PRIu32
-                       " bytes, not 77 x 2 x 8 of 1024; " ALLOWED,
-                       cylinders, heads, sectors, size);
-        return false;
+        return refuse(image,
+                      "an FDI image of %" PRIu32 " x %" PRIu32 " x %" PRIu32 " sectors of %" PRIu32
+                      " bytes, not 77 x 2 x 8 of 1024; " ALLOWED,
+                      cylinders, heads, sectors, size);
     }
     if (header > image->count || image->count - header < PC98_DISK_BYTES) {
-        (void)snprintf(image->reason, image->reason_size,
-                       "an FDI image that ends too early: %zu bytes, %" PRIu64 " are said",
-                       image->count, (uint64_t)header + PC98_DISK_BYTES);
-        return false;
+        return refuse(image, "an FDI image that ends too early: %zu bytes, %" PRIu64 " are said",
+                      image->count, (uint64_t)header + PC98_DISK_BYTES);
     }
     memcpy(disk->bytes, image->bytes + header, PC98_DISK_BYTES);
     return true;
@@ -189,13 +199,13 @@ static const struct {
     const char *what; /* and what to do about it */
 } known[] = {
     {0, "T98FDDIMAGE.R", "an NFD image; " ALLOWED CONVERT},
-    {0, "T98HDDIMAGE.R", "an NHD image, a hard disk's; floppies are taken: " ALLOWED},
+    {0, "T98HDDIMAGE.R", "an NHD image" HARD_DISK},
     {0, "VFD1.", "a VFD image; " ALLOWED CONVERT},
-    {0, "VHD1.", "a VHD image, a hard disk's; floppies are taken: " ALLOWED},
-    {0, "conectix", "a VHD image, a hard disk's; floppies are taken: " ALLOWED},
+    {0, "VHD1.", "a VHD image" HARD_DISK},
+    {0, "conectix", "a VHD image" HARD_DISK},
     {0, "IMD ", "an ImageDisk image; " ALLOWED},
-    {0, "HXCPICFE", "an HFE image; " ALLOWED "; HxC's own program exports a raw one"},
-    {0, "HXCHFEV3", "an HFE image; " ALLOWED "; HxC's own program exports a raw one"},
+    {0, "HXCPICFE", "an HFE image; " ALLOWED EXPORT},
+    {0, "HXCHFEV3", "an HFE image; " ALLOWED EXPORT},
     {0, "SCP", "an SCP image of the flux; " ALLOWED "; HxC's program exports a raw one"},
     {0, "PK\003\004", "a ZIP archive; unpack it first"},
     {0, "\037\213", "a gzip file; unpack it first"},
@@ -232,29 +242,25 @@ static bool is_dcp(const struct image *image) {
     return ones > 0;
 }
 
-/* Says what the file is, as far as its content tells. */
-static void name_it(const struct image *image) {
-    const char *what = NULL;
-    for (size_t i = 0; what == NULL && i < sizeof known / sizeof known[0]; i++) {
+/* Says what the file is, as far as its content tells, and returns false. */
+static bool name_it(const struct image *image) {
+    for (size_t i = 0; i < sizeof known / sizeof known[0]; i++) {
         size_t length = strlen(known[i].text);
         if (image->count >= known[i].offset + length &&
             memcmp(image->bytes + known[i].offset, known[i].text, length) == 0) {
-            what = known[i].what;
+            return refuse(image, "%s", known[i].what);
         }
     }
-    if (what == NULL && is_dcp(image)) {
-        what = "a DCP image; " ALLOWED CONVERT;
+    if (is_dcp(image)) {
+        return refuse(image, "a DCP image; " ALLOWED CONVERT);
     }
-    for (size_t i = 0; what == NULL && i < sizeof sizes / sizeof sizes[0]; i++) {
-        what = image->count == sizes[i].count ? sizes[i].what : NULL;
+    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
+        if (image->count == sizes[i].count) {
+            return refuse(image, "%s", sizes[i].what);
+        }
     }
-    if (what != NULL) {
-        (void)snprintf(image->reason, image->reason_size, "%s", what);
-    } else {
-        (void)snprintf(image->reason, image->reason_size,
-                       "no 2HD image: %s than 1261568 bytes; " ALLOWED,
-                       image->count < PC98_DISK_BYTES ? "less" : "more");
-    }
+    return refuse(image, "no 2HD image: %s than 1261568 bytes; " ALLOWED,
+                  image->count < PC98_DISK_BYTES ? "less" : "more");
 }
 
 bool disk_image_read(const uint8_t *bytes, size_t count, struct pc98_disk *disk, char *reason,
@@ -268,13 +274,10 @@ bool disk_image_read(const uint8_t *bytes, size_t count, struct pc98_disk *disk,
     } else if (is_anex86(&image)) {
         is_read = read_fdi(&image, disk);
     } else {
-        name_it(&image);
-        return false;
+        is_read = name_it(&image);
     }
     if (is_read && disk->status[0] != DISK_DONE) {
-        (void)snprintf(reason, reason_size,
-                       "no disk to boot from: its first sector is missing or damaged");
-        return false;
+        return refuse(&image, "no disk to boot from: its first sector is missing or damaged");
     }
     return is_read;
 }

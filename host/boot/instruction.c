@@ -81,6 +81,8 @@ static size_t rest_bytes(const struct reading *reading, char letter) {
     bool is_test = (peek(reading, 0) >> 3 & 7) < 2;
     switch (letter) {
     case 'b':
+    case 'r':
+    case 'c':
         return 1;
     case 'w':
         return 2;
@@ -92,9 +94,6 @@ static size_t rest_bytes(const struct reading *reading, char letter) {
         return word + 2;
     case 'o':
         return reading->is_address_32 ? 4 : 2;
-    case 'r':
-    case 'c':
-        return 1;
     case 'm':
     case 's':
     case 'x':

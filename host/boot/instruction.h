@@ -8,6 +8,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/* So many bytes an instruction has at most, with its prefixes. */
+enum { INSTRUCTION_BYTES_MOST = 15 };
+
 enum instruction_kind {
     INSTRUCTION_386,         /* or too little of one to tell */
     INSTRUCTION_387,         /* D8h to DFh: for the coprocessor */

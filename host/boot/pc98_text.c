@@ -34,7 +34,7 @@ void pc98_text_read(const uint8_t memory[PC98_TEXT_MEMORY_BYTES], struct pc98_te
     }
 }
 
-/* The colours, by the three bits from bit 5 on. */
+/* The colours, by the attribute's bits 5 (blue), 6 (red) and 7 (green). */
 static const char *const colours[] = {"black", "blue", "red",    "magenta",
                                       "green", "cyan", "yellow", "white"};
 

@@ -21,8 +21,7 @@ enum {
     PC98_TEXT_REVERSE = 0x04,
     PC98_TEXT_UNDERLINE = 0x08,
     PC98_TEXT_VERTICAL_LINE = 0x10,
-    PC98_TEXT_COLOUR = 0xE0, /* bit 5 blue, bit 6 red, bit 7 green */
-    PC98_TEXT_WHITE = 0xE1   /* as the machine's start leaves every cell */
+    PC98_TEXT_WHITE = 0xE1 /* shown; as the machine's start leaves every cell */
 };
 
 /* The text screen: a string a row as it is seen, trailing blanks cut, and each cell's attribute. */

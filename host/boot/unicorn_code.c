@@ -75,12 +75,8 @@ static void look_through(struct run *run, struct block *block, uint32_t address,
             refuse_instruction(run, base + at + (uint32_t)instruction.opcode);
             return;
         }
-        if (instruction.kind == INSTRUCTION_387) {
-            block->has_387 = true;
-        }
-        if (instruction.kind == INSTRUCTION_CONTROL) {
-            block->writes_control = true;
-        }
+        block->has_387 = block->has_387 || instruction.kind == INSTRUCTION_387;
+        block->writes_control = block->writes_control || instruction.kind == INSTRUCTION_CONTROL;
         at += (uint32_t)instruction.length;
     }
 }

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "boot/absent_387.h"
+#include "boot/instruction.h"
 #include "boot/unicorn_run_internal.h"
 
 enum {
@@ -11,7 +12,6 @@ enum {
     VECTOR_DISK = 0x1B,
     FLAG_CARRY = 0x0001,
     FLAG_TRAP = 0x0100,
-    FLAG_INTERRUPTS = 0x0200,
     HALT = 0xF4
 };
 
@@ -42,8 +42,7 @@ static bool set_word(struct run *run, uint32_t address, uint32_t word) {
 
 /* Returns the linear address of a place in the stack, `above` bytes above SP. */
 static uint32_t stack_address(struct run *run, uint32_t above) {
-    return 16 * (unicorn_get(run, UC_X86_REG_SS) & 0xFFFF) +
-           ((unicorn_get(run, UC_X86_REG_ESP) + above) & 0xFFFF);
+    return unicorn_address(run, UC_X86_REG_SS, unicorn_get(run, UC_X86_REG_ESP) + above);
 }
 
 static void move_stack(struct run *run, uint32_t by) {
@@ -103,8 +102,7 @@ static enum pc98_disk_status serve_disk(struct run *run) {
     call->dh = (uint8_t)(edx >> 8);
     call->dl = (uint8_t)edx;
     call->bx = (uint16_t)unicorn_get(run, UC_X86_REG_EBX);
-    call->address = 16 * (unicorn_get(run, UC_X86_REG_ES) & 0xFFFF) +
-                    (unicorn_get(run, UC_X86_REG_EBP) & 0xFFFF);
+    call->address = unicorn_address(run, UC_X86_REG_ES, unicorn_get(run, UC_X86_REG_EBP));
     memset(call->buffer, 0xFF, call->bx); /* what a floating bus gives where no memory is */
     (void)run->unicorn.mem_read(run->engine, call->address, call->buffer, call->bx);
     enum pc98_disk_status status = pc98_disk_serve(run->job->disk, call);
@@ -122,13 +120,13 @@ static enum pc98_disk_status serve_disk(struct run *run) {
 /* Goes on behind an instruction of a 387 as a machine without one does, or ends the run. */
 static void pass_387(struct run *run) {
     uint32_t registers[PROCESSOR_REGISTERS];
-    uint8_t code[LONGEST_INSTRUCTION] = {0};
+    uint8_t code[INSTRUCTION_BYTES_MOST] = {0};
     unicorn_get_all(run, registers);
-    uint32_t address = 16 * (registers[REGISTER_CS] & 0xFFFF) + registers[REGISTER_EIP];
+    uint32_t address = unicorn_address(run, UC_X86_REG_CS, registers[REGISTER_EIP]);
     (void)run->unicorn.mem_read(run->engine, address, code, sizeof code);
     struct absent_387_answer answer = absent_387_answer(code, sizeof code, registers);
     if (!answer.is_known || (answer.is_stored && !set_word(run, answer.address, 0xFFFF))) {
-        unicorn_end(run, PROCESSOR_LOST, "an instruction of a 387, which this machine lacks");
+        unicorn_lack_387(run);
         return;
     }
     if (answer.is_ax) {
@@ -146,7 +144,7 @@ void unicorn_run_rom(struct run *run) {
     if (status == DISK_NOT_EMULATED) {
         unicorn_end(run, PROCESSOR_LOST, "INT 1Bh with AH = %02Xh is not emulated", run->call.ah);
     } else if (run->vector == VECTOR_OPCODE) {
-        unicorn_end(run, PROCESSOR_LOST, "an opcode that the CPU does not have");
+        unicorn_lack_opcode(run);
     } else if (run->vector == VECTOR_387) {
         pass_387(run);
     } else if (run->vector != VECTOR_DISK) {

@@ -27,6 +27,14 @@ void unicorn_end(struct run *run, enum processor_end end, const char *format, ..
     (void)run->unicorn.emu_stop(run->engine);
 }
 
+void unicorn_lack_387(struct run *run) {
+    unicorn_end(run, PROCESSOR_LOST, "an instruction of a 387, which this machine lacks");
+}
+
+void unicorn_lack_opcode(struct run *run) {
+    unicorn_end(run, PROCESSOR_LOST, "an opcode that the CPU does not have");
+}
+
 uint32_t unicorn_get(struct run *run, int number) {
     uint32_t value = 0;
     (void)run->unicorn.reg_read(run->engine, number, &value);
@@ -35,6 +43,10 @@ uint32_t unicorn_get(struct run *run, int number) {
 
 void unicorn_set(struct run *run, int number, uint32_t value) {
     (void)run->unicorn.reg_write(run->engine, number, &value);
+}
+
+uint32_t unicorn_address(struct run *run, int segment, uint32_t offset) {
+    return 16 * (unicorn_get(run, segment) & 0xFFFF) + (offset & 0xFFFF);
 }
 
 bool unicorn_is_protected(struct run *run) {

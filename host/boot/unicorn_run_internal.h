@@ -4,7 +4,7 @@
 #define SUPERFRAME_UNICORN_RUN_INTERNAL_H
 
 #include "boot/cpu.h"
-#include "boot/pc98_machine.h"
+#include "boot/pc98_ports.h"
 #include "boot/unicorn_library.h"
 
 enum {
@@ -13,7 +13,7 @@ enum {
     VECTORS = 256,
     VECTOR_OPCODE = 0x06,
     CONTROL_NO_387 = 0x00000004, /* a bit of CR0 */
-    LONGEST_INSTRUCTION = 15,    /* bytes */
+    FLAG_INTERRUPTS = 0x0200,    /* a bit of EFLAGS */
     BLOCKS = 4096                /* entries of the table of code blocks; a power of two */
 };
 
@@ -64,12 +64,19 @@ struct run {
 void unicorn_end(struct run *run, enum processor_end end, const char *format,
                  ...) UNICORN_END_FORMAT;
 
+/* Ends the run at an instruction that the machine does not have. */
+void unicorn_lack_387(struct run *run);
+void unicorn_lack_opcode(struct run *run);
+
 /* Lets Unicorn return, for something that is done before the CPU goes on. */
 void unicorn_pause(struct run *run, enum pause pause, uint32_t vector);
 
 /* Reads and writes a register by its number of Unicorn's. */
 uint32_t unicorn_get(struct run *run, int number);
 void unicorn_set(struct run *run, int number, uint32_t value);
+
+/* Returns the linear address of an offset in a segment of real mode. */
+uint32_t unicorn_address(struct run *run, int segment, uint32_t offset);
 
 /* Reads and writes all registers, by enum processor_register. */
 void unicorn_get_all(struct run *run, uint32_t registers[PROCESSOR_REGISTERS]);

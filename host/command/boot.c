@@ -33,40 +33,40 @@ struct boot_run {
     struct output screen; /* not open: not asked for */
 };
 
-/* Reads the file's bytes, as many as tell what it is. Returns the number; on failure 0, with errno
- * set. A file that may not be written is a disk whose tab is set. */
-static size_t read_file(const char *path, uint8_t *bytes, bool *is_protected) {
+/* Reads the file's bytes, as many as tell what it is. Returns false with errno set on failure. A
+ * file that may not be written is a disk whose tab is set. */
+static bool read_file(const char *path, uint8_t *bytes, size_t *count, bool *is_protected) {
     struct stat facts;
     FILE *file = fopen(path, "rb");
     if (file == NULL) {
-        return 0;
+        return false;
     }
     errno = 0;
-    size_t count = fread(bytes, 1, DISK_IMAGE_BYTES_MOST, file);
+    *count = fread(bytes, 1, DISK_IMAGE_BYTES_MOST, file);
     int reason = ferror(file) ? errno : 0;
     *is_protected =
         fstat(fileno(file), &facts) == 0 && (facts.st_mode & (S_IWUSR | S_IWGRP | S_IWOTH)) == 0;
     (void)fclose(file);
     errno = reason;
-    return reason == 0 ? count : 0;
+    return reason == 0;
 }
 
 static int read_disk(struct boot_run *run) {
     const char *path = run->options->common.operands[0];
     char reason[240];
-    bool is_protected = false;
+    size_t count = 0;
+    bool is_protected = false, is_read = false;
     uint8_t *bytes = malloc(DISK_IMAGE_BYTES_MOST);
     run->disk = calloc(1, sizeof *run->disk);
     if (bytes == NULL || run->disk == NULL) {
         free(bytes);
         return failure("out of memory");
     }
-    size_t count = read_file(path, bytes, &is_protected);
-    bool is_read = count > 0 || errno == 0;
-    if (!is_read) {
+    if (read_file(path, bytes, &count, &is_protected)) {
+        is_read = disk_image_read(bytes, count, run->disk, reason, sizeof reason);
+    } else {
         (void)snprintf(reason, sizeof reason, "cannot be read: %s", strerror(errno));
     }
-    is_read = is_read && disk_image_read(bytes, count, run->disk, reason, sizeof reason);
     run->disk->is_protected = run->disk->is_protected || is_protected;
     free(bytes);
     return is_read ? STATUS_DONE : bad_input("%s: %s", path, reason);
@@ -141,7 +141,6 @@ static int boot(struct boot_run *run) {
     case PROCESSOR_LOST:
     case PROCESSOR_RESET:
     case PROCESSOR_LIMIT:
-    case PROCESSOR_ENDS:
         break;
     }
     dump_registers(run);

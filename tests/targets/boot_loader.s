@@ -6,26 +6,12 @@
 # Each of these loads the boot sector to 5000:0000 and runs it. What the machine is to be is done
 # between the instructions, by the trap flag, or in a disk interrupt of its own.
 
-    .code16
+    .include "tests/targets/boot_macros.s"
 # load: the boot sector is read to 5000:0000.
     .macro load
     cli
     cld
-    movw    $0x5000, %ax
-    movw    %ax, %es
-    xorw    %bp, %bp
-    movw    $0x5690, %ax
-    movw    $0x0300, %cx
-    movw    $0x0003, %dx
-    movw    $1024, %bx
-    int     $0x1B
-    .endm
-# vector NUMBER, HANDLER: takes a vector.
-    .macro vector number, handler
-    xorw    %ax, %ax
-    movw    %ax, %ds
-    movw    $\handler, \number * 4
-    movw    %cs, \number * 4 + 2
+    call_disk 0x5690, 0x0300, 0x0003, 1024, 0x5000
     .endm
 # trapped: runs the boot sector with the trap flag.
     .macro trapped
@@ -35,7 +21,6 @@
     pushw   $0
     iretw
     .endm
-    jmp     sector
 # Between two instructions: the flags that PUSHF pushed become those of the machine, by an AND and an
 # OR. POPF keeps the trap flag. An OUT is shown in the third line: port and value.
 trap:
@@ -64,33 +49,16 @@ trap:
     movb    14(%bp), %dl                /* dx of the program */
     cmpb    $0xEE, (%si)
     jne     5f
-4:  movw    $0xA000, %ax
-    movw    %ax, %es
+4:  segment es, 0xA000
     movw    %cs:place, %di
-    movb    %dl, %al
-    calll   show_byte
+    show_byte dl
     movb    18(%bp), %al                /* its ax */
-    calll   show_byte
+    calll   show_al
     movw    %di, %cs:place
 5:  popw    %es
     popw    %ds
     popaw
     iretw
-show_byte:
-    movb    %al, %ah
-    shrb    $4, %al
-    calll   show_digit
-    movb    %bh, %al
-    andb    $15, %al
-show_digit:
-    movb    %ah, %bh
-    addb    $'0', %al
-    cmpb    $'9', %al
-    jbe     1f
-    addb    $7, %al
-1:  movb    $0, %ah
-    stosw
-    retl
 was_pushf:
     .byte   0
 flags_and:
@@ -107,8 +75,7 @@ disk_interrupt:
     pushw   %ax
     pushw   %di
     pushw   %es
-    movw    $0xA000, %ax
-    movw    %ax, %es
+    segment es, 0xA000
     movw    %cs:mark, %di
     movw    $'*', %es:(%di)
     addw    $2, %cs:mark
@@ -135,11 +102,7 @@ rom:
     .long   0
 # failing: takes the disk interrupt, and runs the boot sector.
     .macro failing
-    xorw    %ax, %ax
-    movw    %ax, %ds
-    movl    0x1B * 4, %eax
-    movl    %eax, %cs:rom
-    vector  0x1B, disk_interrupt
+    disk_vector disk_interrupt, rom
     ljmpw   $0x5000, $0
     .endm
 sector:

@@ -6,13 +6,12 @@
 # before the first such line belongs to every sector. Sector 1,231 of the disk begins with "LZ",
 # cylinder 1 with "A1" on head 0 and "B1" on head 1.
 
-    .code16
+    .include "tests/targets/boot_macros.s"
 # begin: es is the text screen, di the place there, ds the sector's own segment.
     .macro begin
     cli
     cld
-    movw    $0xA000, %ax
-    movw    %ax, %es
+    segment es, 0xA000
     pushw   %cs
     popw    %ds
     xorw    %di, %di
@@ -27,27 +26,15 @@
     hlt
     .endm
 # disk AX, CX, DX, BX, SEGMENT, OFFSET: INT 1Bh; shows AH in hexadecimal, and + with the carry flag.
-    .macro disk ax, cx=0, dx=0, bx=0, segment=0x3000, offset=0
-    pushw   %es
-    movw    $\segment, %ax
-    movw    %ax, %es
-    movw    $\offset, %bp
-    movw    $\ax, %ax
-    movw    $\cx, %cx
-    movw    $\dx, %dx
-    movw    $\bx, %bx
-    int     $0x1B
-    popw    %es
+    .macro disk arguments:vararg
+    call_disk \arguments
     calll   show_status
     .endm
-# vector NUMBER, HANDLER: takes a vector.
-    .macro vector number, handler
-    pushw   %ds
-    xorw    %ax, %ax
-    movw    %ax, %ds
-    movw    $\handler, \number * 4
-    movw    %cs, \number * 4 + 2
-    popw    %ds
+# key: waits until one is there.
+    .macro key
+1:  inb     $0x43, %al
+    testb   $2, %al
+    jz      1b
     .endm
 # protect: 32 bits, flat.
     .macro protect
@@ -65,7 +52,7 @@
     movw    %ax, %ss
     movl    $0x9F000, %esp
     .endm
-# page: a page table at 60000h that leaves 4 MiB where they are, a directory at 61000h.
+# pages: a page table at 60000h that leaves 4 MiB where they are, a directory at 61000h.
     .macro pages
     movl    $0x60000, %edi
     movl    $1024, %ecx
@@ -80,6 +67,7 @@
     rep stosl
     movl    $0x60003, 0x61000
     .endm
+# page_on: the CPU goes by that table.
     .macro page_on
     movl    $0x61000, %eax
     movl    %eax, %cr3
@@ -89,28 +77,13 @@
     jmp     1f
 1:
     .endm
-    jmp     sector
 show_status:
     pushfl
-    movw    %ax, %bx
-    movb    %bh, %al
-    shrb    $4, %al
-    calll   show_digit
-    movb    %bh, %al
-    andb    $15, %al
-    calll   show_digit
+    show_byte ah
     popfl
     jnc     1f
     show    '+'
 1:  retl
-show_digit:
-    addb    $'0', %al
-    cmpb    $'9', %al
-    jbe     1f
-    addb    $7, %al
-1:  movb    $0, %ah
-    stosw
-    retl
     .balign 8
 table:
     .quad   0, 0x00CF9A000000FFFF, 0x00CF92000000FFFF
@@ -119,17 +92,13 @@ table_register:
     .long   table + 0x1FC00
 # Show the first two letters of what was read to 3000:0000.
 show_read:
-    pushw   %ds
-    movw    $0x3000, %ax
-    movw    %ax, %ds
+    segment fs, 0x3000
     movb    $0, %ah
-    movb    0, %al
+    movb    %fs:0, %al
     stosw
-    movb    1, %al
+    movb    %fs:1, %al
     stosw
-    popw    %ds
     retl
-    .code16
 sector:
 #= last_sector | 0 | screen: 00LZ
     begin
@@ -202,47 +171,24 @@ sector:
 #= read_id | 0 | screen: 0005010103
     begin
     disk    0x5A90, 0x0005, 0x0100, 0
-    pushw   %cx
-    pushw   %dx
-    movb    %cl, %ah
-    calll   show_status
-    popw    %dx
-    pushw   %dx
-    movb    %dh, %ah
-    calll   show_status
-    popw    %dx
-    movb    %dl, %ah
-    calll   show_status
-    popw    %cx
-    movb    %ch, %ah
-    calll   show_status
+    show_byte cl
+    show_byte dh
+    show_byte dl
+    show_byte ch
     stop
 #= written_data_is_read_back | 0 | screen: 0000LZ00
     begin
     disk    0x5690, 0x034C, 0x0108, 1024
     disk    0x5590, 0x0302, 0x0001, 1024
-    pushw   %ds
-    movw    $0x3000, %ax
-    movw    %ax, %ds
-    movw    $0, 0
-    popw    %ds
-    pushw   %es
-    movw    $0x3000, %ax
-    movw    %ax, %es
-    xorw    %bp, %bp
-    movw    $0x5690, %ax
-    movw    $0x0302, %cx
-    movw    $0x0001, %dx
-    movw    $1024, %bx
-    int     $0x1B
-    popw    %es
+    segment fs, 0x3000
+    movw    $0, %fs:0
+    call_disk 0x5690, 0x0302, 0x0001, 1024
     calll   show_read
     disk    0x5190, 0x0302, 0x0001, 8192
     stop
 #= code_loaded_over_code_that_ran | 0 | screen: O00N
     begin
-    movw    $0x3000, %ax
-    movw    %ax, %fs
+    segment fs, 0x3000
     movw    $2f, %bx
     movb    $0xAB, %fs:(%bx)
     movb    $0xCB, %fs:1(%bx)
@@ -355,19 +301,12 @@ sector:
 4:  iretw
 #= own_disk_interrupt_goes_on_in_the_rom | 0 | screen: N00
     begin
-    xorw    %ax, %ax
-    movw    %ax, %ds
-    movl    0x1B * 4, %eax
-    movl    %eax, %cs:old
-    pushw   %cs
-    popw    %ds
-    vector  0x1B, 2f
+    disk_vector 2f, old
     disk    0x5690, 0x0301, 0x0001, 1024
     stop
 2:  pushw   %es
     pushw   %ax
-    movw    $0xA000, %ax
-    movw    %ax, %es
+    segment es, 0xA000
     show    'N'
     popw    %ax
     popw    %es
@@ -387,8 +326,7 @@ old:
     iretw
 #= moved_table_of_vectors | 0 | screen: M
     begin
-    movw    $0x4000, %ax
-    movw    %ax, %ds
+    segment ds, 0x4000
     movw    $2f, 0x60 * 4
     movw    %cs, 0x60 * 4 + 2
     lidtl   %cs:moved
@@ -427,18 +365,15 @@ nothing:
     pushw   %ax
     calll   show_status
     popw    %ax
-    movb    %al, %ah
-    calll   show_status
+    show_byte al
     stop
 word:
     .word   0
 #= no_387_is_found_by_any_address | 0 | screen: FFFFFFFF
     begin
-    movw    $0x3000, %ax
-    movw    %ax, %ss
-    movw    %ax, %fs
-    movw    $0x2000, %ax
-    movw    %ax, %es
+    segment ss, 0x3000
+    segment fs, 0x3000
+    segment es, 0x2000
     movw    $0x1000, %sp
     movw    $0x100, %bp
     movw    $0x200, %bx
@@ -448,19 +383,13 @@ word:
     fnstsw  0x7F(%bp)                   /* 3000:017F */
     fnstcw  %es:-2(%bx, %di)            /* 2000:023E */
     fnstsw  %es:0x1234(%di)             /* 2000:1274 */
-    movw    %es, %ax
-    movw    %ax, %gs
-    movw    $0xA000, %ax
-    movw    %ax, %es
+    segment gs, 0x2000
+    segment es, 0xA000
     xorw    %di, %di
-    movb    %fs:0x130, %ah
-    calll   show_status
-    movb    %fs:0x17F, %ah
-    calll   show_status
-    movb    %gs:0x23E, %ah
-    calll   show_status
-    movb    %gs:0x1275, %ah
-    calll   show_status
+    show_byte fs:0x130
+    show_byte fs:0x17F
+    show_byte gs:0x23E
+    show_byte gs:0x1275
     stop
 #= no_387_whatever_cr0_says | 0 | screen: FF
     begin
@@ -504,22 +433,18 @@ word:
     stop
 #= line_20_wraps | 0 | screen: WFFFEN
     begin
-    movw    $0xFFFF, %ax
-    movw    %ax, %fs
-    xorw    %ax, %ax
-    movw    %ax, %gs
+    segment fs, 0xFFFF
+    segment gs, 0
     movb    $0, %gs:0x700
     movb    $'W', %fs:0x710
     movb    %gs:0x700, %al
     stosb
     incw    %di
     inb     $0xF2, %al
-    movb    %al, %ah
-    calll   show_status
+    show_byte al
     outb    %al, $0xF2
     inb     $0xF2, %al
-    movb    %al, %ah
-    calll   show_status
+    show_byte al
     movb    $3, %al
     outb    %al, $0xF6
     movb    $'N', %fs:0x710
@@ -529,10 +454,8 @@ word:
 #= extended_memory | 0 | screen: EB
     begin
     outb    %al, $0xF2
-    movw    $0xFFFF, %ax
-    movw    %ax, %fs
-    xorw    %ax, %ax
-    movw    %ax, %gs
+    segment fs, 0xFFFF
+    segment gs, 0
     movb    $'B', %gs:0x700
     movb    $'E', %fs:0x710
     movb    %fs:0x710, %al
@@ -544,8 +467,7 @@ word:
 #= extended_memory_outlives_the_line | 0 | screen: E
     begin
     outb    %al, $0xF2
-    movw    $0xFFFF, %ax
-    movw    %ax, %fs
+    segment fs, 0xFFFF
     movb    $'E', %fs:0x710
     movb    $3, %al
     outb    %al, $0xF6
@@ -558,8 +480,7 @@ word:
 #= code_of_a_486_in_extended_memory | 1 | an opcode that the CPU does not have; at 001000
     begin
     outb    %al, $0xF2
-    movw    $0xFFFF, %ax
-    movw    %ax, %es
+    segment es, 0xFFFF
     movl    $0xCBC80F66, %es:0x10       /* bswap eax, retf */
     lcallw  $0xFFFF, $0x10
     stop
@@ -647,25 +568,21 @@ word:
 #= wait_for_a_key | 0 | waits for a key
     begin
     show    'K'
-1:  inb     $0x43, %al
-    testb   $2, %al
-    jz      1b
+    key
     stop
 #= wait_for_a_key_that_comes | 0 | screen: KE | --escape 1000
     begin
     show    'K'
-1:  inb     $0x43, %al
-    testb   $2, %al
-    jz      1b
+2:  key
     inb     $0x41, %al
     testb   %al, %al
-    jnz     1b
+    jnz     2b
     show    'E'
     stop
 #= wait_for_an_interrupt | 1 | waits for an interrupt
     begin
     sti
     hlt
-#= endless | 1 | no end within 20000000 instructions
+#= endless | 1 | no end within 20000000 instructions; at 0001FC
     begin
 1:  jmp     1b

@@ -4,17 +4,9 @@
 # summary made of them, the bars; and on a board that is absent, or broken.
 #
 # Exit status: 0 all hold, 1 one does not.
-set -u
-cd "$(dirname "$0")/../.." || exit 1
-BUILD=${BUILD:-build}
-SUPERFRAME=$BUILD/superframe
+# shellcheck source=tests/targets/expect.sh
+. "$(dirname "$0")/expect.sh"
 work=$BUILD/targets/probe
-failures=0
-
-wrong() {
-    echo "WRONG: $*"
-    failures=$((failures + 1))
-}
 
 sh firmware/targets/build_probe.sh "$work" || exit 1
 image=$work/disk.hdm

@@ -1,25 +1,15 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The quick part of `make targets`: small pictures on a 386, a Cortex-M3 and as WebAssembly, and
-# what `superframe boot` says of images that go wrong.
+# The quick part of `make targets`: small pictures on a 386, a Cortex-M3 and as WebAssembly, what
+# they say, and what is refused.
 #
 # Exit status: 0 all hold, 1 one does not.
-set -u
-cd "$(dirname "$0")/../.." || exit 1
-BUILD=${BUILD:-build}
-# Not the program under the sanitizers: the CPU is not what they look at, and takes its time.
-SUPERFRAME=$BUILD/superframe
-export BUILD SUPERFRAME
+# shellcheck source=tests/targets/expect.sh
+. "$(dirname "$0")/expect.sh"
 work=$BUILD/targets/quick
 SIZE=40x25
 DEPTH=10
-failures=0
 mkdir -p "$work"
-
-wrong() {
-    echo "WRONG: $*"
-    failures=$((failures + 1))
-}
 
 # crowd FILE: writes a scene whose sets of primitives are lists.
 crowd() {
@@ -66,62 +56,6 @@ hashes() {
     done
 }
 
-# expect STATUS TEXT COMMAND...: the command ends so and says so.
-expect() {
-    status=$1
-    text=$2
-    shift 2
-    timeout 60 "$@" > "$work/said.txt" 2>&1
-    found=$?
-    [ $found -eq "$status" ] || wrong "$*: exit status $found; expected is $status"
-    [ -z "$text" ] || grep -q "$text" "$work/said.txt" || {
-        wrong "$*: does not say: $text"
-        head -n 5 "$work/said.txt"
-    }
-}
-
-# disk BYTES: an image whose boot sector begins with these bytes, given as for printf.
-disk() {
-    printf "$1" > "$work/bad.hdm"
-    truncate -s 1261568 "$work/bad.hdm"
-}
-
-bad_images() {
-    run="$SUPERFRAME boot $work/bad.hdm --instructions 20000000 -o $work/bad.png"
-    rm -f "$work/bad.png"
-    # shellcheck disable=SC2086 # a list of words, here and below
-    {
-        printf 'no image' > "$work/bad.hdm"
-        expect 2 'no 2HD image: less than 1261568 bytes' $run
-        truncate -s 1261569 "$work/bad.hdm"
-        expect 2 'no 2HD image: more than 1261568 bytes' $run
-        disk '\017\377' # 0F FF: no opcode
-        expect 1 'an opcode that the CPU does not have; at 0001FC00h in real mode' $run
-        expect 1 'cs     00001FC0' $run
-        disk '\377\337' # lcall edi: on this the translator of Unicorn 2.0.1 aborts
-        expect 1 'at 0001FC00h in real mode' $run
-        disk '\353\376' # jmp to itself
-        expect 1 'no end within 20000000 instructions; at 0001FC00h' $run
-        # The stack at 1FC0:0400 grows down into the code: 0FFFh is pushed until it is run.
-        disk '\270\300\037\216\320\274\000\004\150\017\377\353\373'
-        expect 1 'an opcode that the CPU does not have' $run
-        disk '\315\041' # int 21h: there is no DOS
-        expect 1 'interrupt or exception 21h' $run
-        disk '\352\000\000\000\240' # jmp A000:0000: the text screen, and then nothing
-        expect 1 'was run; nothing is there' $run
-        disk '\373\364' # sti, hlt: nothing will wake it
-        expect 1 'waits for an interrupt' $run
-        [ ! -e "$work/bad.png" ] || wrong 'a failed run has left a picture'
-        disk '\372\364' # cli, hlt: a program that stops at once
-        expect 0 '' $run
-        [ -s "$work/bad.png" ] || wrong 'a run to the end has left no picture'
-        disk '\372\260\000\346\331\364' # cli, mov al 0, out D9h, hlt
-        expect 0 '' $run --trace "$work/bad.txt"
-        grep -q '^out8 00D9 00$' "$work/bad.txt" || wrong 'a trace that is called .txt is no text'
-    }
-    expect 2 'cannot be read' "$SUPERFRAME" boot "$work/none.hdm" -o "$work/bad.png"
-}
-
 # What the screen of the image says: Esc ends it; a board at another address does not answer.
 screens() {
     image=$work/386-flat-fig3/disk.hdm
@@ -144,7 +78,6 @@ exposures() {
     done
 }
 
-# An image without a feature refuses the scene by the feature's name, when it is built.
 # An image that lacks a feature refuses the scene by the feature's name, when it is built: each feature
 # that these scenes require is taken away once, a number is made one less.
 lacking_feature() {
@@ -244,7 +177,6 @@ feature_names
 names
 sizes
 hashes
-bad_images
 screens
 exposures
 lacking_feature

@@ -25,7 +25,7 @@ static void put(size_t at, uint32_t value, unsigned bytes) {
     }
 }
 
-/* The bytes of a sector, by its number over the whole disk. */
+/* Returns what every byte of a sector is, by its number over the whole disk. */
 static uint8_t content(unsigned sector) {
     return (uint8_t)(sector * 7 + 1 + sector / 256);
 }

@@ -10,7 +10,18 @@
 #include <cmocka.h>
 
 #include "board.h"
-#include "boot/pc98_machine.h"
+#include "boot/pc98_ports.h"
+
+static struct board board;
+
+/* Returns the bus of a new board, which is `board`. */
+static struct bus *new_board(void) {
+    static struct board_bus bus;
+    const struct board_desc desc = board_default_desc(BOARD_1987);
+    assert_true(board_init(&board, &desc));
+    board_bus_init(&bus, &board);
+    return &bus.bus;
+}
 
 static void escape_is_pressed_once(void **state) {
     (void)state;
@@ -28,12 +39,7 @@ static void escape_is_pressed_once(void **state) {
 
 static void other_ports_are_the_boards(void **state) {
     (void)state;
-    static struct board board;
-    const struct board_desc desc = board_default_desc(BOARD_1987);
-    struct board_bus bus;
-    assert_true(board_init(&board, &desc));
-    board_bus_init(&bus, &board);
-    struct pc98_ports ports = {.bus = &bus.bus};
+    struct pc98_ports ports = {.bus = new_board()};
     pc98_port_write(&ports, 0x00D4, UINT32_C(0x01230045), 4); /* X = 45h, Y = 123h */
     assert_int_equal(board.x, 0x45);
     assert_int_equal(board.y, 0x123);
@@ -46,12 +52,7 @@ static void other_ports_are_the_boards(void **state) {
 /* A wait is so many reads of the status with nothing in between, and no key to come. */
 static void a_wait_for_a_key_is_seen(void **state) {
     (void)state;
-    static struct board board;
-    const struct board_desc desc = board_default_desc(BOARD_1987);
-    struct board_bus bus;
-    assert_true(board_init(&board, &desc));
-    board_bus_init(&bus, &board);
-    struct pc98_ports ports = {.bus = &bus.bus, .polls = PC98_POLLS_OF_A_WAIT};
+    struct pc98_ports ports = {.bus = new_board(), .polls = PC98_POLLS_OF_A_WAIT};
     assert_false(pc98_ports_wait_in_vain(&ports));
     (void)pc98_port_read(&ports, 0x43, 1);
     assert_true(pc98_ports_wait_in_vain(&ports));
@@ -71,12 +72,7 @@ static void own_ports_do_not_reach_the_bus(void **state) {
     (void)state;
     static const uint16_t own[] = {0xF0, 0xF2, 0xF6, 0x68, 0x6A, 0xA0, 0xA2,
                                    0xA4, 0xA6, 0xA8, 0xAA, 0xAC, 0xAE};
-    static struct board board;
-    const struct board_desc desc = board_default_desc(BOARD_1987);
-    struct board_bus bus;
-    assert_true(board_init(&board, &desc));
-    board_bus_init(&bus, &board);
-    struct pc98_ports ports = {.bus = &bus.bus};
+    struct pc98_ports ports = {.bus = new_board()};
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) {
         pc98_port_write(&ports, own[i], 0, 1);
     }

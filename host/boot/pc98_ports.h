@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The ports of a PC-9801 that a booting floppy meets, the bus behind them all. */
-#ifndef SUPERFRAME_PC98_MACHINE_H
-#define SUPERFRAME_PC98_MACHINE_H
+#ifndef SUPERFRAME_PC98_PORTS_H
+#define SUPERFRAME_PC98_PORTS_H
 
 #include "bus.h"
 

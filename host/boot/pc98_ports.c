@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The ports of a PC-9801 that a booting floppy meets, the bus behind them all. */
-#include "boot/pc98_machine.h"
+#include "boot/pc98_ports.h"
 
 #include <stddef.h>
 
