@@ -235,7 +235,7 @@ static bool compile_live(struct compiler *compiler) {
     compile_brightest(compiler);
     return step(compiler, compile_shadows, STEP_SHADOWS) && compile_solids(compiler) &&
            step(compiler, compile_enclosures, STEP_ENCLOSURES) && compile_near(compiler) &&
-           compile_nesting(compiler);
+           compile_nesting(compiler) && compile_hierarchy(compiler) && compile_uses(compiler);
 }
 
 struct compiled_scene *scene_compile_observed(const struct scene_description *description,

@@ -10,7 +10,6 @@
 #include <xxhash.h>
 
 #include "compiler/features.h"
-#include "compiler/hierarchy.h"
 
 /* Numbers are written as hexadecimal floating constants, which every compiler reads exactly.
  * Members are named, so that their order does not matter. */
@@ -336,7 +335,7 @@ static const char *const show_names[] = {[SHOW_FULL] = "SHOW_FULL",
                                          [SHOW_EXPOSURES] = "SHOW_EXPOSURES"};
 
 static void emit_scene(const struct emitter *to, const struct compiled_scene *from,
-                       const struct compiled_hierarchy *hierarchy, const char *name) {
+                       const char *name) {
     fprintf(to->out, "\nextern const struct scene scene_%s;\n\nconst struct scene scene_%s = {\n",
             name, name);
     fprintf(to->out, "    /* %s */\n    ", show_names[from->show]);
@@ -351,7 +350,7 @@ static void emit_scene(const struct emitter *to, const struct compiled_scene *fr
             from->primitive_count, from->object_count, from->light_count);
     emit_pointers(to, from);
     if (to->lists) {
-        emit_roots(to, hierarchy);
+        emit_roots(to, &from->hierarchy);
     }
     fprintf(to->out, "};\n");
 }
@@ -375,16 +374,13 @@ int scene_emit(FILE *out, const struct compiled_scene *scene, const char *name) 
     fprintf(out, "#include \"scene.h\"\n");
     const struct emitter emitter = {out, !compiled_fits_bits(scene),
                                     features_primitive_words(scene)};
-    struct compiled_hierarchy hierarchy = {0};
-    bool good = !emitter.lists || hierarchy_make(scene, &hierarchy);
-    if (good) {
-        features_emit_assertions(out, scene);
-        emit_tables(&emitter, scene);
-        emit_hierarchy(&emitter, &hierarchy);
-        emit_scene(&emitter, scene, &hierarchy, symbol);
+    features_emit_assertions(out, scene);
+    emit_tables(&emitter, scene);
+    if (emitter.lists) {
+        emit_hierarchy(&emitter, &scene->hierarchy);
     }
-    hierarchy_free(&hierarchy);
-    return !good || ferror(out) ? -1 : 0;
+    emit_scene(&emitter, scene, symbol);
+    return ferror(out) ? -1 : 0;
 }
 
 bool scene_digest(const struct compiled_scene *scene, char digest[SCENE_DIGEST_SIZE]) {

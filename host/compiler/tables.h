@@ -19,7 +19,8 @@
 enum {
     COMPILED_MATERIALS_MOST = 64, /* the air is one */
     COMPILED_NEAR_MOST = 16,
-    COMPILED_BITS_MOST = 64 /* primitives of a scene for images whose sets are bits */
+    COMPILED_BITS_MOST = 64,  /* primitives of a scene for images whose sets are bits */
+    COMPILED_LEVELS_MOST = 36 /* nodes of a hierarchy of bounds, from its root to any primitive */
 };
 
 /* All other tables have as many entries as memory has room for. Numbers have 32 bits. Those below
@@ -31,6 +32,11 @@ enum {
 #define COMPILED_UNION          (UINT32_MAX - 2)
 #define COMPILED_INTERSECTION   (UINT32_MAX - 1)
 #define COMPILED_DIFFERENCE     UINT32_MAX
+#define COMPILED_NODE_NONE      COMPILED_NONE
+#define COMPILED_PLACE_ROOT     COMPILED_NONE /* is above a program's last code */
+
+/* In front of the number of a primitive, among a node's children. */
+#define COMPILED_NODE_PRIMITIVE UINT32_C(0x80000000)
 
 /* Ends what has no end, so far from the middle, in scaled units. */
 #define COMPILED_WORLD 1024.0
@@ -142,6 +148,32 @@ struct compiled_camera {
     CAMERA_FIELDS(COMPILED_MEMBER)
 };
 
+struct compiled_node {
+    NODE_FIELDS(COMPILED_MEMBER)
+};
+
+struct compiled_lead {
+    LEAD_FIELDS(COMPILED_MEMBER)
+};
+
+struct compiled_use {
+    USE_FIELDS(COMPILED_MEMBER)
+};
+
+/* What leads rays through a scene whose sets are lists (firmware/sets/list): hierarchies of bounds,
+ * and which objects a primitive takes part in. */
+struct compiled_hierarchy {
+    SCENE_HIERARCHY_FIELDS(COMPILED_MEMBER)
+    uint32_t node_count, lead_count, key_count, use_count, parent_count;
+    unsigned levels; /* of nodes, in the deepest hierarchy */
+    struct compiled_node *nodes;
+    uint32_t *endless;
+    struct compiled_lead *leads; /* by primitive */
+    uint32_t *keys;
+    struct compiled_use *uses;
+    uint32_t *parents; /* by code of the programs */
+};
+
 /* What the compiler made of the file's solids. */
 struct compiled_report {
     unsigned shared;     /* solids that are the same as another one */
@@ -199,6 +231,7 @@ struct compiled_scene {
     struct compiled_pattern_face *pattern_faces;
     struct compiled_specular_table specular_tables[COMPILED_MATERIALS_MOST];
     struct compiled_light *lights;
+    struct compiled_hierarchy hierarchy;
 
     /* Parts of the file's objects, and whether the picture does not need each; no part of the
      * firmware's tables. */
