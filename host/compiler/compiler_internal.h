@@ -118,6 +118,9 @@ bool compile_fail(struct compiler *compiler, unsigned line, const char *format, 
 /* Records that memory is out and returns false. */
 bool compile_fail_memory(struct compiler *compiler);
 
+/* Records the same, where an entry was to be made; returns COMPILED_NONE. */
+uint32_t compile_fail_room(struct compiler *compiler);
+
 /* Returns what the keys of a kind begin with. */
 uint64_t compile_key(enum known kind);
 

@@ -232,8 +232,7 @@ uint32_t compile_note_curve(struct compiler *compiler, uint32_t primitive) {
     struct quadric_axes form;
     if (primitive != COMPILED_NONE && curve_of_primitive(compiler->scene, primitive, &form) &&
         !note_form(compiler, &form, primitive)) {
-        (void)compile_fail_memory(compiler);
-        return COMPILED_NONE;
+        return compile_fail_room(compiler);
     }
     return primitive;
 }
