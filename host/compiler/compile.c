@@ -165,7 +165,6 @@ static bool compile_tables(struct compiler *compiler) {
 static void end(struct compiler *compiler) {
     free(compiler->planes);
     free(compiler->directions);
-    free(compiler->object_bounds);
     buckets_clear(&compiler->known);
     curves_clear(&compiler->curves);
     neighbours_clear(&compiler->solids);

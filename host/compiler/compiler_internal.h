@@ -102,8 +102,7 @@ struct compiler {
     struct compile_plane *planes; /* by surface; normal null: no plane */
     double (*directions)[3];      /* the world's axes, and others that were met, up to their sign */
     uint32_t direction_count;
-    struct bounds *object_bounds; /* by compiled object, scaled */
-    struct buckets known;         /* directions, planes, frames and solids, by enum known */
+    struct buckets known; /* directions, planes, frames and solids, by enum known */
     struct curves curves;
     struct neighbours solids; /* all primitives, when the tables are done */
 };

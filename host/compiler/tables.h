@@ -7,6 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "compiler/bounds.h"
 #include "scene/description.h"
 #include "scene/overrides.h"
 #include "scene_constants.h"
@@ -116,9 +117,9 @@ struct compiled_quadric {
 
 struct compiled_object {
     OBJECT_FIELDS(COMPILED_MEMBER)
-    unsigned line;          /* of the scene file */
-    uint32_t part;          /* of the file's objects, in the order in which they are taken apart */
-    double low[3], high[3]; /* bounds, perhaps infinite */
+    unsigned line; /* of the scene file */
+    uint32_t part; /* of the file's objects, in the order in which they are taken apart */
+    struct bounds bounds;
 };
 
 struct compiled_pattern {
@@ -305,6 +306,9 @@ int compiled_faces(const struct compiled_scene *scene, uint32_t primitive,
 
 /* Returns an axis of a frame, or of the world for COMPILED_FRAME_WORLD. */
 const double *compiled_axis(const struct compiled_scene *scene, uint32_t frame, int axis);
+
+/* Returns the curved surface of a primitive; COMPILED_NONE if the primitive has none. */
+uint32_t compiled_curve(const struct compiled_scene *scene, uint32_t primitive);
 
 /* Measures how far, at most, the surface of one quadric lies from that of another, both in one
  * frame. The distance is taken at points spread over the part of the surface that lies in the

@@ -182,11 +182,11 @@ static unsigned check_enclosures(const struct compiled_scene *scene) {
 static unsigned check_nesting(const struct compiled_scene *scene, uint64_t *seed) {
     unsigned most = 0;
     for (int i = 0; i < 2000; i++) {
-        const struct compiled_object *object =
-            &scene->objects[1 + splitmix64(seed) % (scene->object_count - 1)];
-        const double point[3] = {between(seed, object->low[0], object->high[0]),
-                                 between(seed, object->low[1], object->high[1]),
-                                 between(seed, object->low[2], object->high[2])};
+        const struct bounds *bounds =
+            &scene->objects[1 + splitmix64(seed) % (scene->object_count - 1)].bounds;
+        const double point[3] = {between(seed, bounds->low[0], bounds->high[0]),
+                                 between(seed, bounds->low[1], bounds->high[1]),
+                                 between(seed, bounds->low[2], bounds->high[2])};
         unsigned in = 0;
         for (uint32_t j = 0; j < scene->primitive_count; j++) {
             in += compiled_primitive_holds(scene, j, point);

@@ -279,7 +279,7 @@ static void name(struct compiled_scene *scene) {
     scene->object_names[2][0] = 'A';
 }
 static void object_bounds(struct compiled_scene *scene) {
-    scene->objects[2].low[0] += 0.1;
+    scene->objects[2].bounds.low[0] += 0.1;
 }
 static void polyhedron_low(struct compiled_scene *scene) {
     scene->polyhedra[0].low[2] += 0.1;
