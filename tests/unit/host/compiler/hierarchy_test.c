@@ -8,11 +8,6 @@
 
 enum { CROWDS = 12, SOLIDS_MOST = 300, POINTS = 4000, TEXT_SIZE = 256 * SOLIDS_MOST };
 
-static double between(uint64_t *random, double low, double high) {
-    *random = *random * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
-    return low + (high - low) * (double)(*random >> 40) / (1 << 24);
-}
-
 /* A text that grows. */
 struct text {
     char *at;
@@ -31,9 +26,10 @@ static void say(struct text *text, const char *format, ...) {
 /* Writes a solid about a place: a ball, a turned box, a cylinder that a half-space cuts, a ball
  * that is used twice, or one with a hole. */
 static void say_solid(struct text *text, uint64_t *random) {
-    double x = between(random, -9, 9), y = between(random, -9, 9), z = between(random, -2, 5);
-    double size = between(random, 0.2, 0.9);
-    switch ((int)between(random, 0, 5)) {
+    double x = random_between(random, -9, 9), y = random_between(random, -9, 9),
+           z = random_between(random, -2, 5);
+    double size = random_between(random, 0.2, 0.9);
+    switch ((int)random_between(random, 0, 5)) {
     case 0:
         say(text, "{ ball = { centre = [%g, %g, %g]; radius = %g; }; }", x, y, z, size);
         break;
@@ -41,7 +37,7 @@ static void say_solid(struct text *text, uint64_t *random) {
         say(text,
             "{ box = { min = [0, 0, 0]; max = [%g, 1, %g]; }; rotate = [%g, 0, %g]; "
             "translate = [%g, %g, %g]; }",
-            size, size, between(random, 1, 89), between(random, 1, 89), x, y, z);
+            size, size, random_between(random, 1, 89), random_between(random, 1, 89), x, y, z);
         break;
     case 2:
         say(text,
@@ -77,9 +73,8 @@ static struct compiled_scene *compile_crowd(uint64_t seed) {
         "objects = ({ material = \"clay\"; solid = { half_space = { normal = [0, 0, 1]; "
         "offset = -1; }; }; }";
     struct text text = {malloc(TEXT_SIZE), 0};
-    struct scene_error error = {""};
     uint64_t random = seed * 77 + 5;
-    int count = (int)between(&random, 2, SOLIDS_MOST / 2);
+    int count = (int)random_between(&random, 2, SOLIDS_MOST / 2);
     assert_non_null(text.at);
     say(&text, "%s", head);
     for (int i = 0; i < count; i++) {
@@ -92,12 +87,7 @@ static struct compiled_scene *compile_crowd(uint64_t seed) {
         say_solid(&text, &random);
         say(&text, i + 1 < count ? ",\n" : "); }; });\n");
     }
-    struct scene_description *description = read_text(text.at);
-    struct compiled_scene *scene = scene_compile(description, &error);
-    if (scene == NULL) {
-        fail_msg("not compiled: %s", error.text);
-    }
-    scene_description_free(description);
+    struct compiled_scene *scene = compile_text(text.at);
     free(text.at);
     return scene;
 }
@@ -237,7 +227,7 @@ static void bounds_hold_every_point_of_what_is_below_them(void **state) {
         for (int i = 0; i < POINTS; i++) {
             double point[3];
             for (int axis = 0; axis < 3; axis++) {
-                point[axis] = between(&random, -512, 512);
+                point[axis] = random_between(&random, -512, 512);
             }
             for (uint32_t j = 0; j < scene->primitive_count; j++) {
                 uint32_t enclosure = scene->primitives[j].enclosure;
@@ -307,7 +297,7 @@ static void an_object_that_holds_a_place_has_a_key_there(void **state) {
             struct compiled_set inside = {0};
             double point[3];
             for (int axis = 0; axis < 3; axis++) {
-                point[axis] = between(&random, -512, 512);
+                point[axis] = random_between(&random, -512, 512);
             }
             for (uint32_t j = 0; j < scene->primitive_count; j++) {
                 if (compiled_primitive_holds(scene, j, point)) {
@@ -390,7 +380,6 @@ static void uses_name_the_places_of_programs_in_rising_order(void **state) {
 /* Balls that shrink towards a corner divide badly by place: each division takes off one. */
 static void a_hierarchy_has_no_more_levels_than_an_image_has_room_for(void **state) {
     struct text text = {malloc(TEXT_SIZE), 0};
-    struct scene_error error = {""};
     (void)state;
     assert_non_null(text.at);
     say(&text,
@@ -406,12 +395,9 @@ static void a_hierarchy_has_no_more_levels_than_an_image_has_room_for(void **sta
             i > 0 ? ",\n" : "", place, place / 100);
     }
     say(&text, ");");
-    struct scene_description *description = read_text(text.at);
-    struct compiled_scene *scene = scene_compile(description, &error);
-    assert_non_null(scene);
+    struct compiled_scene *scene = compile_text(text.at);
     assert_in_range(scene->hierarchy.levels, 3, COMPILED_LEVELS_MOST);
     compiled_scene_free(scene);
-    scene_description_free(description);
     free(text.at);
 }
 
