@@ -2,7 +2,6 @@
 /* The POV-Ray export: refuses by name what POV-Ray 3.7 can't show as it is. */
 #include <math.h>
 #include <stdarg.h>
-#include <string.h>
 
 #include "compiler/neighbours.h"
 #include "export/pov_internal.h"
