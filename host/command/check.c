@@ -59,7 +59,7 @@ static void print_tables(const struct compiled_scene *compiled) {
     for (unsigned i = 0; i < compiled->primitive_count; i++) {
         boxes += compiled->primitives[i].kind == PRIMITIVE_BOX;
     }
-    (void)printf("tables      %u primitives (%u boxes, %u balls), %u surfaces, %u bytes of "
+    (void)printf("tables      %u primitives (%u boxes, %u balls), %u surfaces, %u codes of "
                  "programs\n",
                  compiled->primitive_count, boxes, compiled->ball_count, compiled->surface_count,
                  compiled->program_length);

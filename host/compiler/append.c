@@ -21,8 +21,7 @@ uint32_t compile_new_primitive(struct compiler *compiler, enum primitive_kind ki
                                uint32_t frame, bool left_for_good) {
     struct compiled_scene *scene = compiler->scene;
     if (!GROW(scene->primitives, scene->primitive_count)) {
-        (void)compile_fail_memory(compiler);
-        return COMPILED_NONE;
+        return compile_fail_room(compiler);
     }
     struct compiled_primitive *primitive = &scene->primitives[scene->primitive_count];
     primitive->kind = kind;
@@ -46,8 +45,7 @@ uint32_t compile_new_quadric(struct compiler *compiler, const struct compiled_qu
                              uint32_t frame, bool left_for_good) {
     struct compiled_scene *scene = compiler->scene;
     if (!GROW(scene->quadrics, scene->quadric_count)) {
-        (void)compile_fail_memory(compiler);
-        return COMPILED_NONE;
+        return compile_fail_room(compiler);
     }
     scene->quadrics[scene->quadric_count++] = *quadric;
     const uint64_t key = compile_quadric_key(quadric, frame, compiled_box_of(scene, quadric));
@@ -105,8 +103,7 @@ uint32_t compile_box_in(struct compiler *compiler, uint32_t frame, const double 
         }
     }
     if (!GROW(scene->boxes, scene->box_count)) {
-        (void)compile_fail_memory(compiler);
-        return COMPILED_NONE;
+        return compile_fail_room(compiler);
     }
     scene->boxes[scene->box_count++] = box;
     return compile_note(

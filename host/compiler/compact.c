@@ -189,19 +189,14 @@ static bool bind_surfaces(struct compiled_scene *scene) {
     scene->surfaces = calloc((size_t)scene->surface_count + 1, sizeof *scene->surfaces);
     bool is_bound = scene->surfaces != NULL;
     for (uint32_t i = 0; i < scene->primitive_count && is_bound; i++) {
-        const struct compiled_primitive *primitive = &scene->primitives[i];
+        const uint32_t curve = compiled_curve(scene, i);
         struct compiled_face faces[COMPILED_FACES_MOST];
         int count = compiled_faces(scene, i, faces);
         for (int j = 0; j < count; j++) {
             is_bound = is_bound && compiled_set_include(&scene->surfaces[faces[j].surface], i);
         }
-        if (primitive->kind == PRIMITIVE_BALL) {
-            uint32_t surface = scene->balls[primitive->index].surface;
-            is_bound = is_bound && compiled_set_include(&scene->surfaces[surface], i);
-        } else if (primitive->kind == PRIMITIVE_QUADRIC) {
-            uint32_t surface = scene->quadrics[primitive->index].surface;
-            is_bound = is_bound && compiled_set_include(&scene->surfaces[surface], i);
-        }
+        is_bound = is_bound &&
+                   (curve == COMPILED_NONE || compiled_set_include(&scene->surfaces[curve], i));
     }
     return is_bound;
 }

@@ -165,7 +165,6 @@ static bool compile_tables(struct compiler *compiler) {
 static void end(struct compiler *compiler) {
     free(compiler->planes);
     free(compiler->directions);
-    free(compiler->object_bounds);
     buckets_clear(&compiler->known);
     curves_clear(&compiler->curves);
     neighbours_clear(&compiler->solids);
@@ -235,7 +234,7 @@ static bool compile_live(struct compiler *compiler) {
     compile_brightest(compiler);
     return step(compiler, compile_shadows, STEP_SHADOWS) && compile_solids(compiler) &&
            step(compiler, compile_enclosures, STEP_ENCLOSURES) && compile_near(compiler) &&
-           compile_nesting(compiler);
+           compile_nesting(compiler) && compile_hierarchy(compiler) && compile_uses(compiler);
 }
 
 struct compiled_scene *scene_compile_observed(const struct scene_description *description,

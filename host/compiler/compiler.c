@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What every step of the scene compiler may do: fail, and show what it did. */
+/* What every step of the scene compiler may do: fail, show what it did, and note what it made. */
 #include "compiler/compiler_internal.h"
 
 #include <stdarg.h>
@@ -25,6 +25,11 @@ bool compile_fail_memory(struct compiler *compiler) {
     return compile_fail(compiler, 0, "out of memory");
 }
 
+uint32_t compile_fail_room(struct compiler *compiler) {
+    (void)compile_fail_memory(compiler);
+    return COMPILED_NONE;
+}
+
 void compile_show(const struct compiler *compiler, enum compile_step step) {
     if (compiler->observer != NULL) {
         compiler->observer->look(compiler->observer->context, step, compiler->scene);
@@ -36,9 +41,7 @@ uint64_t compile_key(enum known kind) {
 }
 
 uint32_t compile_note(struct compiler *compiler, uint64_t key, uint32_t entry) {
-    if (entry != COMPILED_NONE && !buckets_add(&compiler->known, key, entry)) {
-        (void)compile_fail_memory(compiler);
-        return COMPILED_NONE;
-    }
-    return entry;
+    return entry == COMPILED_NONE || buckets_add(&compiler->known, key, entry)
+               ? entry
+               : compile_fail_room(compiler);
 }

@@ -102,8 +102,7 @@ struct compiler {
     struct compile_plane *planes; /* by surface; normal null: no plane */
     double (*directions)[3];      /* the world's axes, and others that were met, up to their sign */
     uint32_t direction_count;
-    struct bounds *object_bounds; /* by compiled object, scaled */
-    struct buckets known;         /* directions, planes, frames and solids, by enum known */
+    struct buckets known; /* directions, planes, frames and solids, by enum known */
     struct curves curves;
     struct neighbours solids; /* all primitives, when the tables are done */
 };
@@ -117,6 +116,9 @@ bool compile_fail(struct compiler *compiler, unsigned line, const char *format, 
 
 /* Records that memory is out and returns false. */
 bool compile_fail_memory(struct compiler *compiler);
+
+/* Records the same, where an entry was to be made; returns COMPILED_NONE. */
+uint32_t compile_fail_room(struct compiler *compiler);
 
 /* Returns what the keys of a kind begin with. */
 uint64_t compile_key(enum known kind);
@@ -272,8 +274,8 @@ bool compile_shadows(struct compiler *compiler);
 /* Makes the tables cheaper to render, and says so in the scene's report. */
 bool compile_optimise(struct compiler *compiler);
 
-/* Finds which primitives may meet which, for the two steps below and the nesting; false with the
- * failure recorded. */
+/* Notes the bounds of all primitives in compiler->solids, so that each later step looks at those
+ * that may meet. False with the failure recorded. */
 bool compile_solids(struct compiler *compiler);
 
 /* Finds how many primitives a point may be strictly inside of, at most; false with the failure
@@ -283,6 +285,13 @@ bool compile_nesting(struct compiler *compiler);
 /* Finds which primitives lie within or apart from which, so that a ray need not be tried against
  * all. False with the failure recorded. */
 bool compile_enclosures(struct compiler *compiler);
+
+/* Builds the hierarchies of bounds; false with the failure recorded. */
+bool compile_hierarchy(struct compiler *compiler);
+
+/* Finds which objects each primitive takes part in, for the leads that the hierarchies have. False
+ * with the failure recorded. */
+bool compile_uses(struct compiler *compiler);
 
 /* Tells whether one primitive lies strictly within a convex one, or whether two are more than
  * COMPILE_GAP apart. False may also mean that this was not found. */

@@ -134,6 +134,13 @@ static bool curve_of_primitive(const struct compiled_scene *scene, uint32_t inde
     return true;
 }
 
+uint32_t compiled_curve(const struct compiled_scene *scene, uint32_t index) {
+    const struct compiled_primitive *primitive = &scene->primitives[index];
+    return primitive->kind == PRIMITIVE_BALL      ? scene->balls[primitive->index].surface
+           : primitive->kind == PRIMITIVE_QUADRIC ? scene->quadrics[primitive->index].surface
+                                                  : COMPILED_NONE;
+}
+
 /* Returns the largest distance of points from a surface; each is estimated as value over
  * gradient. */
 static double stray(const struct quadric_axes *form, double points[][3], int count) {
@@ -232,8 +239,7 @@ uint32_t compile_note_curve(struct compiler *compiler, uint32_t primitive) {
     struct quadric_axes form;
     if (primitive != COMPILED_NONE && curve_of_primitive(compiler->scene, primitive, &form) &&
         !note_form(compiler, &form, primitive)) {
-        (void)compile_fail_memory(compiler);
-        return COMPILED_NONE;
+        return compile_fail_room(compiler);
     }
     return primitive;
 }
@@ -303,13 +309,6 @@ bool compile_same_curve(struct compiler *compiler, const struct quadric_axes *fo
     return true;
 }
 
-/* Returns the number of the curved surface of a ball or a quadric. */
-static uint32_t curve_number(const struct compiled_scene *scene, uint32_t index) {
-    const struct compiled_primitive *primitive = &scene->primitives[index];
-    return primitive->kind == PRIMITIVE_BALL ? scene->balls[primitive->index].surface
-                                             : scene->quadrics[primitive->index].surface;
-}
-
 void compile_sample_curve(const struct compiled_scene *scene, uint32_t primitive,
                           struct curve_sample *sample) {
     struct quadric_axes form;
@@ -322,7 +321,7 @@ double compile_curve_distance(const struct compiled_scene *scene, struct curve_s
                               uint32_t other) {
     struct quadric_axes there;
     return sample->count < POINTS_LEAST || !curve_of_primitive(scene, other, &there) ||
-                   curve_number(scene, sample->primitive) == curve_number(scene, other)
+                   compiled_curve(scene, sample->primitive) == compiled_curve(scene, other)
                ? HUGE_VAL
                : stray(&there, sample->points, sample->count);
 }

@@ -33,7 +33,7 @@ static bool mark_parts(struct compiler *compiler, const struct compile_reach *re
         is_compiled[scene->objects[i].part] = true;
         mark(dead, &dead->part[scene->objects[i].part], reach->lost[i]);
         dead->has_endless = dead->has_endless || (reach->lost[i] == NULL &&
-                                                  !bounds_are_finite(&compiler->object_bounds[i]));
+                                                  !bounds_are_finite(&scene->objects[i].bounds));
     }
     for (uint32_t i = 0; i < dead->part_count; i++) {
         mark(dead, &dead->part[i], is_compiled[i] ? NULL : "no point is in it");
@@ -267,7 +267,7 @@ static bool never_mirrors_itself(const struct compiler *compiler, uint32_t index
     const struct compiled_scene *scene = compiler->scene;
     const struct compiled_object *object = &scene->objects[index];
     for (uint32_t i = index + 1; i < scene->object_count; i++) {
-        if (bounds_overlap(&compiler->object_bounds[i], &compiler->object_bounds[index])) {
+        if (bounds_overlap(&scene->objects[i].bounds, &scene->objects[index].bounds)) {
             return false;
         }
     }

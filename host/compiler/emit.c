@@ -10,7 +10,6 @@
 #include <xxhash.h>
 
 #include "compiler/features.h"
-#include "compiler/hierarchy.h"
 
 /* Numbers are written as hexadecimal floating constants, which every compiler reads exactly.
  * Members are named, so that their order does not matter. */
@@ -34,16 +33,6 @@ static void emit_steps(FILE *out, const char *role, const double v[SPECULAR_STEP
     fputc('}', out);
 }
 
-/* Writes as many words of a set as the scene needs; an image with larger sets fills the rest with
- * 0. */
-static void emit_set(FILE *out, const struct compiled_set *set, uint32_t words) {
-    fprintf(out, "{{");
-    for (uint32_t i = 0; i < words; i++) {
-        fprintf(out, "%s0x%08lXu", i ? ", " : "", (unsigned long)compiled_set_word(set, i));
-    }
-    fprintf(out, "}}");
-}
-
 static const char *truth(bool value) {
     return value ? "true" : "false";
 }
@@ -64,26 +53,43 @@ static void emit_number(const struct emitter *to, uint32_t value, unsigned bits)
     }
 }
 
-static void emit_surfaces(const struct emitter *to, const uint32_t surface[6]) {
-    for (int i = 0; i < 6; i++) {
-        fputs(i > 0 ? ", " : "{", to->out);
-        emit_number(to, surface[i], 16);
+static void emit_numbers(const struct emitter *to, const uint32_t *numbers, uint32_t count,
+                         unsigned bits) {
+    fputc('{', to->out);
+    for (uint32_t i = 0; i < count; i++) {
+        fputs(i > 0 ? ", " : "", to->out);
+        emit_number(to, numbers[i], bits);
     }
     fputc('}', to->out);
 }
 
-/* Writes a set in its form. */
-static void emit_either_set(const struct emitter *to, const struct compiled_set *set) {
-    if (!to->lists) {
-        emit_set(to->out, set, to->words);
-        return;
+/* Writes as many words of a set as the scene needs; an image with larger sets fills the rest with
+ * 0. */
+static void emit_bits(const struct emitter *to, const struct compiled_set *set) {
+    fputs("{{", to->out);
+    for (uint32_t i = 0; i < to->words; i++) {
+        fprintf(to->out, "%s0x%08lXu", i ? ", " : "", (unsigned long)compiled_set_word(set, i));
     }
-    fprintf(to->out, "{%lu, {", (unsigned long)set->count);
-    for (uint32_t i = 0; i < set->count; i++) {
-        fputs(i > 0 ? ", " : "", to->out);
-        emit_number(to, set->members[i], 8);
+    fputs("}}", to->out);
+}
+
+/* Writes an empty list with a 0, for C99 has no empty initialisers. */
+static void emit_list(const struct emitter *to, const struct compiled_set *set) {
+    fprintf(to->out, "{%lu, ", (unsigned long)set->count);
+    if (set->count > 0) {
+        emit_numbers(to, set->members, set->count, 8);
+    } else {
+        fputs("{0}", to->out);
     }
-    fputs(set->count > 0 ? "}}" : "0}}", to->out);
+    fputc('}', to->out);
+}
+
+static void emit_set(const struct emitter *to, const struct compiled_set *set) {
+    if (to->lists) {
+        emit_list(to, set);
+    } else {
+        emit_bits(to, set);
+    }
 }
 
 static void emit_places(const struct emitter *to, const double places[3][NODE_WIDTH]) {
@@ -97,14 +103,6 @@ static void emit_places(const struct emitter *to, const double places[3][NODE_WI
         }
     }
     fputs("}}", to->out);
-}
-
-static void emit_children(const struct emitter *to, const uint32_t child[NODE_WIDTH]) {
-    for (int i = 0; i < NODE_WIDTH; i++) {
-        fputs(i > 0 ? ", " : "{", to->out);
-        emit_number(to, child[i], 8);
-    }
-    fputc('}', to->out);
 }
 
 /* Tells whether members of a role are there: marks are not, where sets are lists. */
@@ -135,11 +133,11 @@ static bool role_is_there(const struct emitter *to, const char *role) {
 #define EMIT_LONG(value)         fprintf(to->out, "UINT32_C(%lu)", (unsigned long)(value));
 #define EMIT_SIGNED(value)       fprintf(to->out, "%d", value);
 #define EMIT_TRUTH(value)        fputs(truth(value), to->out);
-#define EMIT_SURFACES(value)     emit_surfaces(to, value);
-#define EMIT_SET(value)          emit_either_set(to, &(value));
-#define EMIT_MARKS(value)        emit_either_set(to, &(value));
+#define EMIT_SURFACES(value)     emit_numbers(to, value, 6, 16);
+#define EMIT_SET(value)          emit_set(to, &(value));
+#define EMIT_MARKS(value)        emit_set(to, &(value));
 #define EMIT_PLACES(value)       emit_places(to, value);
-#define EMIT_CHILDREN(value)     emit_children(to, value);
+#define EMIT_CHILDREN(value)     emit_numbers(to, value, NODE_WIDTH, 8);
 #define EMIT_ENTRY(value)        emit_number(to, value, 8);
 #define EMIT_SURFACE(value)      emit_number(to, value, 16);
 #define EMIT_FIRST(value)        emit_number(to, value, 16);
@@ -263,9 +261,9 @@ static void emit_tables(const struct emitter *to, const struct compiled_scene *f
     EMIT_TABLE("struct quadric", quadrics, quadric_count, EMIT_ENTRY_OF(emit_quadric, quadrics))
     if (!to->lists) {
         EMIT_TABLE("struct primitive_set", surfaces, surface_count,
-                   EMIT_VALUE(emit_either_set, &from->surfaces[i]))
+                   EMIT_VALUE(emit_set, &from->surfaces[i]))
         EMIT_TABLE("struct primitive_set", hidden_by, primitive_count,
-                   EMIT_VALUE(emit_either_set, &from->hidden_by[i]))
+                   EMIT_VALUE(emit_set, &from->hidden_by[i]))
     }
     EMIT_TABLE(to->lists ? "program_code" : "uint8_t", programs, program_length,
                EMIT_VALUE(emit_code, from->programs[i]))
@@ -336,7 +334,7 @@ static const char *const show_names[] = {[SHOW_FULL] = "SHOW_FULL",
                                          [SHOW_EXPOSURES] = "SHOW_EXPOSURES"};
 
 static void emit_scene(const struct emitter *to, const struct compiled_scene *from,
-                       const struct compiled_hierarchy *hierarchy, const char *name) {
+                       const char *name) {
     fprintf(to->out, "\nextern const struct scene scene_%s;\n\nconst struct scene scene_%s = {\n",
             name, name);
     fprintf(to->out, "    /* %s */\n    ", show_names[from->show]);
@@ -351,7 +349,7 @@ static void emit_scene(const struct emitter *to, const struct compiled_scene *fr
             from->primitive_count, from->object_count, from->light_count);
     emit_pointers(to, from);
     if (to->lists) {
-        emit_roots(to, hierarchy);
+        emit_roots(to, &from->hierarchy);
     }
     fprintf(to->out, "};\n");
 }
@@ -375,16 +373,13 @@ int scene_emit(FILE *out, const struct compiled_scene *scene, const char *name) 
     fprintf(out, "#include \"scene.h\"\n");
     const struct emitter emitter = {out, !compiled_fits_bits(scene),
                                     features_primitive_words(scene)};
-    struct compiled_hierarchy hierarchy = {0};
-    bool good = !emitter.lists || hierarchy_make(scene, &hierarchy);
-    if (good) {
-        features_emit_assertions(out, scene);
-        emit_tables(&emitter, scene);
-        emit_hierarchy(&emitter, &hierarchy);
-        emit_scene(&emitter, scene, &hierarchy, symbol);
+    features_emit_assertions(out, scene);
+    emit_tables(&emitter, scene);
+    if (emitter.lists) {
+        emit_hierarchy(&emitter, &scene->hierarchy);
     }
-    hierarchy_free(&hierarchy);
-    return !good || ferror(out) ? -1 : 0;
+    emit_scene(&emitter, scene, symbol);
+    return ferror(out) ? -1 : 0;
 }
 
 bool scene_digest(const struct compiled_scene *scene, char digest[SCENE_DIGEST_SIZE]) {

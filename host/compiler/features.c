@@ -6,7 +6,6 @@
 #include <stdbool.h>
 #include <string.h>
 
-#include "compiler/hierarchy.h"
 #include "image.h"
 #include "scene/description.h"
 
@@ -113,7 +112,7 @@ static void find_features(const struct compiled_scene *scene, struct feature fea
         {"WIDTH", scene->width},
         {"PRIMITIVE_WORDS", lists ? NOT_OF_FORM : (int)features_primitive_words(scene)},
         {"NESTING", lists ? nesting : NOT_OF_FORM},
-        {"LEVELS", lists ? (int)hierarchy_levels(scene) : NOT_OF_FORM},
+        {"LEVELS", lists ? (int)scene->hierarchy.levels : NOT_OF_FORM},
         {"BOX", scene->box_count > 0},
         {"BALL", scene->ball_count > 0},
         {"POLYHEDRON", scene->polyhedron_count > 0},

@@ -1,14 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* Builds hierarchies of bounds by the surface-area heuristic. A ray that passes through the bounds
  * of primitives is expected to try some of them. They are divided where those are fewest. */
-#include "compiler/hierarchy.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "compiler/compiler_internal.h"
-#include "compiler/uses.h"
 
 /* Bounds are wider than primitives by more than any arithmetic's rounding, in scaled units. */
 #define HIERARCHY_MARGIN 0x1p-6
@@ -20,7 +17,7 @@ static const struct bounds never_met = {{COMPILE_EXTENT, COMPILE_EXTENT, COMPILE
                                         {-COMPILE_EXTENT, -COMPILE_EXTENT, -COMPILE_EXTENT}};
 
 /* From LEVELS_HALVED on, groups are halved by number: eleven more levels hold 2^32 primitives. */
-enum { BINS = 16, LEVELS_HALVED = HIERARCHY_LEVELS_MOST - 11 };
+enum { BINS = 16, LEVELS_HALVED = COMPILED_LEVELS_MOST - 11 };
 
 /* A primitive while the hierarchy is built. */
 struct item {
@@ -30,8 +27,12 @@ struct item {
 };
 
 struct builder {
+    const struct compiled_scene *scene;
     struct compiled_hierarchy *to;
-    struct item *items; /* sorted as the nodes take them */
+    struct item *all;         /* by primitive */
+    bool *takes_part;         /* by primitive: in the hierarchies that are being built */
+    struct item *items;       /* sorted as the nodes take them */
+    uint32_t *starts, *roots; /* by the primitive that others lie within, and of the rest */
 };
 
 static double half_area(const struct bounds *bounds) {
@@ -208,76 +209,48 @@ static uint32_t holder_of(const struct compiled_scene *scene, uint32_t primitive
 }
 
 /* Counts the items of each holder into starts[holder + 1], and makes starts of the counts. */
-static void find_starts(const struct compiled_scene *scene, const bool *takes_part, bool shadows,
-                        uint32_t *starts) {
-    uint32_t holders = scene->primitive_count + 1;
-    memset(starts, 0, (holders + 1) * sizeof *starts);
-    for (uint32_t i = 0; i < scene->primitive_count; i++) {
-        starts[holder_of(scene, i, shadows) + 1] += takes_part[i];
+static void find_starts(const struct builder *builder, bool shadows) {
+    uint32_t holders = builder->scene->primitive_count + 1;
+    memset(builder->starts, 0, (holders + 1) * sizeof *builder->starts);
+    for (uint32_t i = 0; i < builder->scene->primitive_count; i++) {
+        builder->starts[holder_of(builder->scene, i, shadows) + 1] += builder->takes_part[i];
     }
     for (uint32_t i = 0; i < holders; i++) {
-        starts[i + 1] += starts[i];
+        builder->starts[i + 1] += builder->starts[i];
     }
 }
 
 /* Builds one hierarchy for each primitive that others lie within, and one of the rest. Puts their
  * roots into `roots`, the last one for the rest. */
-static void build_all(struct builder *builder, const struct compiled_scene *scene,
-                      const struct item *all, const bool *takes_part, bool shadows,
-                      uint32_t *starts, uint32_t *roots) {
-    find_starts(scene, takes_part, shadows, starts);
+static void build_all(struct builder *builder, bool shadows) {
+    const struct compiled_scene *scene = builder->scene;
+    find_starts(builder, shadows);
     for (uint32_t i = 0; i < scene->primitive_count; i++) {
-        if (takes_part[i]) {
-            builder->items[starts[holder_of(scene, i, shadows)]++] = all[i];
+        if (builder->takes_part[i]) {
+            builder->items[builder->starts[holder_of(scene, i, shadows)]++] = builder->all[i];
         }
     }
     uint32_t first = 0;
     for (uint32_t i = 0; i <= scene->primitive_count; i++) {
-        uint32_t count = starts[i] - first;
-        roots[i] = COMPILED_NODE_NONE;
+        uint32_t count = builder->starts[i] - first;
+        builder->roots[i] = COMPILED_NODE_NONE;
         if (count > 0) {
             const struct group group = group_of(builder->items, first, count);
-            roots[i] = build_node(builder, &group, 0);
+            builder->roots[i] = build_node(builder, &group, 0);
         }
-        first = starts[i];
+        first = builder->starts[i];
     }
 }
 
-/* What building takes besides the tables. */
-struct workspace {
-    struct item *all, *items;
-    bool *takes_part;
-    uint32_t *starts, *roots;
-};
-
-static bool workspace_make(struct workspace *workspace, size_t primitives) {
-    workspace->all = calloc(primitives + 1, sizeof *workspace->all);
-    workspace->items = calloc(primitives + 1, sizeof *workspace->items);
-    workspace->takes_part = calloc(primitives + 1, sizeof *workspace->takes_part);
-    workspace->starts = calloc(primitives + 2, sizeof *workspace->starts);
-    workspace->roots = calloc(primitives + 1, sizeof *workspace->roots);
-    return workspace->all != NULL && workspace->items != NULL && workspace->takes_part != NULL &&
-           workspace->starts != NULL && workspace->roots != NULL;
-}
-
-static void workspace_free(struct workspace *workspace) {
-    free(workspace->all);
-    free(workspace->items);
-    free(workspace->takes_part);
-    free(workspace->starts);
-    free(workspace->roots);
-}
-
 /* Sets each primitive's bounds, and lists what has no end. */
-static void find_items(const struct compiled_scene *scene, struct workspace *workspace,
-                       struct compiled_hierarchy *to) {
-    for (uint32_t i = 0; i < scene->primitive_count; i++) {
-        struct item *item = &workspace->all[i];
+static void find_items(struct builder *builder) {
+    for (uint32_t i = 0; i < builder->scene->primitive_count; i++) {
+        struct item *item = &builder->all[i];
         item->primitive = i;
-        item->bounds = primitive_bounds(scene, i);
-        workspace->takes_part[i] = !is_endless(&item->bounds);
-        if (!workspace->takes_part[i]) {
-            to->endless[to->endless_count++] = i;
+        item->bounds = primitive_bounds(builder->scene, i);
+        builder->takes_part[i] = !is_endless(&item->bounds);
+        if (!builder->takes_part[i]) {
+            builder->to->endless[builder->to->endless_count++] = i;
             continue;
         }
         for (int axis = 0; axis < 3; axis++) {
@@ -293,7 +266,6 @@ static void find_items(const struct compiled_scene *scene, struct workspace *wor
 /* A primitive that is looked at, by its bounds with their margin. */
 struct lone {
     const struct compiled_scene *scene;
-    const struct compiled_hierarchy *hierarchy;
     uint32_t primitive;
     struct bounds bounds;
 };
@@ -315,7 +287,7 @@ static bool is_apart_from(const struct lone *lone, uint32_t other) {
 /* Tells whether the primitive is apart from all below a node. Recursion goes no deeper than the
  * levels. */
 static bool is_apart_below(const struct lone *lone, uint32_t number) {
-    const struct compiled_node *node = &lone->hierarchy->nodes[number];
+    const struct compiled_node *node = &lone->scene->hierarchy.nodes[number];
     bool is_apart = true;
     for (int i = 0; i < NODE_WIDTH && is_apart; i++) {
         uint32_t child = node->child[i];
@@ -333,9 +305,9 @@ static bool is_apart_below(const struct lone *lone, uint32_t number) {
 
 /* Tells whether a primitive stands apart. The hierarchies that the primitive lies in are asked, and
  * those of the primitives around it. What lies within something that is apart is apart, too. */
-static bool stands_apart(const struct compiled_scene *scene,
-                         const struct compiled_hierarchy *hierarchy, const struct item *item) {
-    const struct lone lone = {scene, hierarchy, item->primitive, item->bounds};
+static bool stands_apart(const struct compiled_scene *scene, const struct item *item) {
+    const struct compiled_hierarchy *hierarchy = &scene->hierarchy;
+    const struct lone lone = {scene, item->primitive, item->bounds};
     bool is_apart = true;
     for (uint32_t i = 0; i < hierarchy->endless_count && is_apart; i++) {
         is_apart = is_apart_from(&lone, hierarchy->endless[i]);
@@ -352,65 +324,58 @@ static bool stands_apart(const struct compiled_scene *scene,
 
 /* ---- All together ---------------------------------------------------------------------------- */
 
-static void build_hierarchies(const struct compiled_scene *scene, struct workspace *workspace,
-                              struct compiled_hierarchy *to) {
-    struct builder builder = {to, workspace->items};
-    find_items(scene, workspace, to);
-    build_all(&builder, scene, workspace->all, workspace->takes_part, false, workspace->starts,
-              workspace->roots);
-    to->root = workspace->roots[scene->primitive_count];
+static void build_hierarchies(struct builder *builder) {
+    const struct compiled_scene *scene = builder->scene;
+    struct compiled_hierarchy *to = builder->to;
+    find_items(builder);
+    build_all(builder, false);
+    to->root = builder->roots[scene->primitive_count];
     for (uint32_t i = 0; i < scene->primitive_count; i++) {
-        to->leads[i].within = workspace->roots[i];
+        to->leads[i].within = builder->roots[i];
         to->leads[i].in_shadow_test = compiled_set_has(&scene->shadow_primitives, i);
     }
     for (uint32_t i = 0; i < scene->primitive_count; i++) {
-        to->leads[i].stands_apart =
-            workspace->takes_part[i] && stands_apart(scene, to, &workspace->all[i]);
+        to->leads[i].stands_apart = builder->takes_part[i] && stands_apart(scene, &builder->all[i]);
+        builder->takes_part[i] = builder->takes_part[i] && to->leads[i].in_shadow_test;
     }
+    build_all(builder, true);
+    to->shadow_root = builder->roots[scene->primitive_count];
     for (uint32_t i = 0; i < scene->primitive_count; i++) {
-        workspace->takes_part[i] = workspace->takes_part[i] && to->leads[i].in_shadow_test;
-    }
-    build_all(&builder, scene, workspace->all, workspace->takes_part, true, workspace->starts,
-              workspace->roots);
-    to->shadow_root = workspace->roots[scene->primitive_count];
-    for (uint32_t i = 0; i < scene->primitive_count; i++) {
-        to->leads[i].within_shadow = workspace->roots[i];
+        to->leads[i].within_shadow = builder->roots[i];
     }
 }
 
-bool hierarchy_make(const struct compiled_scene *scene, struct compiled_hierarchy *hierarchy) {
-    const size_t primitives = scene->primitive_count;
-    struct workspace workspace;
-    memset(hierarchy, 0, sizeof *hierarchy);
-    hierarchy->lead_count = scene->primitive_count;
-    hierarchy->parent_count = scene->program_length;
-    bool good = workspace_make(&workspace, primitives);
-    /* Each primitive is in two hierarchies, and each node but a root has two items or more. */
-    hierarchy->nodes = calloc(4 * primitives + 2, sizeof *hierarchy->nodes);
-    hierarchy->endless = calloc(primitives + 1, sizeof *hierarchy->endless);
-    hierarchy->leads = calloc(primitives + 1, sizeof *hierarchy->leads);
-    good = good && hierarchy->nodes != NULL && hierarchy->endless != NULL &&
-           hierarchy->leads != NULL && uses_make(scene, hierarchy);
-    if (good) {
-        build_hierarchies(scene, &workspace, hierarchy);
+/* Makes room for what is built. Each primitive is in two hierarchies, and each node but a root has
+ * two items or more. */
+static bool make_tables(struct compiled_hierarchy *to, uint32_t primitives) {
+    to->lead_count = primitives;
+    to->nodes = calloc(4 * (size_t)primitives + 2, sizeof *to->nodes);
+    to->endless = calloc((size_t)primitives + 1, sizeof *to->endless);
+    to->leads = calloc((size_t)primitives + 1, sizeof *to->leads);
+    return to->nodes != NULL && to->endless != NULL && to->leads != NULL;
+}
+
+bool compile_hierarchy(struct compiler *compiler) {
+    struct compiled_scene *scene = compiler->scene;
+    const size_t room = (size_t)scene->primitive_count + 2;
+    struct builder builder = {.scene = scene,
+                              .to = &scene->hierarchy,
+                              .all = calloc(room, sizeof *builder.all),
+                              .items = calloc(room, sizeof *builder.items),
+                              .takes_part = calloc(room, sizeof *builder.takes_part),
+                              .starts = calloc(room, sizeof *builder.starts),
+                              .roots = calloc(room, sizeof *builder.roots)};
+    const bool has_memory = builder.all != NULL && builder.items != NULL &&
+                            builder.takes_part != NULL && builder.starts != NULL &&
+                            builder.roots != NULL &&
+                            make_tables(builder.to, scene->primitive_count);
+    if (has_memory) {
+        build_hierarchies(&builder);
     }
-    workspace_free(&workspace);
-    return good;
-}
-
-void hierarchy_free(struct compiled_hierarchy *hierarchy) {
-    free(hierarchy->nodes);
-    free(hierarchy->endless);
-    free(hierarchy->leads);
-    free(hierarchy->keys);
-    free(hierarchy->uses);
-    free(hierarchy->parents);
-    memset(hierarchy, 0, sizeof *hierarchy);
-}
-
-unsigned hierarchy_levels(const struct compiled_scene *scene) {
-    struct compiled_hierarchy hierarchy;
-    unsigned levels = hierarchy_make(scene, &hierarchy) ? hierarchy.levels : HIERARCHY_LEVELS_MOST;
-    hierarchy_free(&hierarchy);
-    return levels;
+    free(builder.all);
+    free(builder.items);
+    free(builder.takes_part);
+    free(builder.starts);
+    free(builder.roots);
+    return has_memory || compile_fail_memory(compiler);
 }

@@ -118,9 +118,8 @@ static bool append_program(struct compiler *compiler, int index, const struct af
 /* Checks that an object is bounded or opaque: a transparent object whose boundary goes on for ever
  * cannot be left. The part of an unbounded solid within the world is there, and must not be
  * nothing. */
-static bool check_bounded(struct compiler *compiler, const struct compiled_object *object,
-                          const struct bounds *bounds) {
-    if (bounds_are_finite(bounds)) {
+static bool check_bounded(struct compiler *compiler, const struct compiled_object *object) {
+    if (bounds_are_finite(&object->bounds)) {
         return true;
     }
     if (compiler->scene->materials[object->material].transparent) {
@@ -180,8 +179,7 @@ static bool add_object(struct compiler *compiler, const struct instance *instanc
         return true;
     }
     if (!GROW(scene->objects, scene->object_count) ||
-        !GROW(scene->object_names, scene->object_count) ||
-        !GROW(compiler->object_bounds, scene->object_count)) {
+        !GROW(scene->object_names, scene->object_count)) {
         return compile_fail_memory(compiler);
     }
     struct compiled_object *object = &scene->objects[scene->object_count];
@@ -190,8 +188,7 @@ static bool add_object(struct compiler *compiler, const struct instance *instanc
     object->program = scene->program_length;
     object->material = compiler->material_of[instance->material];
     object->part = part;
-    struct bounds bounds =
-        solid_bounds(compiler->description, instance->node, &instance->placement);
+    object->bounds = solid_bounds(compiler->description, instance->node, &instance->placement);
     if (!append_program(compiler, instance->node, &instance->placement, 0)) {
         return false;
     }
@@ -199,15 +196,12 @@ static bool add_object(struct compiler *compiler, const struct instance *instanc
         if (!append_cuts(compiler, cutter->node, &cutter->placement, 0)) {
             return false;
         }
-        cut_bounds(compiler->description, cutter, &bounds);
+        cut_bounds(compiler->description, cutter, &object->bounds);
     }
-    compiler->object_bounds[scene->object_count] = bounds;
     object->line = instance_line;
-    memcpy(object->low, bounds.low, sizeof object->low);
-    memcpy(object->high, bounds.high, sizeof object->high);
     snprintf(scene->object_names[scene->object_count], sizeof scene->object_names[0], "%.31s",
              compiler->object_name);
-    if (!check_bounded(compiler, object, &bounds)) {
+    if (!check_bounded(compiler, object)) {
         return false;
     }
     scene->object_count++;
@@ -263,8 +257,7 @@ static bool add_objects(struct compiler *compiler, const struct instance *instan
 bool compile_objects(struct compiler *compiler) {
     const struct scene_description *description = compiler->description;
     struct compiled_scene *scene = compiler->scene;
-    if (!GROW(scene->objects, 0) || !GROW(scene->object_names, 0) ||
-        !GROW(compiler->object_bounds, 0)) {
+    if (!GROW(scene->objects, 0) || !GROW(scene->object_names, 0)) {
         return compile_fail_memory(compiler);
     }
     scene->object_count = 1; /* object 0 is the air */

@@ -20,12 +20,10 @@ static bool count_uses(struct optimiser *optimiser) {
 }
 
 /* Moves an object to a lower number. */
-static void move_object(struct compiler *compiler, uint32_t from, uint32_t to) {
-    struct compiled_scene *scene = compiler->scene;
+static void move_object(struct compiled_scene *scene, uint32_t from, uint32_t to) {
     if (from != to) {
         scene->objects[to] = scene->objects[from];
         memcpy(scene->object_names[to], scene->object_names[from], sizeof scene->object_names[0]);
-        compiler->object_bounds[to] = compiler->object_bounds[from];
     }
 }
 
@@ -45,7 +43,7 @@ static bool rewrite_programs(struct optimiser *optimiser, bool (*pass)(struct op
             return compile_fail_memory(optimiser->compiler);
         }
         if (pass(optimiser)) {
-            move_object(optimiser->compiler, i, kept);
+            move_object(scene, i, kept);
             place = csg_write(scene, &scene->objects[kept], &optimiser->tree, place);
             kept++;
         }

@@ -107,8 +107,7 @@ uint32_t compile_placed_polyhedron(struct compiler *compiler, const struct scene
         }
     }
     if (!GROW(scene->polyhedra, scene->polyhedron_count)) {
-        (void)compile_fail_memory(compiler);
-        return COMPILED_NONE;
+        return compile_fail_room(compiler);
     }
     struct compiled_polyhedron *polyhedron = &scene->polyhedra[scene->polyhedron_count++];
     polyhedron->first = scene->plane_count;
@@ -116,8 +115,7 @@ uint32_t compile_placed_polyhedron(struct compiler *compiler, const struct scene
     set_bounds(polyhedron, planes, count);
     for (size_t i = 0; i < count; i++) {
         if (!GROW(scene->planes, scene->plane_count)) {
-            (void)compile_fail_memory(compiler);
-            return COMPILED_NONE;
+            return compile_fail_room(compiler);
         }
         struct compiled_plane *plane = &scene->planes[scene->plane_count++];
         memcpy(plane->normal, planes[i].normal, sizeof plane->normal);

@@ -13,8 +13,7 @@ static uint32_t compile_ball(struct compiler *compiler, const double centre[3], 
         return COMPILED_NONE;
     }
     if (!GROW(scene->balls, scene->ball_count)) {
-        (void)compile_fail_memory(compiler);
-        return COMPILED_NONE;
+        return compile_fail_room(compiler);
     }
     struct compiled_ball *ball = &scene->balls[scene->ball_count++];
     memcpy(ball->centre, centre, sizeof ball->centre);

@@ -32,7 +32,8 @@ static void print_word(struct words *words, const char *text) {
 /* Prints a required feature's name as people write names. Features that are numbers are followed by
  * their value. */
 static void take_feature(void *context, const char *name, int value) {
-    static const char *const numbers[] = {"DEPTH", "WIDTH", "PRIMITIVE_WORDS", "KEPT"};
+    static const char *const numbers[] = {"DEPTH",   "WIDTH",  "PRIMITIVE_WORDS",
+                                          "NESTING", "LEVELS", "KEPT"};
     char text[64];
     size_t length = 0;
     if (value == 0) {
@@ -150,7 +151,7 @@ static void print_nesting(FILE *out, const struct compiled_scene *scene) {
         longest = scene->objects[i].length > longest ? scene->objects[i].length : longest;
     }
     (void)fprintf(out,
-                  "nesting     %d deep; the longest CSG program has %u bytes; a way meets up to %u "
+                  "nesting     %d deep; the longest CSG program has %u codes; a way meets up to %u "
                   "boundaries\n",
                   requirements_nesting(scene), longest, scene->depth + 1u);
 }

@@ -115,8 +115,7 @@ bool compile_direction(struct compiler *compiler, double direction[3]) {
 uint32_t compile_new_surface(struct compiler *compiler) {
     struct compiled_scene *scene = compiler->scene;
     if (!GROW(compiler->planes, scene->surface_count)) {
-        (void)compile_fail_memory(compiler);
-        return COMPILED_NONE;
+        return compile_fail_room(compiler);
     }
     return scene->surface_count++;
 }

@@ -42,14 +42,14 @@ static void reach_to(struct farthest *farthest, uint32_t object, double place) {
     }
 }
 
-static struct reaches find_reaches(const struct compiler *compiler) {
+static struct reaches find_reaches(const struct compiled_scene *scene) {
     struct reaches reaches;
     const struct farthest none = {COMPILED_NONE, HUGE_VAL, HUGE_VAL};
     for (int axis = 0; axis < 3; axis++) {
         reaches.low[axis] = reaches.high[axis] = none;
     }
-    for (uint32_t i = 1; i < compiler->scene->object_count; i++) {
-        const struct bounds *bounds = &compiler->object_bounds[i];
+    for (uint32_t i = 1; i < scene->object_count; i++) {
+        const struct bounds *bounds = &scene->objects[i].bounds;
         for (int axis = 0; axis < 3 && !bounds_are_empty(bounds); axis++) {
             reach_to(&reaches.low[axis], i, bounds->low[axis]);
             reach_to(&reaches.high[axis], i, -bounds->high[axis]);
@@ -95,9 +95,8 @@ static bool is_harmless(const struct compiled_scene *scene, const struct reaches
 }
 
 /* Finds the objects that cast shadows for some light. */
-static void find_casters(const struct compiler *compiler, bool harms[]) {
-    struct compiled_scene *scene = compiler->scene;
-    const struct reaches reaches = find_reaches(compiler);
+static void find_casters(struct compiled_scene *scene, bool harms[]) {
+    const struct reaches reaches = find_reaches(scene);
     for (uint32_t i = 1; i < scene->object_count; i++) {
         for (uint32_t j = 0; j < scene->light_count && casts(scene, i); j++) {
             struct compiled_light *light = &scene->lights[j];
@@ -112,13 +111,12 @@ static void find_casters(const struct compiler *compiler, bool harms[]) {
 
 /* Marks the objects that cast shadows, and the later objects that may fill some of their place. A
  * later object may put something there that casts no shadow. Returns false if memory is out. */
-static bool mark_shadow_test(const struct compiler *compiler, const bool harms[]) {
-    struct compiled_scene *scene = compiler->scene;
+static bool mark_shadow_test(struct compiled_scene *scene, const bool harms[]) {
     struct neighbours casters = {.count = 0};
     struct compiled_set found = {NULL, 0};
     bool has_memory = true;
     for (uint32_t i = 1; i < scene->object_count && has_memory; i++) {
-        const struct bounds *bounds = &compiler->object_bounds[i];
+        const struct bounds *bounds = &scene->objects[i].bounds;
         bool *is_tested = &scene->objects[i].in_shadow_test;
         *is_tested = harms[i];
         if (harms[i]) {
@@ -128,7 +126,7 @@ static bool mark_shadow_test(const struct compiler *compiler, const bool harms[]
         has_memory = neighbours_find(&casters, bounds, 0, &found);
         for (uint32_t k = 0; k < found.count && has_memory; k++) {
             *is_tested =
-                *is_tested || bounds_overlap(bounds, &compiler->object_bounds[found.members[k]]);
+                *is_tested || bounds_overlap(bounds, &scene->objects[found.members[k]].bounds);
         }
     }
     neighbours_clear(&casters);
@@ -142,8 +140,8 @@ bool compile_shadows(struct compiler *compiler) {
     if (harms == NULL) {
         return compile_fail_memory(compiler);
     }
-    find_casters(compiler, harms);
-    const bool is_marked = mark_shadow_test(compiler, harms);
+    find_casters(scene, harms);
+    const bool is_marked = mark_shadow_test(scene, harms);
     free(harms);
     if (!is_marked) {
         return compile_fail_memory(compiler);

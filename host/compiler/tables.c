@@ -120,6 +120,12 @@ void compiled_scene_clear(struct compiled_scene *scene) {
     free(scene->objects);
     free(scene->pattern_faces);
     free(scene->lights);
+    free(scene->hierarchy.nodes);
+    free(scene->hierarchy.endless);
+    free(scene->hierarchy.leads);
+    free(scene->hierarchy.keys);
+    free(scene->hierarchy.uses);
+    free(scene->hierarchy.parents);
     free(scene->is_left_out);
     free(scene->dead);
     memset(scene, 0, sizeof *scene);

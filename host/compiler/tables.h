@@ -7,6 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "compiler/bounds.h"
 #include "scene/description.h"
 #include "scene/overrides.h"
 #include "scene_constants.h"
@@ -19,7 +20,8 @@
 enum {
     COMPILED_MATERIALS_MOST = 64, /* the air is one */
     COMPILED_NEAR_MOST = 16,
-    COMPILED_BITS_MOST = 64 /* primitives of a scene for images whose sets are bits */
+    COMPILED_BITS_MOST = 64,  /* primitives of a scene for images whose sets are bits */
+    COMPILED_LEVELS_MOST = 36 /* nodes of a hierarchy of bounds, from its root to any primitive */
 };
 
 /* All other tables have as many entries as memory has room for. Numbers have 32 bits. Those below
@@ -31,6 +33,11 @@ enum {
 #define COMPILED_UNION          (UINT32_MAX - 2)
 #define COMPILED_INTERSECTION   (UINT32_MAX - 1)
 #define COMPILED_DIFFERENCE     UINT32_MAX
+#define COMPILED_NODE_NONE      COMPILED_NONE
+#define COMPILED_PLACE_ROOT     COMPILED_NONE /* is above a program's last code */
+
+/* In front of the number of a primitive, among a node's children. */
+#define COMPILED_NODE_PRIMITIVE UINT32_C(0x80000000)
 
 /* Ends what has no end, so far from the middle, in scaled units. */
 #define COMPILED_WORLD 1024.0
@@ -110,9 +117,9 @@ struct compiled_quadric {
 
 struct compiled_object {
     OBJECT_FIELDS(COMPILED_MEMBER)
-    unsigned line;          /* of the scene file */
-    uint32_t part;          /* of the file's objects, in the order in which they are taken apart */
-    double low[3], high[3]; /* bounds, perhaps infinite */
+    unsigned line; /* of the scene file */
+    uint32_t part; /* of the file's objects, in the order in which they are taken apart */
+    struct bounds bounds;
 };
 
 struct compiled_pattern {
@@ -140,6 +147,32 @@ struct compiled_light {
 
 struct compiled_camera {
     CAMERA_FIELDS(COMPILED_MEMBER)
+};
+
+struct compiled_node {
+    NODE_FIELDS(COMPILED_MEMBER)
+};
+
+struct compiled_lead {
+    LEAD_FIELDS(COMPILED_MEMBER)
+};
+
+struct compiled_use {
+    USE_FIELDS(COMPILED_MEMBER)
+};
+
+/* What leads rays through a scene whose sets are lists (firmware/sets/list): hierarchies of bounds,
+ * and which objects a primitive takes part in. */
+struct compiled_hierarchy {
+    SCENE_HIERARCHY_FIELDS(COMPILED_MEMBER)
+    uint32_t node_count, lead_count, key_count, use_count, parent_count;
+    unsigned levels; /* of nodes, in the deepest hierarchy */
+    struct compiled_node *nodes;
+    uint32_t *endless;
+    struct compiled_lead *leads; /* by primitive */
+    uint32_t *keys;
+    struct compiled_use *uses;
+    uint32_t *parents; /* by code of the programs */
 };
 
 /* What the compiler made of the file's solids. */
@@ -199,6 +232,7 @@ struct compiled_scene {
     struct compiled_pattern_face *pattern_faces;
     struct compiled_specular_table specular_tables[COMPILED_MATERIALS_MOST];
     struct compiled_light *lights;
+    struct compiled_hierarchy hierarchy;
 
     /* Parts of the file's objects, and whether the picture does not need each; no part of the
      * firmware's tables. */
@@ -272,6 +306,9 @@ int compiled_faces(const struct compiled_scene *scene, uint32_t primitive,
 
 /* Returns an axis of a frame, or of the world for COMPILED_FRAME_WORLD. */
 const double *compiled_axis(const struct compiled_scene *scene, uint32_t frame, int axis);
+
+/* Returns the curved surface of a primitive; COMPILED_NONE if the primitive has none. */
+uint32_t compiled_curve(const struct compiled_scene *scene, uint32_t primitive);
 
 /* Measures how far, at most, the surface of one quadric lies from that of another, both in one
  * frame. The distance is taken at points spread over the part of the surface that lies in the

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Finds the objects that a primitive takes part in: its places in their programs, and those of
  * which it is a key. */
-#include "compiler/uses.h"
-
 #include <math.h>
 #include <stdlib.h>
 
@@ -89,22 +87,31 @@ static void add_key(struct compiled_hierarchy *to, uint32_t *last, uint32_t prim
     lead->key_count++;
 }
 
-/* What one pass over all programs works in. */
-struct pass {
+/* What the passes over all programs work in. */
+struct work {
     const struct compiled_scene *scene;
     struct compiled_hierarchy *to;
-    struct code *codes;
+    struct code *codes; /* by code of the programs */
     uint32_t *stack;
     uint32_t *last; /* by primitive: the object that was its last key; 0: none yet */
 };
 
-static void take_programs(const struct pass *pass, bool writes) {
-    const struct compiled_scene *scene = pass->scene;
-    struct compiled_hierarchy *to = pass->to;
+static void read_programs(const struct work *work) {
+    for (uint32_t i = 1; i < work->scene->object_count; i++) {
+        const struct compiled_object *object = &work->scene->objects[i];
+        struct code *codes = &work->codes[object->program];
+        read_program(work->scene, object, codes, work->stack, &work->to->parents[object->program]);
+        mark_keys(work->scene, object, codes);
+    }
+}
+
+/* Adds all uses and keys to the runs of their primitives. The first pass counts, the second one
+ * writes. */
+static void add_uses(const struct work *work, bool writes) {
+    const struct compiled_scene *scene = work->scene;
+    struct compiled_hierarchy *to = work->to;
     for (uint32_t number = 1; number < scene->object_count; number++) {
         const struct compiled_object *object = &scene->objects[number];
-        read_program(scene, object, pass->codes, pass->stack, &to->parents[object->program]);
-        mark_keys(scene, object, pass->codes);
         for (uint32_t i = 0; i < object->length; i++) {
             uint32_t code = scene->programs[object->program + i];
             if (is_operation(code)) {
@@ -115,47 +122,55 @@ static void take_programs(const struct pass *pass, bool writes) {
                 to->uses[lead->use + lead->use_count] = (struct compiled_use){number, i};
             }
             lead->use_count++;
-            if (pass->codes[i].is_key) {
-                add_key(to, pass->last, code, number, writes);
+            if (work->codes[object->program + i].is_key) {
+                add_key(to, work->last, code, number, writes);
             }
         }
     }
 }
 
 /* Turns counts into the places where runs begin, and forgets the counts. */
-static void begin_runs(const struct compiled_scene *scene, struct compiled_hierarchy *to,
-                       uint32_t *last) {
-    for (uint32_t i = 0; i < scene->primitive_count; i++) {
+static void begin_runs(const struct work *work) {
+    struct compiled_hierarchy *to = work->to;
+    for (uint32_t i = 0; i < work->scene->primitive_count; i++) {
         struct compiled_lead *lead = &to->leads[i];
         lead->key = to->key_count;
         lead->use = to->use_count;
         to->key_count += lead->key_count;
         to->use_count += lead->use_count;
         lead->key_count = lead->use_count = 0;
-        last[i] = 0;
+        work->last[i] = 0;
     }
 }
 
-bool uses_make(const struct compiled_scene *scene, struct compiled_hierarchy *to) {
+/* Fills in the keys, uses and parents; false if memory is out. */
+static bool make_uses(const struct work *work) {
+    struct compiled_hierarchy *to = work->to;
+    read_programs(work);
+    add_uses(work, false);
+    begin_runs(work);
+    to->keys = calloc((size_t)to->key_count + 1, sizeof *to->keys);
+    to->uses = calloc((size_t)to->use_count + 1, sizeof *to->uses);
+    if (to->keys == NULL || to->uses == NULL) {
+        return false;
+    }
+    add_uses(work, true);
+    return true;
+}
+
+bool compile_uses(struct compiler *compiler) {
+    const struct compiled_scene *scene = compiler->scene;
+    struct compiled_hierarchy *to = &compiler->scene->hierarchy;
     const size_t codes = (size_t)scene->program_length + 1;
-    struct pass pass = {scene, to, calloc(codes, sizeof *pass.codes),
-                        calloc(codes, sizeof *pass.stack),
-                        calloc((size_t)scene->primitive_count + 1, sizeof *pass.last)};
+    const struct work work = {scene, to, calloc(codes, sizeof *work.codes),
+                              calloc(codes, sizeof *work.stack),
+                              calloc((size_t)scene->primitive_count + 1, sizeof *work.last)};
+    to->parent_count = scene->program_length;
     to->parents = calloc(codes, sizeof *to->parents);
-    bool good =
-        pass.codes != NULL && pass.stack != NULL && pass.last != NULL && to->parents != NULL;
-    if (good) {
-        take_programs(&pass, false);
-        begin_runs(scene, to, pass.last);
-        to->keys = calloc((size_t)to->key_count + 1, sizeof *to->keys);
-        to->uses = calloc((size_t)to->use_count + 1, sizeof *to->uses);
-        good = to->keys != NULL && to->uses != NULL;
-    }
-    if (good) {
-        take_programs(&pass, true);
-    }
-    free(pass.codes);
-    free(pass.stack);
-    free(pass.last);
-    return good;
+    const bool is_made = work.codes != NULL && work.stack != NULL && work.last != NULL &&
+                         to->parents != NULL && make_uses(&work);
+    free(work.codes);
+    free(work.stack);
+    free(work.last);
+    return is_made || compile_fail_memory(compiler);
 }

@@ -31,7 +31,7 @@ static uint32_t object_at_eye(const struct compiled_scene *scene) {
 static uint32_t endless_object(const struct compiler *compiler, uint8_t material) {
     uint32_t i = compiler->scene->object_count - 1;
     while (i > 0 && (compiler->scene->objects[i].material != material ||
-                     bounds_are_finite(&compiler->object_bounds[i]))) {
+                     bounds_are_finite(&compiler->scene->objects[i].bounds))) {
         i--;
     }
     return i;

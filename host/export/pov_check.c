@@ -2,7 +2,6 @@
 /* The POV-Ray export: refuses by name what POV-Ray 3.7 can't show as it is. */
 #include <math.h>
 #include <stdarg.h>
-#include <string.h>
 
 #include "compiler/neighbours.h"
 #include "export/pov_internal.h"
@@ -71,8 +70,8 @@ static bool check_material(const struct scene_description *description,
 static bool common_bounds(const struct compiled_object *a, const struct compiled_object *b,
                           double low[3], double high[3]) {
     for (int i = 0; i < 3; i++) {
-        low[i] = fmax(a->low[i], b->low[i]);
-        high[i] = fmin(a->high[i], b->high[i]);
+        low[i] = fmax(a->bounds.low[i], b->bounds.low[i]);
+        high[i] = fmin(a->bounds.high[i], b->bounds.high[i]);
         if (low[i] > high[i]) {
             return false;
         }
@@ -189,11 +188,9 @@ static bool check_with_earlier(const struct scene_description *description,
                                const struct compiled_scene *scene, uint32_t index,
                                struct neighbours *earlier, struct scene_error *error) {
     struct compiled_set found = {NULL, 0};
-    struct bounds bounds;
-    memcpy(bounds.low, scene->objects[index].low, sizeof bounds.low);
-    memcpy(bounds.high, scene->objects[index].high, sizeof bounds.high);
+    const struct bounds *bounds = &scene->objects[index].bounds;
     bool is_good =
-        (neighbours_find(earlier, &bounds, 0, &found) && neighbours_add(earlier, &bounds, index)) ||
+        (neighbours_find(earlier, bounds, 0, &found) && neighbours_add(earlier, bounds, index)) ||
         refuse(error, description, 0, "out of memory");
     for (uint32_t k = 0; k < found.count && is_good; k++) {
         is_good = check_pair(description, scene, found.members[k], index, error);

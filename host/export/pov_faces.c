@@ -129,13 +129,10 @@ static bool sets_touch(const struct compiled_scene *scene, const struct compiled
                        const double high[3]) {
     for (uint32_t i = 0; i < first->count; i++) {
         const uint32_t a = first->members[i];
-        const struct compiled_primitive *primitive = &scene->primitives[a];
         struct compiled_face faces[COMPILED_FACES_MOST];
         int count = compiled_faces(scene, a, faces);
-        if (primitive->kind == PRIMITIVE_BALL) {
-            faces[count++].surface = scene->balls[primitive->index].surface;
-        } else if (primitive->kind == PRIMITIVE_QUADRIC) {
-            faces[count++].surface = scene->quadrics[primitive->index].surface;
+        if (compiled_curve(scene, a) != COMPILED_NONE) {
+            faces[count++].surface = compiled_curve(scene, a);
         }
         for (int j = 0; j < count; j++) {
             if (touches(scene, a, faces[j].surface, second, first == second, low, high)) {
@@ -172,8 +169,8 @@ bool export_pov_has_seam(const struct compiled_scene *scene, uint32_t index) {
         return false;
     }
     for (int i = 0; i < 3; i++) {
-        low[i] = fmax(object->low[i], -WORLD_REACH);
-        high[i] = fmin(object->high[i], WORLD_REACH);
+        low[i] = fmax(object->bounds.low[i], -WORLD_REACH);
+        high[i] = fmin(object->bounds.high[i], WORLD_REACH);
     }
     return sets_touch(scene, &object->uses, &object->uses, low, high);
 }

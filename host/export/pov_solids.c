@@ -178,18 +178,16 @@ static void write_bounds(FILE *out, const struct compiled_scene *scene,
     uint32_t first = scene->programs[object->program];
     bool is_simple = object->length == 1 && (scene->primitives[first].kind == PRIMITIVE_BOX ||
                                              scene->primitives[first].kind == PRIMITIVE_BALL);
-    struct bounds bounds;
-    memcpy(bounds.low, object->low, sizeof bounds.low);
-    memcpy(bounds.high, object->high, sizeof bounds.high);
-    if (is_simple || !bounds_are_finite(&bounds)) {
+    const struct bounds *bounds = &object->bounds;
+    if (is_simple || !bounds_are_finite(bounds)) {
         return;
     }
     (void)fputs("    bounded_by { box { ", out);
-    export_pov_vector(out, object->low[0] - BOUND_MARGIN, object->low[1] - BOUND_MARGIN,
-                      object->low[2] - BOUND_MARGIN);
+    export_pov_vector(out, bounds->low[0] - BOUND_MARGIN, bounds->low[1] - BOUND_MARGIN,
+                      bounds->low[2] - BOUND_MARGIN);
     (void)fputs(", ", out);
-    export_pov_vector(out, object->high[0] + BOUND_MARGIN, object->high[1] + BOUND_MARGIN,
-                      object->high[2] + BOUND_MARGIN);
+    export_pov_vector(out, bounds->high[0] + BOUND_MARGIN, bounds->high[1] + BOUND_MARGIN,
+                      bounds->high[2] + BOUND_MARGIN);
     (void)fputs(" } }\n", out);
 }
 

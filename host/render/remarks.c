@@ -52,10 +52,11 @@ static bool floor_of(const struct compiled_scene *scene, const struct compiled_o
                      double normal[3], double *offset) {
     int ends = 0;
     for (int i = 0; i < 3; i++) {
-        const bool is_low = isfinite(object->low[i]), is_high = isfinite(object->high[i]);
+        const bool is_low = isfinite(object->bounds.low[i]),
+                   is_high = isfinite(object->bounds.high[i]);
         ends += is_low + is_high;
         normal[i] = is_high - is_low;
-        *offset = is_high ? object->high[i] : is_low ? -object->low[i] : *offset;
+        *offset = is_high ? object->bounds.high[i] : is_low ? -object->bounds.low[i] : *offset;
     }
     if (ends > 0) {
         return ends == 1;

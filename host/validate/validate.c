@@ -40,10 +40,10 @@ static void fault_of_part(struct validator *validator, int part, const double po
 /* Checks that a point of an object lies within its bounds. */
 static void check_bounds(struct validator *validator, int part, uint32_t object,
                          const double point[3]) {
-    const struct compiled_object *entry = &validator->scene->objects[object];
+    const struct bounds *bounds = &validator->scene->objects[object].bounds;
     for (int i = 0; i < 3; i++) {
-        if (!(point[i] >= entry->low[i] - VALIDATE_NEAR &&
-              point[i] <= entry->high[i] + VALIDATE_NEAR)) {
+        if (!(point[i] >= bounds->low[i] - VALIDATE_NEAR &&
+              point[i] <= bounds->high[i] + VALIDATE_NEAR)) {
             fault_of_part(validator, part, point, "a point of it lies out of its bounds");
             return;
         }

@@ -26,17 +26,6 @@ static const char *const turns[] = {"", "rotate = (20, 30, 40);",
                                     "rotate = (250, 0, 10);"};
 enum { TURNS = 3 };
 
-static struct compiled_scene *compiled_of(const char *text) {
-    struct scene_error error = {""};
-    struct scene_description *description = read_text(text);
-    struct compiled_scene *compiled = scene_compile(description, &error);
-    scene_description_free(description);
-    if (compiled == NULL) {
-        fail_msg("not compiled: %s", error.text);
-    }
-    return compiled;
-}
-
 static void faces_that_nearly_coincide_are_named_with_their_distance(void **state) {
     (void)state;
     for (int i = 0; i < TURNS; i++) {
@@ -44,7 +33,7 @@ static void faces_that_nearly_coincide_are_named_with_their_distance(void **stat
         for (int j = 0; j < 3; j++) {
             char text[TEXT_SIZE];
             write_blocks(text, gaps[j], "", turns[i]);
-            struct compiled_scene *compiled = compiled_of(text);
+            struct compiled_scene *compiled = compile_text(text);
             double stretch = i == 2 ? 1.5 : 1;
             assert_int_equal(compiled->near_count, 1);
             assert_int_equal(compiled->near[0].line, 7);
@@ -62,7 +51,7 @@ static void faces_that_coincide_or_are_well_apart_are_not_named(void **state) {
         for (int j = 0; j < 3; j++) {
             char text[TEXT_SIZE];
             write_blocks(text, gaps[j], "", turns[i]);
-            struct compiled_scene *compiled = compiled_of(text);
+            struct compiled_scene *compiled = compile_text(text);
             assert_int_equal(compiled->near_count, 0);
             compiled_scene_free(compiled);
         }
@@ -167,7 +156,7 @@ static void an_eye_in_an_opaque_solid_without_an_end_is_refused(void **state) {
                          "line 5");
     write_eye(text, "m = { colour = (9, 9, 9); specular = 0.4; };",
               "{ half_space = { normal = (5, 0, 1); offset = -5; }; }");
-    compiled_scene_free(compiled_of(text));
+    compiled_scene_free(compile_text(text));
 }
 
 static void an_eye_inside_a_solid_is_told(void **state) {
@@ -181,7 +170,7 @@ static void an_eye_inside_a_solid_is_told(void **state) {
     for (int i = 0; i < 4; i++) {
         char text[TEXT_SIZE], remarks[TEXT_SIZE] = "";
         write_eye(text, materials[i / 2], solids[i % 2]);
-        struct compiled_scene *compiled = compiled_of(text);
+        struct compiled_scene *compiled = compile_text(text);
         FILE *file = tmpfile();
         assert_non_null(file);
         remarks_print(file, compiled);

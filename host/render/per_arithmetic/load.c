@@ -211,40 +211,34 @@ static void load_scene(struct scene *to, const struct compiled_scene *from) {
 }
 
 /* Puts all tables into a block. */
-static void load_all(const struct set_tables *sets, struct block *block, struct scene *to,
-                     const struct compiled_scene *from) {
+static void load_all(struct block *block, struct scene *to, const struct compiled_scene *from) {
     load_scene(to, from);
     load_tables(block, to, from);
-    sets_load(sets, block, to, from);
+    sets_load(block, to, from);
 }
 
 /* Loads twice: the first time, the block is measured. */
-static struct scene *load_block(const struct set_tables *sets, const struct compiled_scene *from) {
+static struct scene *load_block(const struct compiled_scene *from) {
     struct block block = {NULL, 0};
     struct loaded *loaded;
     struct scene measured;
     (void)block_take(&block, 1, sizeof *loaded);
-    load_all(sets, &block, &measured, from);
+    load_all(&block, &measured, from);
     block.memory = calloc(1, block.used);
     if (block.memory == NULL) {
         return NULL;
     }
     block.used = 0;
     loaded = block_take(&block, 1, sizeof *loaded);
-    load_all(sets, &block, &loaded->scene, from);
+    load_all(&block, &loaded->scene, from);
     return &loaded->scene;
 }
 
 static struct scene *load(const struct compiled_scene *from, struct scene_error *error) {
-    struct set_tables sets;
-    struct scene *scene = NULL;
     if (!sets_fit(from, error) || !arithmetic_holds(from, error)) {
         return NULL;
     }
-    if (sets_prepare(&sets, from)) {
-        scene = load_block(&sets, from);
-    }
-    sets_release(&sets);
+    struct scene *scene = load_block(from);
     if (scene == NULL) {
         snprintf(error->text, sizeof error->text, "%.200s: out of memory", from->path);
     }

@@ -7,11 +7,6 @@
 
 #include "render/per_arithmetic/block.h"
 
-/* Nothing is made before the tables. */
-struct set_tables {
-    char nothing;
-};
-
 /* Tells whether bits have room for a scene. */
 static bool sets_have_room(const struct compiled_scene *from) {
     return compiled_fits_bits(from) && from->primitive_count <= PRIMITIVES_MOST;
@@ -26,16 +21,6 @@ static bool sets_fit(const struct compiled_scene *from, struct scene_error *erro
              "another --arith",
              from->path);
     return false;
-}
-
-static bool sets_prepare(struct set_tables *tables, const struct compiled_scene *from) {
-    (void)from;
-    tables->nothing = 0;
-    return true;
-}
-
-static void sets_release(struct set_tables *tables) {
-    (void)tables;
 }
 
 static struct primitive_set set_of(const struct compiled_set *from) {
@@ -54,9 +39,7 @@ static void load_set(struct primitive_set *to, const struct compiled_set *from) 
     *to = set_of(from);
 }
 
-static void sets_load(const struct set_tables *tables, struct block *block, struct scene *to,
-                      const struct compiled_scene *from) {
-    (void)tables;
+static void sets_load(struct block *block, struct scene *to, const struct compiled_scene *from) {
     LOAD_TABLE(struct primitive_set, from->surface_count, surfaces, from->surfaces, load_set)
     LOAD_TABLE(struct primitive_set, from->primitive_count, hidden_by, from->hidden_by, load_set)
 }

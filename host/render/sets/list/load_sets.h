@@ -6,15 +6,9 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "compiler/hierarchy.h"
 #include "render/per_arithmetic/block.h"
 
-/* Is made before the tables, and taken back behind them. */
-struct set_tables {
-    struct compiled_hierarchy hierarchy;
-};
-
-typedef char levels_fit[(int)HIERARCHY_LEVELS_MOST <= (int)FEATURE_LEVELS ? 1 : -1];
+typedef char levels_fit[(int)COMPILED_LEVELS_MOST <= (int)FEATURE_LEVELS ? 1 : -1];
 
 /* Tells whether lists have room for a scene. */
 static bool sets_have_room(const struct compiled_scene *from) {
@@ -30,14 +24,6 @@ static bool sets_fit(const struct compiled_scene *from, struct scene_error *erro
              "apart, or draw them in several scenes",
              from->path, (unsigned long)from->nesting, (int)FEATURE_NESTING);
     return false;
-}
-
-static bool sets_prepare(struct set_tables *tables, const struct compiled_scene *from) {
-    return hierarchy_make(from, &tables->hierarchy);
-}
-
-static void sets_release(struct set_tables *tables) {
-    hierarchy_free(&tables->hierarchy);
 }
 
 static struct primitive_set set_of(const struct compiled_set *from) {
@@ -84,16 +70,15 @@ static void load_roots(struct scene *to, const struct compiled_hierarchy *from) 
     SCENE_HIERARCHY_FIELDS(LOAD_MEMBER)
 }
 
-static void sets_load(const struct set_tables *tables, struct block *block, struct scene *to,
-                      const struct compiled_scene *from) {
-    const struct compiled_hierarchy *made = &tables->hierarchy;
+static void sets_load(struct block *block, struct scene *to, const struct compiled_scene *from) {
+    const struct compiled_hierarchy *made = &from->hierarchy;
     load_roots(to, made);
     LOAD_TABLE(struct bounds_node, made->node_count, nodes, made->nodes, load_node)
     LOAD_TABLE(entry_number, made->endless_count, endless, made->endless, load_number)
-    LOAD_TABLE(struct lead, from->primitive_count, leads, made->leads, load_lead)
+    LOAD_TABLE(struct lead, made->lead_count, leads, made->leads, load_lead)
     LOAD_TABLE(entry_number, made->key_count, keys, made->keys, load_number)
     LOAD_TABLE(struct use, made->use_count, uses, made->uses, load_use)
-    LOAD_TABLE(run_first, from->program_length, parents, made->parents, load_number)
+    LOAD_TABLE(run_first, made->parent_count, parents, made->parents, load_number)
 }
 
 #endif

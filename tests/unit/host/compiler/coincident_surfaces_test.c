@@ -17,17 +17,10 @@ static void make_scene(char *text, const char *solid) {
 
 static int surfaces_of(const char *solid) {
     char text[TEXT_SIZE];
-    struct scene_error error;
     make_scene(text, solid);
-    struct scene_description *description = read_text(text);
-    struct compiled_scene *compiled = scene_compile(description, &error);
-    if (compiled == NULL) {
-        fail_msg("not compiled: %s", error.text);
-        abort();
-    }
+    struct compiled_scene *compiled = compile_text(text);
     int count = (int)compiled->surface_count;
     compiled_scene_free(compiled);
-    scene_description_free(description);
     return count;
 }
 

@@ -4,15 +4,9 @@
 #include <math.h>
 
 #include "compiler/compiler_internal.h"
-#include "compiler/hierarchy.h"
 #include "scene_fixture.h"
 
 enum { CROWDS = 12, SOLIDS_MOST = 300, POINTS = 4000, TEXT_SIZE = 256 * SOLIDS_MOST };
-
-static double between(uint64_t *random, double low, double high) {
-    *random = *random * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
-    return low + (high - low) * (double)(*random >> 40) / (1 << 24);
-}
 
 /* A text that grows. */
 struct text {
@@ -32,9 +26,10 @@ static void say(struct text *text, const char *format, ...) {
 /* Writes a solid about a place: a ball, a turned box, a cylinder that a half-space cuts, a ball
  * that is used twice, or one with a hole. */
 static void say_solid(struct text *text, uint64_t *random) {
-    double x = between(random, -9, 9), y = between(random, -9, 9), z = between(random, -2, 5);
-    double size = between(random, 0.2, 0.9);
-    switch ((int)between(random, 0, 5)) {
+    double x = random_between(random, -9, 9), y = random_between(random, -9, 9),
+           z = random_between(random, -2, 5);
+    double size = random_between(random, 0.2, 0.9);
+    switch ((int)random_between(random, 0, 5)) {
     case 0:
         say(text, "{ ball = { centre = [%g, %g, %g]; radius = %g; }; }", x, y, z, size);
         break;
@@ -42,7 +37,7 @@ static void say_solid(struct text *text, uint64_t *random) {
         say(text,
             "{ box = { min = [0, 0, 0]; max = [%g, 1, %g]; }; rotate = [%g, 0, %g]; "
             "translate = [%g, %g, %g]; }",
-            size, size, between(random, 1, 89), between(random, 1, 89), x, y, z);
+            size, size, random_between(random, 1, 89), random_between(random, 1, 89), x, y, z);
         break;
     case 2:
         say(text,
@@ -78,9 +73,8 @@ static struct compiled_scene *compile_crowd(uint64_t seed) {
         "objects = ({ material = \"clay\"; solid = { half_space = { normal = [0, 0, 1]; "
         "offset = -1; }; }; }";
     struct text text = {malloc(TEXT_SIZE), 0};
-    struct scene_error error = {""};
     uint64_t random = seed * 77 + 5;
-    int count = (int)between(&random, 2, SOLIDS_MOST / 2);
+    int count = (int)random_between(&random, 2, SOLIDS_MOST / 2);
     assert_non_null(text.at);
     say(&text, "%s", head);
     for (int i = 0; i < count; i++) {
@@ -93,12 +87,7 @@ static struct compiled_scene *compile_crowd(uint64_t seed) {
         say_solid(&text, &random);
         say(&text, i + 1 < count ? ",\n" : "); }; });\n");
     }
-    struct scene_description *description = read_text(text.at);
-    struct compiled_scene *scene = scene_compile(description, &error);
-    if (scene == NULL) {
-        fail_msg("not compiled: %s", error.text);
-    }
-    scene_description_free(description);
+    struct compiled_scene *scene = compile_text(text.at);
     free(text.at);
     return scene;
 }
@@ -115,7 +104,6 @@ static bool holds_point(const struct compiled_node *node, int bound, const doubl
 /* What a walk finds below a root. */
 struct walk {
     const struct compiled_scene *scene;
-    const struct compiled_hierarchy *hierarchy;
     unsigned *met; /* by primitive */
     unsigned levels;
 };
@@ -131,8 +119,8 @@ static void check_margin(const struct compiled_scene *scene, uint32_t primitive,
 }
 
 static void walk_node(struct walk *walk, uint32_t number, unsigned level) {
-    const struct compiled_node *node = &walk->hierarchy->nodes[number];
-    assert_in_range(number, 0, walk->hierarchy->node_count - 1);
+    const struct compiled_node *node = &walk->scene->hierarchy.nodes[number];
+    assert_in_range(number, 0, walk->scene->hierarchy.node_count - 1);
     walk->levels = level > walk->levels ? level : walk->levels;
     for (int i = 0; i < NODE_WIDTH; i++) {
         uint32_t child = node->child[i];
@@ -144,7 +132,7 @@ static void walk_node(struct walk *walk, uint32_t number, unsigned level) {
             check_margin(walk->scene, child - COMPILED_NODE_PRIMITIVE, node, i);
             continue;
         }
-        const struct compiled_node *below = &walk->hierarchy->nodes[child];
+        const struct compiled_node *below = &walk->scene->hierarchy.nodes[child];
         for (int j = 0; j < NODE_WIDTH; j++) {
             for (int axis = 0; axis < 3 && below->child[j] != COMPILED_NODE_NONE; axis++) {
                 assert_true(node->low[axis][i] <= below->low[axis][j]);
@@ -159,31 +147,29 @@ static void every_primitive_is_met_once_from_where_it_can_be_entered(void **stat
     (void)state;
     for (uint64_t seed = 0; seed < CROWDS; seed++) {
         struct compiled_scene *scene = compile_crowd(seed);
-        struct compiled_hierarchy hierarchy;
+        const struct compiled_hierarchy *hierarchy = &scene->hierarchy;
         unsigned *met = calloc(scene->primitive_count, sizeof *met);
-        struct walk walk = {scene, &hierarchy, met, 0};
+        struct walk walk = {scene, met, 0};
         assert_non_null(met);
-        assert_true(hierarchy_make(scene, &hierarchy));
-        for (uint32_t i = 0; i < hierarchy.endless_count; i++) {
-            met[hierarchy.endless[i]]++;
+        for (uint32_t i = 0; i < hierarchy->endless_count; i++) {
+            met[hierarchy->endless[i]]++;
         }
-        walk_node(&walk, hierarchy.root, 1);
+        walk_node(&walk, hierarchy->root, 1);
         for (uint32_t i = 0; i < scene->primitive_count; i++) {
             bool is_within = scene->primitives[i].enclosure != COMPILED_ENCLOSURE_NONE;
             assert_int_equal(met[i], is_within ? 0 : 1);
         }
         for (uint32_t i = 0; i < scene->primitive_count; i++) {
-            if (hierarchy.leads[i].within != COMPILED_NODE_NONE) {
+            if (hierarchy->leads[i].within != COMPILED_NODE_NONE) {
                 memset(met, 0, scene->primitive_count * sizeof *met);
-                walk_node(&walk, hierarchy.leads[i].within, 1);
+                walk_node(&walk, hierarchy->leads[i].within, 1);
                 for (uint32_t j = 0; j < scene->primitive_count; j++) {
                     assert_int_equal(met[j], scene->primitives[j].enclosure == i ? 1 : 0);
                 }
             }
         }
-        assert_int_equal(walk.levels, hierarchy.levels);
+        assert_int_equal(walk.levels, hierarchy->levels);
         free(met);
-        hierarchy_free(&hierarchy);
         compiled_scene_free(scene);
     }
 }
@@ -192,29 +178,27 @@ static void shadow_rays_meet_what_can_keep_off_light_and_nothing_else(void **sta
     (void)state;
     for (uint64_t seed = 0; seed < CROWDS; seed++) {
         struct compiled_scene *scene = compile_crowd(seed);
-        struct compiled_hierarchy hierarchy;
+        const struct compiled_hierarchy *hierarchy = &scene->hierarchy;
         unsigned *met = calloc(scene->primitive_count, sizeof *met);
-        struct walk walk = {scene, &hierarchy, met, 0};
+        struct walk walk = {scene, met, 0};
         assert_non_null(met);
-        assert_true(hierarchy_make(scene, &hierarchy));
-        for (uint32_t i = 0; i < hierarchy.endless_count; i++) {
-            met[hierarchy.endless[i]] += hierarchy.leads[hierarchy.endless[i]].in_shadow_test;
+        for (uint32_t i = 0; i < hierarchy->endless_count; i++) {
+            met[hierarchy->endless[i]] += hierarchy->leads[hierarchy->endless[i]].in_shadow_test;
         }
-        if (hierarchy.shadow_root != COMPILED_NODE_NONE) {
-            walk_node(&walk, hierarchy.shadow_root, 1);
+        if (hierarchy->shadow_root != COMPILED_NODE_NONE) {
+            walk_node(&walk, hierarchy->shadow_root, 1);
         }
         for (uint32_t i = 0; i < scene->primitive_count; i++) {
-            if (hierarchy.leads[i].within_shadow != COMPILED_NODE_NONE) {
-                assert_true(hierarchy.leads[i].in_shadow_test);
-                walk_node(&walk, hierarchy.leads[i].within_shadow, 1);
+            if (hierarchy->leads[i].within_shadow != COMPILED_NODE_NONE) {
+                assert_true(hierarchy->leads[i].in_shadow_test);
+                walk_node(&walk, hierarchy->leads[i].within_shadow, 1);
             }
         }
         for (uint32_t i = 0; i < scene->primitive_count; i++) {
             assert_int_equal(met[i], compiled_set_has(&scene->shadow_primitives, i));
-            assert_int_equal(met[i], hierarchy.leads[i].in_shadow_test);
+            assert_int_equal(met[i], hierarchy->leads[i].in_shadow_test);
         }
         free(met);
-        hierarchy_free(&hierarchy);
         compiled_scene_free(scene);
     }
 }
@@ -239,29 +223,27 @@ static void bounds_hold_every_point_of_what_is_below_them(void **state) {
     (void)state;
     for (uint64_t seed = 0; seed < CROWDS; seed++) {
         struct compiled_scene *scene = compile_crowd(seed);
-        struct compiled_hierarchy hierarchy;
-        assert_true(hierarchy_make(scene, &hierarchy));
+        const struct compiled_hierarchy *hierarchy = &scene->hierarchy;
         for (int i = 0; i < POINTS; i++) {
             double point[3];
             for (int axis = 0; axis < 3; axis++) {
-                point[axis] = between(&random, -512, 512);
+                point[axis] = random_between(&random, -512, 512);
             }
             for (uint32_t j = 0; j < scene->primitive_count; j++) {
                 uint32_t enclosure = scene->primitives[j].enclosure;
                 bool is_endless = false;
-                for (uint32_t k = 0; k < hierarchy.endless_count; k++) {
-                    is_endless = is_endless || hierarchy.endless[k] == j;
+                for (uint32_t k = 0; k < hierarchy->endless_count; k++) {
+                    is_endless = is_endless || hierarchy->endless[k] == j;
                 }
                 if (!is_endless && compiled_primitive_holds(scene, j, point)) {
                     uint32_t root = enclosure == COMPILED_ENCLOSURE_NONE
-                                        ? hierarchy.root
-                                        : hierarchy.leads[enclosure].within;
-                    assert_true(is_led_to(&hierarchy, root, j, point));
+                                        ? hierarchy->root
+                                        : hierarchy->leads[enclosure].within;
+                    assert_true(is_led_to(hierarchy, root, j, point));
                     held++;
                 }
             }
         }
-        hierarchy_free(&hierarchy);
         compiled_scene_free(scene);
     }
     assert_true(held > 100);
@@ -310,13 +292,12 @@ static void an_object_that_holds_a_place_has_a_key_there(void **state) {
     (void)state;
     for (uint64_t seed = 0; seed < CROWDS; seed++) {
         struct compiled_scene *scene = compile_crowd(seed);
-        struct compiled_hierarchy hierarchy;
-        assert_true(hierarchy_make(scene, &hierarchy));
+        const struct compiled_hierarchy *hierarchy = &scene->hierarchy;
         for (int i = 0; i < POINTS / 4; i++) {
             struct compiled_set inside = {0};
             double point[3];
             for (int axis = 0; axis < 3; axis++) {
-                point[axis] = between(&random, -512, 512);
+                point[axis] = random_between(&random, -512, 512);
             }
             for (uint32_t j = 0; j < scene->primitive_count; j++) {
                 if (compiled_primitive_holds(scene, j, point)) {
@@ -325,17 +306,16 @@ static void an_object_that_holds_a_place_has_a_key_there(void **state) {
             }
             for (uint32_t number = 1; number < scene->object_count; number++) {
                 bool holds = compiled_object_holds(scene, number, point), keyed = false;
-                assert_int_equal(holds, holds_by_parents(scene, &hierarchy, number, &inside));
+                assert_int_equal(holds, holds_by_parents(scene, hierarchy, number, &inside));
                 for (uint32_t j = 0; j < scene->primitive_count && holds; j++) {
                     keyed =
-                        keyed || (compiled_set_has(&inside, j) && has_key(&hierarchy, j, number));
+                        keyed || (compiled_set_has(&inside, j) && has_key(hierarchy, j, number));
                 }
                 assert_int_equal(keyed, holds);
                 held += holds;
             }
             compiled_set_clear(&inside);
         }
-        hierarchy_free(&hierarchy);
         compiled_scene_free(scene);
     }
     assert_true(held > 100);
@@ -354,22 +334,20 @@ static void a_primitive_stands_apart_if_it_is_apart_from_each_other_one(void **s
     (void)state;
     for (uint64_t seed = 0; seed < CROWDS; seed++) {
         struct compiled_scene *scene = compile_crowd(seed);
-        struct compiled_hierarchy hierarchy;
-        assert_true(hierarchy_make(scene, &hierarchy));
+        const struct compiled_hierarchy *hierarchy = &scene->hierarchy;
         for (uint32_t i = 0; i < scene->primitive_count; i++) {
             bool expected = true;
-            for (uint32_t j = 0; j < hierarchy.endless_count; j++) {
-                expected = expected && hierarchy.endless[j] != i;
+            for (uint32_t j = 0; j < hierarchy->endless_count; j++) {
+                expected = expected && hierarchy->endless[j] != i;
             }
             for (uint32_t j = 0; j < scene->primitive_count; j++) {
                 expected = expected && (lies_below(scene, i, j) || lies_below(scene, j, i) ||
                                         primitives_are_apart(scene, i, j));
             }
-            assert_int_equal(hierarchy.leads[i].stands_apart, expected);
+            assert_int_equal(hierarchy->leads[i].stands_apart, expected);
             apart += expected;
             crowded += !expected;
         }
-        hierarchy_free(&hierarchy);
         compiled_scene_free(scene);
     }
     assert_true(apart > 20 && crowded > 20);
@@ -377,14 +355,13 @@ static void a_primitive_stands_apart_if_it_is_apart_from_each_other_one(void **s
 
 static void uses_name_the_places_of_programs_in_rising_order(void **state) {
     struct compiled_scene *scene = compile_crowd(3);
-    struct compiled_hierarchy hierarchy;
+    const struct compiled_hierarchy *hierarchy = &scene->hierarchy;
     uint32_t leaves = 0;
     (void)state;
-    assert_true(hierarchy_make(scene, &hierarchy));
     for (uint32_t i = 0; i < scene->primitive_count; i++) {
-        const struct compiled_lead *lead = &hierarchy.leads[i];
+        const struct compiled_lead *lead = &hierarchy->leads[i];
         for (uint32_t j = 0; j < lead->use_count; j++) {
-            const struct compiled_use *use = &hierarchy.uses[lead->use + j];
+            const struct compiled_use *use = &hierarchy->uses[lead->use + j];
             const struct compiled_object *object = &scene->objects[use->object];
             assert_int_equal(scene->programs[object->program + use->place], i);
             if (j > 0) {
@@ -396,16 +373,13 @@ static void uses_name_the_places_of_programs_in_rising_order(void **state) {
     for (uint32_t i = 0; i < scene->program_length; i++) {
         leaves += scene->programs[i] < COMPILED_UNION;
     }
-    assert_int_equal(hierarchy.use_count, leaves);
-    hierarchy_free(&hierarchy);
+    assert_int_equal(hierarchy->use_count, leaves);
     compiled_scene_free(scene);
 }
 
 /* Balls that shrink towards a corner divide badly by place: each division takes off one. */
 static void a_hierarchy_has_no_more_levels_than_an_image_has_room_for(void **state) {
     struct text text = {malloc(TEXT_SIZE), 0};
-    struct scene_error error = {""};
-    struct compiled_hierarchy hierarchy;
     (void)state;
     assert_non_null(text.at);
     say(&text,
@@ -421,14 +395,9 @@ static void a_hierarchy_has_no_more_levels_than_an_image_has_room_for(void **sta
             i > 0 ? ",\n" : "", place, place / 100);
     }
     say(&text, ");");
-    struct scene_description *description = read_text(text.at);
-    struct compiled_scene *scene = scene_compile(description, &error);
-    assert_non_null(scene);
-    assert_true(hierarchy_make(scene, &hierarchy));
-    assert_in_range(hierarchy.levels, 3, HIERARCHY_LEVELS_MOST);
-    hierarchy_free(&hierarchy);
+    struct compiled_scene *scene = compile_text(text.at);
+    assert_in_range(scene->hierarchy.levels, 3, COMPILED_LEVELS_MOST);
     compiled_scene_free(scene);
-    scene_description_free(description);
     free(text.at);
 }
 

@@ -81,16 +81,9 @@ static void add(bool is_first, const char *material, const char *solid) {
     assert_true(used < TEXT_MOST - 8);
 }
 
-static struct compiled_scene *compile_text(void) {
-    struct scene_error error = {""};
+static struct compiled_scene *compile_all(void) {
     (void)snprintf(text + used, TEXT_MOST - used, " );\n");
-    struct scene_description *description = read_text(text);
-    struct compiled_scene *compiled = scene_compile(description, &error);
-    scene_description_free(description);
-    if (compiled == NULL) {
-        fail_msg("not compiled: %s", error.text);
-    }
-    return compiled;
+    return compile_text(text);
 }
 
 /* Makes a solid on a coarse lattice, where many have faces, axes and surfaces in common. */
@@ -182,11 +175,11 @@ static unsigned check_enclosures(const struct compiled_scene *scene) {
 static unsigned check_nesting(const struct compiled_scene *scene, uint64_t *seed) {
     unsigned most = 0;
     for (int i = 0; i < 2000; i++) {
-        const struct compiled_object *object =
-            &scene->objects[1 + splitmix64(seed) % (scene->object_count - 1)];
-        const double point[3] = {between(seed, object->low[0], object->high[0]),
-                                 between(seed, object->low[1], object->high[1]),
-                                 between(seed, object->low[2], object->high[2])};
+        const struct bounds *bounds =
+            &scene->objects[1 + splitmix64(seed) % (scene->object_count - 1)].bounds;
+        const double point[3] = {between(seed, bounds->low[0], bounds->high[0]),
+                                 between(seed, bounds->low[1], bounds->high[1]),
+                                 between(seed, bounds->low[2], bounds->high[2])};
         unsigned in = 0;
         for (uint32_t j = 0; j < scene->primitive_count; j++) {
             in += compiled_primitive_holds(scene, j, point);
@@ -208,7 +201,7 @@ static void tables_are_those_that_a_look_at_every_pair_gives(void **state) {
             random_solid(&seed, solid);
             add(j == 0, "clay", solid);
         }
-        struct compiled_scene *scene = compile_text();
+        struct compiled_scene *scene = compile_all();
         assert_in_range(scene->primitive_count, COMPILED_BITS_MOST + 1, SOLIDS);
         check_faces(scene);
         enclosed += check_enclosures(scene);
@@ -234,7 +227,7 @@ static void four_thousand_solids_are_compiled(void **state) {
         write_ball(solid, i);
         add(false, i % 2 == 0 ? "glass" : "clay", solid);
     }
-    struct compiled_scene *scene = compile_text();
+    struct compiled_scene *scene = compile_all();
     assert_int_equal(scene->primitive_count, GRID * GRID + 1);
     assert_int_equal(scene->object_count, GRID * GRID + 2); /* the air is one */
     assert_int_equal(scene->surface_count, GRID * GRID + 6);
@@ -254,7 +247,7 @@ static void a_union_of_thousands_holds_what_its_solids_hold(void **state) {
         used += (size_t)snprintf(text + used, TEXT_MOST - used, "%s%s", i > 0 ? ",\n" : "", solid);
     }
     used += (size_t)snprintf(text + used, TEXT_MOST - used, " ); }; }");
-    struct compiled_scene *scene = compile_text();
+    struct compiled_scene *scene = compile_all();
     assert_int_equal(scene->object_count, 2);
     assert_int_equal(scene->objects[1].length, 2 * GRID * GRID - 1);
     for (int i = 0; i < GRID * GRID; i += 97) {
@@ -279,7 +272,7 @@ static void shells_nest_as_deep_as_there_are(void **state) {
         (void)snprintf(solid, sizeof solid, "{ ball = { radius = %g; }; }", 20 - 0.3 * i);
         add(i == 0, "glass", solid);
     }
-    struct compiled_scene *scene = compile_text();
+    struct compiled_scene *scene = compile_all();
     assert_int_equal(scene->nesting, 60);
     for (uint32_t i = 0; i < scene->primitive_count; i++) {
         assert_int_equal(scene->primitives[i].enclosure, i > 0 ? i - 1 : COMPILED_ENCLOSURE_NONE);

@@ -130,15 +130,6 @@ static struct scene_description *read_objects(const char *objects) {
     return read_text(text);
 }
 
-static struct compiled_scene *compile(const struct scene_description *description) {
-    struct scene_error error = {""};
-    struct compiled_scene *compiled = scene_compile(description, &error);
-    if (compiled == NULL) {
-        fail_msg("not compiled: %s", error.text);
-    }
-    return compiled;
-}
-
 /* What the scene compiler did on the way. */
 struct coverage {
     struct compiled_report done;
@@ -279,7 +270,7 @@ static void name(struct compiled_scene *scene) {
     scene->object_names[2][0] = 'A';
 }
 static void object_bounds(struct compiled_scene *scene) {
-    scene->objects[2].low[0] += 0.1;
+    scene->objects[2].bounds.low[0] += 0.1;
 }
 static void polyhedron_low(struct compiled_scene *scene) {
     scene->polyhedra[0].low[2] += 0.1;
@@ -380,7 +371,7 @@ static void whatever_is_damaged_is_found(void **state) {
     struct scene_description *description = read_objects(damaged_objects);
     struct validation validation;
     for (size_t i = 0; i < sizeof damages / sizeof damages[0]; i++) {
-        struct compiled_scene *scene = compile(description);
+        struct compiled_scene *scene = compile_description(description);
         assert_true(compiled_scene_agrees(description, scene, STEP_ENCLOSURES, &validation));
         damages[i].damage(scene);
         if (compiled_scene_agrees(description, scene, STEP_ENCLOSURES, &validation) ||
@@ -398,7 +389,7 @@ static void a_fault_is_told_with_its_place_in_the_file(void **state) {
     (void)state;
     struct scene_description *description = read_objects(
         OBJECT("glass", "{ ball = { centre = (-1200, 2900, -1900); radius = 500; }; }"));
-    struct compiled_scene *scene = compile(description);
+    struct compiled_scene *scene = compile_description(description);
     struct validation validation;
     scene->balls[0].radius /= 2;
     assert_false(compiled_scene_agrees(description, scene, STEP_ENCLOSURES, &validation));
@@ -416,7 +407,7 @@ static void a_fault_is_told_with_its_place_in_the_file(void **state) {
 static void a_step_is_held_to_what_it_claims(void **state) {
     (void)state;
     struct scene_description *description = read_objects(damaged_objects);
-    struct compiled_scene *scene = compile(description);
+    struct compiled_scene *scene = compile_description(description);
     struct validation validation;
     enclosure(scene);
     assert_true(compiled_scene_agrees(description, scene, STEP_SHADOWS, &validation));
