@@ -5,8 +5,6 @@
 #include "board_internal.h"
 
 enum {
-    POSITION_X_MASK = 0x03FF,
-    POSITION_Y_MASK = 0x01FF,
     /* 17.73 ms at 56.4 Hz, at 0.4 us an access (the only figure known, an emulator's model). */
     FRAME_ACCESSES = 44326,
     FRAME_SHOWN_ACCESSES = FRAME_ACCESSES * 10 / 11 /* 400 of 440 lines */
@@ -14,8 +12,7 @@ enum {
 
 /* ---- The position --------------------------------------------------------------------------- */
 
-/* Finds the pixel that X and Y name, so that a pixel write is one store. */
-static void locate(struct board *board) {
+void board_locate(struct board *board) {
     uint32_t x = board->x;
     uint32_t y = board->y;
     board->is_wrapped = false;
@@ -30,13 +27,13 @@ static void locate(struct board *board) {
 }
 
 static void set_x(struct board *board, unsigned x) {
-    board->x = (uint16_t)(x & POSITION_X_MASK);
-    locate(board);
+    board->x = (uint16_t)(x & BOARD_X_MASK);
+    board_locate(board);
 }
 
 static void set_y(struct board *board, unsigned y) {
-    board->y = (uint16_t)(y & POSITION_Y_MASK);
-    locate(board);
+    board->y = (uint16_t)(y & BOARD_Y_MASK);
+    board_locate(board);
 }
 
 /* ---- Notes ---------------------------------------------------------------------------------- */
@@ -81,7 +78,9 @@ static bool pixel_is_there(struct board *board, struct access access) {
 
 static inline void write_primary(struct board *board, unsigned primary, struct access access) {
     if (board_pixel_is_plain(board) || pixel_is_there(board, access)) {
-        board->memory[(uint32_t)board->place + primary] = (uint8_t)access.value;
+        uint32_t place = (uint32_t)board->place;
+        board_note_change(board, place / 3 % BOARD_WIDTH, place / 3 / BOARD_WIDTH, 1);
+        board->memory[place + primary] = (uint8_t)access.value;
     }
 }
 
@@ -106,6 +105,7 @@ static void fill(struct board *board, struct access access) {
     if (board_pixel_is_plain(board) || pixel_is_there(board, access)) {
         /* Lines begin at a multiple of four pixels, so rounding the pixel rounds X. */
         uint32_t pixel = (uint32_t)board->place / 3 & ~(uint32_t)3;
+        board_note_change(board, pixel % BOARD_WIDTH, pixel / BOARD_WIDTH, 4);
         for (uint32_t i = 0; i < 4 * 3; i++) {
             board->memory[pixel * 3 + i] = (uint8_t)access.value;
         }
@@ -119,6 +119,7 @@ static void write_data(struct board *board, struct access access) {
     board_note_use(board, BOARD_DATA_WRITE);
     board->controller[board->index] = value;
     board->controller_written[board->index] = 1;
+    board->changes.is_all = true;
     if (board_index_is_start_address(board->index)) {
         if (value != 0xFF) {
             report(board, BOARD_START_ADDRESS, access);
@@ -128,11 +129,16 @@ static void write_data(struct board *board, struct access access) {
     }
 }
 
+static bool is_blank(const struct board *board) {
+    return board->blanking == BOARD_BLANKING_COUNTED
+               ? board->accesses % FRAME_ACCESSES >= FRAME_SHOWN_ACCESSES
+               : board->blanking == BOARD_BLANKING_ON;
+}
+
 static uint8_t read_data(struct board *board, struct access access) {
     if (board->desc.profile == BOARD_LATER && board->index == BOARD_STATUS_INDEX) {
         board_note_use(board, BOARD_STATUS_READ);
-        bool is_blank = board->accesses % FRAME_ACCESSES >= FRAME_SHOWN_ACCESSES;
-        return is_blank ? BOARD_STATUS_BLANK : 0;
+        return is_blank(board) ? BOARD_STATUS_BLANK : 0;
     }
     if (board->controller_written[board->index] == 0) {
         access.value = board->controller[board->index];
@@ -146,7 +152,8 @@ static uint8_t read_data(struct board *board, struct access access) {
 static void write_mode(struct board *board, struct access access) {
     uint8_t mode = (uint8_t)access.value;
     board->mode = mode;
-    board->is_stepping = board->desc.profile == BOARD_LATER && (mode & BOARD_MODE_STEP) != 0;
+    board->is_stepping = board_steps(board);
+    board->changes.is_all = true;
     if (mode == BOARD_MODE_PC || mode == BOARD_MODE_BOTH || mode == BOARD_MODE_BOARD) {
         board_note_use(board, BOARD_MODE_WRITE);
     } else {

@@ -46,11 +46,12 @@
  *       initialised nor above
  *     power-on                  registers 0, mode 00, memory as in the desc. A       A
  *     status bit 1              set for the last 40/440 of every             -       A
- *                               44326 accesses.
+ *                               44326 accesses, or as board_set_blanking()
+ *                               was told.
  *
  * NOT IMPLEMENTED: GRAYMODE, STEALWR, the second screen, the controller's cursor, light pen and
  * interrupts, wait states, DMA. Nor is time: an access takes no time, and the blanking follows the
- * number of accesses. Nobody knows what a real board does there. */
+ * number of accesses, or whoever keeps the time. Nobody knows what a real board does there. */
 #ifndef SUPERFRAME_EMULATOR_BOARD_H
 #define SUPERFRAME_EMULATOR_BOARD_H
 
@@ -80,6 +81,15 @@ enum board_profile { BOARD_1987, BOARD_LATER, BOARD_PROFILES };
 
 /* What a pixel access at X >= 640 does; reported either way (grade A). */
 enum board_outside { BOARD_OUTSIDE_IGNORED, BOARD_OUTSIDE_WRAPS };
+
+/* Where the status takes the vertical blanking from. Counted: from the number of accesses. The
+ * others: from outside, the CRT is in the blanking or not. */
+enum board_blanking {
+    BOARD_BLANKING_COUNTED,
+    BOARD_BLANKING_OFF,
+    BOARD_BLANKING_ON,
+    BOARD_BLANKINGS
+};
 
 /* What the board did for an access. Every behaviour has a grade and a verdict in each profile:
  * board_behaviour_grade(), board_behaviour_is_violation(). */
@@ -137,6 +147,13 @@ struct board_violation {
     bool is_read;
 };
 
+/* Pixels of the frame memory that have been written since board_take_changes(), as the smallest
+ * rectangle. Right and bottom are the first column and line outside. */
+struct board_changes {
+    uint16_t left, top, right, bottom; /* none: 640, 416, 0, 0 */
+    bool is_all;                       /* whatever else decides what is shown has changed too */
+};
+
 /* How often a behaviour was relied on. */
 struct board_note {
     uint64_t count;
@@ -154,6 +171,7 @@ struct board {
     uint8_t mode;                    /* as written */
     bool is_stepping;                /* mode bit 40h holds, and the profile knows it */
     bool is_wrapped;                 /* place was found by wrapping X */
+    enum board_blanking blanking;
     uint8_t controller[256];         /* by index */
     uint8_t controller_written[256]; /* 1: has been written since reset */
     uint64_t accesses;               /* all of them, foreign ports included */
@@ -162,7 +180,8 @@ struct board {
     struct board_note notes[BOARD_BEHAVIOURS];
     unsigned log_count; /* entries of the log that are used; the first BOARD_LOG_SIZE are kept */
     struct board_violation log[BOARD_LOG_SIZE];
-    /* R, G, B; BOARD_WIDTH pixels a line, BOARD_MEMORY_HEIGHT lines. write_png() can dump the first
+    struct board_changes changes;
+    /* The last member, so that board_restore() can tell the rest from it. R, G, B; BOARD_WIDTH pixels a line, BOARD_MEMORY_HEIGHT lines. write_png() can dump the first
      * 400 lines, or all 416 with the hidden blocks. Of the hidden blocks the board has the left 384
      * pixels. */
     uint8_t memory[BOARD_MEMORY_BYTES];
@@ -178,6 +197,10 @@ bool board_init(struct board *board, const struct board_desc *desc);
 /* Resets the board as the machine's reset does: registers as at power-on; memory, counters and log
  * stay (grade A). */
 void board_reset(struct board *board);
+
+/* Says where the status takes the blanking from. Whoever keeps the time calls it when the blanking
+ * begins and ends, or before each read. The factory's board counts. */
+void board_set_blanking(struct board *board, enum board_blanking blanking);
 
 /* Does one OUT to any port. width is 1, 2 or 4 bytes; of the value the low `width` bytes count.
  * Four bytes are two words on the PC-98's bus. The low one goes to `port`, then the high one to the

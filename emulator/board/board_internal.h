@@ -6,6 +6,8 @@
 #include "board.h"
 #include "board_controller.h"
 
+enum { BOARD_X_MASK = 0x03FF, BOARD_Y_MASK = 0x01FF };
+
 /* Tells whether a port is one of the board's sixteen. */
 static inline bool board_decodes(const struct board *board, uint16_t port) {
     return (uint16_t)(port - board->desc.base) < BOARD_PORTS;
@@ -26,6 +28,33 @@ static inline bool board_pixel_is_plain(const struct board *board) {
     return (uint32_t)board->place < (uint32_t)(BOARD_WIDTH * BOARD_HEIGHT * 3) &&
            !board->is_wrapped;
 }
+
+/* Begins the changes anew: none so far. */
+static inline void board_forget_changes(struct board *board) {
+    struct board_changes *changes = &board->changes;
+    changes->left = BOARD_WIDTH;
+    changes->top = BOARD_MEMORY_HEIGHT;
+    changes->right = 0;
+    changes->bottom = 0;
+    changes->is_all = false;
+}
+
+/* Widens the changes by pixels of a line of the frame memory. */
+static inline void board_note_change(struct board *board, unsigned x, unsigned y, unsigned width) {
+    struct board_changes *changes = &board->changes;
+    changes->left = x < changes->left ? (uint16_t)x : changes->left;
+    changes->top = y < changes->top ? (uint16_t)y : changes->top;
+    changes->right = x + width > changes->right ? (uint16_t)(x + width) : changes->right;
+    changes->bottom = y >= changes->bottom ? (uint16_t)(y + 1) : changes->bottom;
+}
+
+/* Tells whether the mode steps X: its bit 40h does on the later boards. */
+static inline bool board_steps(const struct board *board) {
+    return board->desc.profile == BOARD_LATER && (board->mode & BOARD_MODE_STEP) != 0;
+}
+
+/* Finds the pixel that X and Y name, so that a pixel write is one store. */
+void board_locate(struct board *board);
 
 /* Does any write, also those that board_write() does by itself. */
 void board_write_any(struct board *board, uint16_t port, uint32_t value, unsigned width);

@@ -8,18 +8,19 @@
  * they do nothing and return false. The short path has a file of its own. A compiler that sees both
  * paths makes room for the long path in the short one. */
 
-static inline bool write_primary(struct board *board, unsigned offset, uint16_t value) {
+static inline bool put_primary(struct board *board, unsigned offset, uint16_t value) {
     if (!board_pixel_is_plain(board) || board->is_stepping) {
         return false;
     }
     board->accesses++;
     board->writes[offset][BUS_BYTE - 1]++;
     board_note_use(board, BOARD_PRIMARY_WRITE);
+    board_note_change(board, board->x, board->y, 1);
     board->memory[(uint32_t)board->place + offset / 2 - BOARD_RED / 2] = (uint8_t)value;
     return true;
 }
 
-static inline bool write_x(struct board *board, unsigned offset, uint16_t x) {
+static inline bool put_x(struct board *board, unsigned offset, uint16_t x) {
     if (x >= BOARD_WIDTH || board->y >= BOARD_HEIGHT) {
         return false;
     }
@@ -36,8 +37,8 @@ void board_write(struct board *board, uint16_t port, uint32_t value, unsigned wi
     unsigned offset = (uint16_t)(port - board->desc.base);
     bool is_primary = offset == BOARD_RED || offset == BOARD_GREEN || offset == BOARD_BLUE;
     bool is_done =
-        (is_primary && width == BUS_BYTE && write_primary(board, offset, (uint16_t)value)) ||
-        (offset == BOARD_X && width == BUS_WORD && write_x(board, offset, (uint16_t)value));
+        (is_primary && width == BUS_BYTE && put_primary(board, offset, (uint16_t)value)) ||
+        (offset == BOARD_X && width == BUS_WORD && put_x(board, offset, (uint16_t)value));
     if (!is_done) {
         board_write_any(board, port, value, width);
     }

@@ -2,6 +2,8 @@
 /* How the board is made, powered on and reset. */
 #include "board.h"
 
+#include "board_internal.h"
+
 #include <string.h>
 
 #include "splitmix64.h"
@@ -29,8 +31,13 @@ bool board_init(struct board *board, const struct board_desc *desc) {
     if (desc->noise) {
         fill_with_noise(board, desc->noise_seed);
     }
+    board_forget_changes(board);
     board_reset(board);
     return true;
+}
+
+void board_set_blanking(struct board *board, enum board_blanking blanking) {
+    board->blanking = blanking;
 }
 
 void board_reset(struct board *board) {
@@ -43,4 +50,5 @@ void board_reset(struct board *board) {
     board->is_wrapped = false;
     memset(board->controller, 0, sizeof board->controller);
     memset(board->controller_written, 0, sizeof board->controller_written);
+    board->changes.is_all = true;
 }

@@ -37,9 +37,7 @@ const char *picture_state_text(enum picture_state state);
 /* Draws what the CRT shows into rgb. The board's picture is black unless the returned state is
  * PICTURE_OK. native is the PC-9801's own screen; NULL: black.
  *
- * Mode bits 1-0: 00 and 10 the PC's screen only, 01 both, 11 the board only (grade D; 10: A). With
- * both, the board shows where the PC's screen is black (grade A). The later profile scrolls by the
- * display start address, blocks counted modulo 2048 (grade A). */
+ * board_draw_over() says what the mode chooses. */
 enum picture_state picture_draw(const struct board *board, const struct native_screen *native,
                                 uint8_t rgb[PICTURE_BYTES]);
 
