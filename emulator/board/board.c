@@ -246,7 +246,7 @@ static void write_word(struct board *board, unsigned offset, struct access acces
 /* Writes one half of a word at an odd port: CPU and bus make two byte accesses of such a word. */
 static void write_half(struct board *board, uint16_t port, unsigned value) {
     unsigned offset = (uint16_t)(port - board->desc.base);
-    struct access access = {port, (uint16_t)(value & 0xFF), BUS_BYTE, false};
+    struct access access = {port, (uint16_t)(value & 0xFF), BOARD_BYTE, false};
     if (offset < BOARD_PORTS) {
         write_byte(board, offset, access);
     } else {
@@ -265,11 +265,9 @@ static void write_split(struct board *board, uint16_t port, uint16_t value) {
     }
 }
 
-enum { TWO_WORDS = 4 }; /* the width of a 32-bit access */
-
 /* Tells whether a width is one that a 16-bit bus has. */
 static bool is_of_the_bus(unsigned width) {
-    return width == BUS_BYTE || width == BUS_WORD;
+    return width == BOARD_BYTE || width == BOARD_WORD;
 }
 
 /* Does a write of one byte or one word. */
@@ -281,12 +279,12 @@ static void write_once(struct board *board, uint16_t port, uint16_t value, unsig
     if (is_decoded) {
         board->writes[offset][width - 1]++;
     }
-    if (is_decoded && width == BUS_BYTE) {
+    if (is_decoded && width == BOARD_BYTE) {
         access.value &= 0xFF;
         write_byte(board, offset, access);
     } else if (is_decoded && (offset & 1) == 0) {
         write_word(board, offset, access);
-    } else if (width == BUS_WORD && (port & 1) != 0) {
+    } else if (width == BOARD_WORD && (port & 1) != 0) {
         write_split(board, port, value);
     } else {
         board_note_use(board, BOARD_FOREIGN_WRITE);
@@ -296,9 +294,9 @@ static void write_once(struct board *board, uint16_t port, uint16_t value, unsig
 void board_write_any(struct board *board, uint16_t port, uint32_t value, unsigned width) {
     if (is_of_the_bus(width)) {
         write_once(board, port, (uint16_t)value, width);
-    } else if (width == TWO_WORDS) {
-        write_once(board, port, (uint16_t)value, BUS_WORD);
-        write_once(board, (uint16_t)(port + 2), (uint16_t)(value >> 16), BUS_WORD);
+    } else if (width == BOARD_TWO_WORDS) {
+        write_once(board, port, (uint16_t)value, BOARD_WORD);
+        write_once(board, (uint16_t)(port + 2), (uint16_t)(value >> 16), BOARD_WORD);
     }
 }
 
@@ -356,7 +354,7 @@ static uint16_t read_word(struct board *board, unsigned offset, struct access ac
 
 static uint8_t read_half(struct board *board, uint16_t port) {
     unsigned offset = (uint16_t)(port - board->desc.base);
-    struct access access = {port, 0x00FF, BUS_BYTE, true};
+    struct access access = {port, 0x00FF, BOARD_BYTE, true};
     if (offset < BOARD_PORTS) {
         return read_byte(board, offset, access);
     }
@@ -367,11 +365,12 @@ static uint8_t read_half(struct board *board, uint16_t port) {
 /* Does a read of one byte or one word. */
 static uint16_t read_once(struct board *board, uint16_t port, unsigned width) {
     unsigned offset = (uint16_t)(port - board->desc.base);
-    struct access access = {port, width == BUS_BYTE ? 0x00FF : 0xFFFF, (uint8_t)width, true};
+    struct access access = {port, (uint16_t)(width == BOARD_BYTE ? 0x00FF : 0xFFFF), (uint8_t)width,
+                            true};
     board->accesses++;
     if (offset < BOARD_PORTS) {
         board->reads[offset][width - 1]++;
-        if (width == BUS_BYTE) {
+        if (width == BOARD_BYTE) {
             return read_byte(board, offset, access);
         }
         if ((offset & 1) == 0) {
@@ -379,7 +378,7 @@ static uint16_t read_once(struct board *board, uint16_t port, unsigned width) {
         }
     }
     uint16_t next = (uint16_t)(port + 1);
-    if (width == BUS_WORD && (port & 1) != 0 &&
+    if (width == BOARD_WORD && (port & 1) != 0 &&
         (board_decodes(board, port) || board_decodes(board, next))) {
         board_note_use(board, BOARD_WORD_SPLIT);
         unsigned low = read_half(board, port);
@@ -393,9 +392,9 @@ uint32_t board_read(struct board *board, uint16_t port, unsigned width) {
     if (is_of_the_bus(width)) {
         return read_once(board, port, width);
     }
-    if (width != TWO_WORDS) {
+    if (width != BOARD_TWO_WORDS) {
         return UINT32_MAX;
     }
-    uint32_t low = read_once(board, port, BUS_WORD);
-    return low | (uint32_t)read_once(board, (uint16_t)(port + 2), BUS_WORD) << 16;
+    uint32_t low = read_once(board, port, BOARD_WORD);
+    return low | (uint32_t)read_once(board, (uint16_t)(port + 2), BOARD_WORD) << 16;
 }

@@ -165,12 +165,12 @@ enum { BOARD_LOG_SIZE = 64 };
 /* The board. Copy it as you like; change it by ports. Fields are for reading. */
 struct board {
     struct board_desc desc;
-    uint16_t x, y;                   /* as written: 0..1023, 0..511 */
-    int32_t place;                   /* byte offset of the pixel in memory, -1: outside */
-    uint8_t index;                   /* control 1 */
-    uint8_t mode;                    /* as written */
-    bool is_stepping;                /* mode bit 40h holds, and the profile knows it */
-    bool is_wrapped;                 /* place was found by wrapping X */
+    uint16_t x, y;    /* as written: 0..1023, 0..511 */
+    int32_t place;    /* byte offset of the pixel in memory, -1: outside */
+    uint8_t index;    /* control 1 */
+    uint8_t mode;     /* as written */
+    bool is_stepping; /* mode bit 40h holds, and the profile knows it */
+    bool is_wrapped;  /* place was found by wrapping X */
     enum board_blanking blanking;
     uint8_t controller[256];         /* by index */
     uint8_t controller_written[256]; /* 1: has been written since reset */
@@ -181,9 +181,9 @@ struct board {
     unsigned log_count; /* entries of the log that are used; the first BOARD_LOG_SIZE are kept */
     struct board_violation log[BOARD_LOG_SIZE];
     struct board_changes changes;
-    /* The last member, so that board_restore() can tell the rest from it. R, G, B; BOARD_WIDTH pixels a line, BOARD_MEMORY_HEIGHT lines. write_png() can dump the first
+    /* R, G, B; BOARD_WIDTH pixels a line, BOARD_MEMORY_HEIGHT lines. write_png() can dump the first
      * 400 lines, or all 416 with the hidden blocks. Of the hidden blocks the board has the left 384
-     * pixels. */
+     * pixels. The last member: board_restore() checks whatever stands before it. */
     uint8_t memory[BOARD_MEMORY_BYTES];
 };
 
@@ -240,6 +240,8 @@ const char *board_profile_text(enum board_profile profile);
 
 /* Reads a profile's name. Returns false if the text is none. */
 bool board_profile_from_text(const char *text, enum board_profile *profile);
+
+/* ---- On a bus ------------------------------------------------------------------------------- */
 
 /* The board as a bus. The board must outlive the bus; several buses may share one board. */
 struct board_bus {

@@ -6,6 +6,9 @@
 #include "board.h"
 #include "board_controller.h"
 
+/* Widths of accesses, in bytes. */
+enum { BOARD_BYTE = 1, BOARD_WORD = 2, BOARD_TWO_WORDS = 4 };
+
 enum { BOARD_X_MASK = 0x03FF, BOARD_Y_MASK = 0x01FF };
 
 /* Tells whether a port is one of the board's sixteen. */

@@ -13,7 +13,7 @@ static inline bool put_primary(struct board *board, unsigned offset, uint16_t va
         return false;
     }
     board->accesses++;
-    board->writes[offset][BUS_BYTE - 1]++;
+    board->writes[offset][BOARD_BYTE - 1]++;
     board_note_use(board, BOARD_PRIMARY_WRITE);
     board_note_change(board, board->x, board->y, 1);
     board->memory[(uint32_t)board->place + offset / 2 - BOARD_RED / 2] = (uint8_t)value;
@@ -25,7 +25,7 @@ static inline bool put_x(struct board *board, unsigned offset, uint16_t x) {
         return false;
     }
     board->accesses++;
-    board->writes[offset][BUS_WORD - 1]++;
+    board->writes[offset][BOARD_WORD - 1]++;
     board_note_use(board, BOARD_POSITION_WRITE);
     board->x = x;
     board->is_wrapped = false;
@@ -37,8 +37,8 @@ void board_write(struct board *board, uint16_t port, uint32_t value, unsigned wi
     unsigned offset = (uint16_t)(port - board->desc.base);
     bool is_primary = offset == BOARD_RED || offset == BOARD_GREEN || offset == BOARD_BLUE;
     bool is_done =
-        (is_primary && width == BUS_BYTE && put_primary(board, offset, (uint16_t)value)) ||
-        (offset == BOARD_X && width == BUS_WORD && put_x(board, offset, (uint16_t)value));
+        (is_primary && width == BOARD_BYTE && put_primary(board, offset, (uint16_t)value)) ||
+        (offset == BOARD_X && width == BOARD_WORD && put_x(board, offset, (uint16_t)value));
     if (!is_done) {
         board_write_any(board, port, value, width);
     }

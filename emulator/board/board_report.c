@@ -2,83 +2,61 @@
 /* What each behaviour of the board is called, how well it is known, and where it is a violation. */
 #include "board.h"
 
-#include <ctype.h>
 #include <stddef.h>
 #include <string.h>
 
-/* One behaviour; the grades and verdicts in the order of enum board_profile. */
-struct behaviour {
+/* By enum board_behaviour: the text, and the grades in the order of enum board_profile. Without
+ * designators, which C++ has not, a comment names the row. */
+static const struct {
     const char *text;
     enum board_grade grade[BOARD_PROFILES];
-    bool is_violation[BOARD_PROFILES];
-};
-
-static const struct behaviour behaviours[BOARD_BEHAVIOURS] = {
-    [BOARD_INDEX_WRITE] = {"control 1 written: the index",
-                           {GRADE_DRIVER, GRADE_DRIVER},
-                           {false, false}},
-    [BOARD_DATA_WRITE] = {"control 2 written: the indexed register",
-                          {GRADE_DRIVER, GRADE_DRIVER},
-                          {false, false}},
-    [BOARD_DATA_READ] = {"control 2 read: what was written to the index",
-                         {GRADE_INFERRED, GRADE_INFERRED},
-                         {false, false}},
-    [BOARD_STATUS_READ] = {"control 2 read: the status",
-                           {GRADE_DRIVER, GRADE_DRIVER},
-                           {false, false}},
-    [BOARD_POSITION_WRITE] = {"X or Y written as a word",
-                              {GRADE_PAPER, GRADE_PAPER},
-                              {false, false}},
-    [BOARD_POSITION_LOW_WRITE] = {"X or Y written as a byte: the upper bits stay",
-                                  {GRADE_INFERRED, GRADE_INFERRED},
-                                  {false, false}},
-    [BOARD_PRIMARY_WRITE] = {"red, green or blue written",
-                             {GRADE_PAPER, GRADE_PAPER},
-                             {false, false}},
-    [BOARD_PRIMARY_READ] = {"red, green or blue read", {GRADE_PAPER, GRADE_PAPER}, {false, false}},
-    [BOARD_MODE_WRITE] = {"mode set to 00, 01 or 03", {GRADE_DRIVER, GRADE_DRIVER}, {false, false}},
-    [BOARD_CONTROL1_READ] = {"control 1 read, which is for writing",
-                             {GRADE_ASSUMED, GRADE_DRIVER},
-                             {true, false}},
-    [BOARD_CONTROL1_BYTE_READ] = {"control 1 read as a byte",
-                                  {GRADE_ASSUMED, GRADE_INFERRED},
-                                  {true, false}},
-    [BOARD_RED_WORD_WRITE] = {"red written as a word: the fill of four pixels on later boards",
-                              {GRADE_ASSUMED, GRADE_INFERRED},
-                              {true, false}},
-    [BOARD_HIDDEN_ACCESS] = {"a pixel of the hidden blocks",
-                             {GRADE_DRIVER, GRADE_DRIVER},
-                             {false, false}},
-    [BOARD_START_ADDRESS] = {"a display start address other than 0",
-                             {GRADE_ASSUMED, GRADE_INFERRED},
-                             {true, false}},
-    [BOARD_WORD_SPLIT] = {"a word at an odd port, taken as two bytes",
-                          {GRADE_INFERRED, GRADE_INFERRED},
-                          {false, false}},
-    [BOARD_FOREIGN_WRITE] = {"a write outside the board's ports",
-                             {GRADE_DRIVER, GRADE_DRIVER},
-                             {false, false}},
-#define ASSUMED(words)                                                                             \
-    {                                                                                              \
-        words, {GRADE_ASSUMED, GRADE_ASSUMED}, {                                                   \
-            true, true                                                                             \
-        }                                                                                          \
-    }
-    [BOARD_FILL_UNSEEN] = ASSUMED("a fill with X not a multiple of 4, or a value other than 0"),
-    [BOARD_POSITION_HIGH_WRITE] = ASSUMED("X or Y written as a byte at the odd port"),
-    [BOARD_ODD_WRITE] = ASSUMED("a byte written at an odd port"),
-    [BOARD_ODD_READ] = ASSUMED("a byte read at an odd port"),
-    [BOARD_PRIMARY_WORD_WRITE] = ASSUMED("green or blue written as a word"),
-    [BOARD_PRIMARY_WORD_READ] = ASSUMED("red, green or blue read as a word"),
-    [BOARD_WRITE_ONLY_READ] = ASSUMED("a write-only register read"),
-    [BOARD_FOREIGN_READ] = ASSUMED("a read outside the board's ports"),
-    [BOARD_OUTSIDE_WRITE] = ASSUMED("a pixel written outside the frame memory"),
-    [BOARD_OUTSIDE_READ] = ASSUMED("a pixel read outside the frame memory"),
-    [BOARD_UNKNOWN_INDEX] = ASSUMED("data for an index of unknown meaning"),
-    [BOARD_UNWRITTEN_READ] = ASSUMED("data read from an index that was never written"),
-    [BOARD_MODE_UNKNOWN] = ASSUMED("a mode with bits of unknown effect"),
-    [BOARD_AUTO_INCREMENT] = ASSUMED("X stepped by itself, after blue"),
-#undef ASSUMED
+} behaviours[BOARD_BEHAVIOURS] = {
+    /* BOARD_INDEX_WRITE */ {"control 1 written: the index", {GRADE_DRIVER, GRADE_DRIVER}},
+    /* BOARD_DATA_WRITE */
+    {"control 2 written: the indexed register", {GRADE_DRIVER, GRADE_DRIVER}},
+    /* BOARD_DATA_READ */
+    {"control 2 read: what was written to the index", {GRADE_INFERRED, GRADE_INFERRED}},
+    /* BOARD_STATUS_READ */ {"control 2 read: the status", {GRADE_DRIVER, GRADE_DRIVER}},
+    /* BOARD_POSITION_WRITE */ {"X or Y written as a word", {GRADE_PAPER, GRADE_PAPER}},
+    /* BOARD_POSITION_LOW_WRITE */
+    {"X or Y written as a byte: the upper bits stay", {GRADE_INFERRED, GRADE_INFERRED}},
+    /* BOARD_PRIMARY_WRITE */ {"red, green or blue written", {GRADE_PAPER, GRADE_PAPER}},
+    /* BOARD_PRIMARY_READ */ {"red, green or blue read", {GRADE_PAPER, GRADE_PAPER}},
+    /* BOARD_MODE_WRITE */ {"mode set to 00, 01 or 03", {GRADE_DRIVER, GRADE_DRIVER}},
+    /* BOARD_CONTROL1_READ */
+    {"control 1 read, which is for writing", {GRADE_ASSUMED, GRADE_DRIVER}},
+    /* BOARD_CONTROL1_BYTE_READ */ {"control 1 read as a byte", {GRADE_ASSUMED, GRADE_INFERRED}},
+    /* BOARD_RED_WORD_WRITE */
+    {"red written as a word: the fill of four pixels on later boards",
+     {GRADE_ASSUMED, GRADE_INFERRED}},
+    /* BOARD_HIDDEN_ACCESS */ {"a pixel of the hidden blocks", {GRADE_DRIVER, GRADE_DRIVER}},
+    /* BOARD_START_ADDRESS */
+    {"a display start address other than 0", {GRADE_ASSUMED, GRADE_INFERRED}},
+    /* BOARD_WORD_SPLIT */
+    {"a word at an odd port, taken as two bytes", {GRADE_INFERRED, GRADE_INFERRED}},
+    /* BOARD_FOREIGN_WRITE */ {"a write outside the board's ports", {GRADE_DRIVER, GRADE_DRIVER}},
+    /* BOARD_FILL_UNSEEN */
+    {"a fill with X not a multiple of 4, or a value other than 0", {GRADE_ASSUMED, GRADE_ASSUMED}},
+    /* BOARD_POSITION_HIGH_WRITE */
+    {"X or Y written as a byte at the odd port", {GRADE_ASSUMED, GRADE_ASSUMED}},
+    /* BOARD_ODD_WRITE */ {"a byte written at an odd port", {GRADE_ASSUMED, GRADE_ASSUMED}},
+    /* BOARD_ODD_READ */ {"a byte read at an odd port", {GRADE_ASSUMED, GRADE_ASSUMED}},
+    /* BOARD_PRIMARY_WORD_WRITE */
+    {"green or blue written as a word", {GRADE_ASSUMED, GRADE_ASSUMED}},
+    /* BOARD_PRIMARY_WORD_READ */
+    {"red, green or blue read as a word", {GRADE_ASSUMED, GRADE_ASSUMED}},
+    /* BOARD_WRITE_ONLY_READ */ {"a write-only register read", {GRADE_ASSUMED, GRADE_ASSUMED}},
+    /* BOARD_FOREIGN_READ */ {"a read outside the board's ports", {GRADE_ASSUMED, GRADE_ASSUMED}},
+    /* BOARD_OUTSIDE_WRITE */
+    {"a pixel written outside the frame memory", {GRADE_ASSUMED, GRADE_ASSUMED}},
+    /* BOARD_OUTSIDE_READ */
+    {"a pixel read outside the frame memory", {GRADE_ASSUMED, GRADE_ASSUMED}},
+    /* BOARD_UNKNOWN_INDEX */
+    {"data for an index of unknown meaning", {GRADE_ASSUMED, GRADE_ASSUMED}},
+    /* BOARD_UNWRITTEN_READ */
+    {"data read from an index that was never written", {GRADE_ASSUMED, GRADE_ASSUMED}},
+    /* BOARD_MODE_UNKNOWN */ {"a mode with bits of unknown effect", {GRADE_ASSUMED, GRADE_ASSUMED}},
+    /* BOARD_AUTO_INCREMENT */ {"X stepped by itself, after blue", {GRADE_ASSUMED, GRADE_ASSUMED}},
 };
 
 enum board_grade board_behaviour_grade(enum board_behaviour behaviour, enum board_profile profile) {
@@ -86,7 +64,7 @@ enum board_grade board_behaviour_grade(enum board_behaviour behaviour, enum boar
 }
 
 bool board_behaviour_is_violation(enum board_behaviour behaviour, enum board_profile profile) {
-    return behaviours[behaviour].is_violation[profile];
+    return board_behaviour_grade(behaviour, profile) == GRADE_ASSUMED;
 }
 
 const char *board_behaviour_text(enum board_behaviour behaviour) {
@@ -96,7 +74,7 @@ const char *board_behaviour_text(enum board_behaviour behaviour) {
 uint64_t board_violations(const struct board *board) {
     uint64_t sum = 0;
     for (unsigned i = 0; i < BOARD_BEHAVIOURS; i++) {
-        if (behaviours[i].is_violation[board->desc.profile]) {
+        if (board_behaviour_is_violation((enum board_behaviour)i, board->desc.profile)) {
             sum += board->notes[i].count;
         }
     }
@@ -115,13 +93,12 @@ uint64_t board_reliances(const struct board *board, enum board_grade grade) {
 
 /* ---- Names ---------------------------------------------------------------------------------- */
 
+/* By enum board_grade. */
 static const struct {
     const char *letter;
     const char *word;
 } grade_names[] = {
-    [GRADE_PAPER] = {"P", "paper"},     [GRADE_DRIVER] = {"D", "driver"},
-    [GRADE_SHEET] = {"S", "sheet"},     [GRADE_INFERRED] = {"I", "inferred"},
-    [GRADE_ASSUMED] = {"A", "assumed"},
+    {"P", "paper"}, {"D", "driver"}, {"S", "sheet"}, {"I", "inferred"}, {"A", "assumed"},
 };
 
 static const char *const profile_names[BOARD_PROFILES] = {"1987", "later"};
@@ -130,10 +107,15 @@ const char *board_grade_letter(enum board_grade grade) {
     return grade_names[grade].letter;
 }
 
-/* Tells whether two words are the same, whatever the case. strcasecmp() is POSIX, not C99, and
- * follows the locale. */
+/* Returns a letter of ASCII in lower case, and any other character as it is. tolower() follows the
+ * locale. */
+static char in_lower_case(char letter) {
+    return letter >= 'A' && letter <= 'Z' ? (char)(letter - 'A' + 'a') : letter;
+}
+
+/* Tells whether two words are the same, whatever the case. strcasecmp() is POSIX, not C99. */
 static bool is_same_word(const char *a, const char *b) {
-    while (*a != '\0' && tolower((unsigned char)*a) == tolower((unsigned char)*b)) {
+    while (*a != '\0' && in_lower_case(*a) == in_lower_case(*b)) {
         a++;
         b++;
     }

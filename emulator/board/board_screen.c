@@ -6,7 +6,7 @@
 
 #include <string.h>
 
-struct board_timing board_timing(const struct board *board) {
+struct board_timing board_read_timing(const struct board *board) {
     const uint8_t *registers = board->controller;
     struct board_timing timing = {true, 0, 0};
     for (unsigned index = 0; index < 32; index++) {
@@ -20,7 +20,7 @@ struct board_timing board_timing(const struct board *board) {
 }
 
 bool board_makes_picture(const struct board *board) {
-    struct board_timing timing = board_timing(board);
+    struct board_timing timing = board_read_timing(board);
     return timing.is_initialised && timing.width == BOARD_WIDTH && timing.height == BOARD_HEIGHT;
 }
 
@@ -107,7 +107,10 @@ struct board_area board_take_changes(struct board *board) {
     if (changes.is_all || (is_any && start_block(board) != 0)) {
         return area;
     }
-    unsigned bottom = changes.bottom < BOARD_HEIGHT ? changes.bottom : BOARD_HEIGHT;
+    unsigned bottom = changes.bottom;
+    if (bottom > BOARD_HEIGHT) {
+        bottom = BOARD_HEIGHT;
+    }
     if (!is_any || changes.top >= bottom) {
         area.width = 0;
         area.height = 0;

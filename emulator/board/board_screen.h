@@ -23,7 +23,7 @@ struct board_timing {
 };
 
 /* Reads the timing out of the controller's registers. */
-struct board_timing board_timing(const struct board *board);
+struct board_timing board_read_timing(const struct board *board);
 
 /* Tells whether the controller makes a picture: it has been initialised, and gives 640 x 400. */
 bool board_makes_picture(const struct board *board);

@@ -8,7 +8,7 @@
 #include <string.h>
 
 struct picture_timing picture_timing(const struct board *board) {
-    struct board_timing registers = board_timing(board);
+    struct board_timing registers = board_read_timing(board);
     struct picture_timing timing = {PICTURE_OK, registers.width, registers.height};
     if (!registers.is_initialised) {
         timing.state = PICTURE_NOT_INITIALISED;
