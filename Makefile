@@ -285,6 +285,7 @@ run:             RUN = $(BUILD)/superframe render $(SCENE) -o $(OUT).png ## Rend
 paper:           RUN = $(BUILD)/superframe paper --jobs 2 -o $(BUILD)/paper ## Make every figure of the paper, and measure its claims, in build/paper [paper]
 pc98:            RUN = $(call image_for,386-flat,disk.hdm) ## Make a PC-98 floppy of fig3 (or SCENE=...): build/out/fig3.hdm [pc98]
 pc98-probe:      RUN = CC='$(CC)' sh firmware/targets/build_probe.sh $(BUILD)/targets/probe && cp $(BUILD)/targets/probe/disk.hdm $(BUILD)/out/probe.hdm ## Make a PC-98 floppy that asks a real board what is not known: build/out/probe.hdm [pc98]
+amalgamation:    RUN = sh emulator/board/amalgamate.sh $(VERSION) $(BUILD)/amalgamation ## Write the board as a part for other emulators: build/amalgamation/superframe_board.[hc]
 wasm:            RUN = $(call image_for,wasm,image.wasm) ## Make a WebAssembly module of fig3 (or SCENE=...): build/out/fig3.wasm [quick]
 targets:         RUN = sh tests/targets/check_portability.sh && sh tests/targets/table.sh docs/targets.md ## Run fig3 and fig4b on every target; write the table in docs/targets.md [quick targets]
 size:            RUN = sh tests/targets/size.sh docs/size.txt ## Measure code, memory, stack and instructions against docs/size.txt [quick targets]

@@ -1,0 +1,102 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Builds what `make amalgamation` writes as other emulators would, and draws fig3 through each build.
+#
+# usage: BUILD=build sh tests/check_amalgamation.sh
+#
+# Held are: the pair compiles as C99 and as C++17, by gcc and clang, and for 32 bits, without a warning;
+# whatever the linker sees begins with superframe_; the C library's memory functions and strcmp() are all
+# that is asked for; the picture is that of `superframe replay`; and a state saved in the middle of fig3 and
+# restored in a fresh process gives the same picture, accesses and last state. Then the glue of
+# docs/examples/emulators is built and run in stand-ins of NP2kai, DOSBox-X and MAME.
+# Exit status: 0 all holds, 1 something does not, 2 the program is not there.
+set -u
+cd "$(dirname "$0")/.." || exit 2
+BUILD=$(cd "${BUILD:-build}" && pwd) || exit 2
+superframe=$BUILD/superframe
+pair=$BUILD/amalgamation
+out=$BUILD/out/amalgamation
+warnings='-pedantic -Wall -Wextra -Wconversion -Wshadow -Werror'
+failures=0
+
+wrong() {
+    echo "check_amalgamation: $*"
+    failures=$((failures + 1))
+}
+
+[ -x "$superframe" ] || {
+    echo "check_amalgamation: no program at $superframe: make" >&2
+    exit 2
+}
+rm -rf "$pair" "$out"
+mkdir -p "$out" || exit 2
+make --no-print-directory -s amalgamation BUILD="$BUILD" SETUP=no || exit 1
+
+# ---- fig3, and what the emulator makes of it ----
+
+# A board whose answers count too: at every thousandth access, red and blue are read back.
+"$superframe" render fig3 --bus trace:"$out/drawn.txt" > "$out/log" 2>&1 || wrong 'fig3 was not drawn'
+awk '!/^#/ { print; if (++number % 1000 == 0) print "in8 00D8 00\nin8 00DC 00" }' \
+    "$out/drawn.txt" > "$out/fig3.txt"
+"$superframe" replay "$out/fig3.txt" -o "$out/fig3.png" --stats "$out/stats.json" >> "$out/log" 2>&1
+crc=$(sed -n 's/.*"frame_crc": "\([0-9a-f]*\)".*/\1/p' "$out/stats.json")
+accesses=$(wc -l < "$out/fig3.txt")
+middle=$((accesses / 2))
+[ ${#crc} -eq 8 ] || wrong 'the emulator drew nothing'
+
+# ---- The pair ----
+
+# built NAME COMPILER...: builds the part, draws fig3 through it, and compares the picture.
+built() {
+    name=$1
+    shift
+    # shellcheck disable=SC2086 # words
+    "$@" $warnings -I"$pair" -Itests/emulators -o "$out/$name" "$pair/superframe_board.c" tests/emulators/part.c ||
+        {
+            wrong "$name: not built"
+            return
+        }
+    "$out/$name" "$out/fig3.txt" 1 "$accesses" - "$out/$name.state" > "$out/$name.txt" 2> "$out/$name.crc"
+    [ "$(cat "$out/$name.crc")" = "$crc" ] || wrong "$name: draws $(cat "$out/$name.crc"), the emulator $crc"
+    cmp "$out/$name.state" "$out/gcc-c99.state" || wrong "$name: ends in another state"
+}
+
+built gcc-c99 gcc -std=c99 -O2
+built clang-c99 clang -std=c99 -O1 -fsanitize=address,undefined -fno-sanitize-recover=all
+built gcc-c++17 g++ -x c++ -std=c++17 -O2
+built clang-c++17 clang++ -x c++ -std=c++17 -O1
+if echo 'int main(void) { return 0; }' | gcc -m32 -x c - -o "$out/32" 2> /dev/null; then
+    built gcc-32-bits gcc -std=c99 -m32 -O2
+else
+    echo 'skipped without gcc-multilib: the pair for 32 bits'
+fi
+
+gcc -std=c99 -O2 -c -o "$out/board.o" "$pair/superframe_board.c"
+foreign=$(nm -g --defined-only "$out/board.o" | awk '$NF !~ /^superframe_/ { print $NF }')
+[ -z "$foreign" ] || wrong "names without the prefix: $foreign"
+wanted=$(nm -u "$out/board.o" | awk '$NF !~ /^(memcpy|memset|memcmp|strcmp|__stack_chk_fail|_GLOBAL_OFFSET_TABLE_)$/ { print $NF }')
+[ -z "$wanted" ] || wrong "the part asks for $wanted"
+hidden=$(sed -n -e 's/^enum { *\([A-Z][A-Z_]*\).*/\1/p' -e 's/^ \{4\}\([A-Z][A-Z_0-9]*\)\( =\|,\).*/\1/p' \
+    -e 's/^#define \([A-Z_]*\).*/\1/p' -e 's/^\(struct\|enum\) \([a-z_]*\).*/\2/p' "$pair/superframe_board.h" |
+    grep -vi '^superframe')
+[ -z "$hidden" ] || wrong "the header shows names without the prefix: $hidden"
+
+# ---- A state in the middle of fig3 ----
+
+# Three processes: the whole, the first half, and the rest from the state of that half.
+part=$out/clang-c99
+"$part" "$out/fig3.txt" 1 "$middle" - "$out/half.state" > "$out/halves.txt" 2> "$out/half.crc"
+"$part" "$out/fig3.txt" $((middle + 1)) "$accesses" "$out/half.state" "$out/rest.state" >> "$out/halves.txt" 2> "$out/rest.crc"
+[ "$(cat "$out/half.crc")" != "$crc" ] || wrong 'half of fig3 is all of it'
+[ "$(cat "$out/rest.crc")" = "$crc" ] || wrong "restored in the middle: draws $(cat "$out/rest.crc"), not $crc"
+cmp "$out/halves.txt" "$out/gcc-c99.txt" || wrong 'restored in the middle: other accesses, or other answers'
+cmp "$out/rest.state" "$out/gcc-c99.state" || wrong 'restored in the middle: another state at the end'
+head -c 400000 "$out/half.state" > "$out/cut.state"
+if "$part" "$out/fig3.txt" 1 1 "$out/cut.state" "$out/none.state" > /dev/null 2> "$out/cut.log"; then
+    wrong 'half a state was taken'
+fi
+grep -q 'wrong length' "$out/cut.log" || wrong 'half a state is refused without the reason'
+
+rm -f "$out"/*.txt "$out"/*.state
+echo "check_amalgamation: $failures wrong"
+[ $failures -eq 0 ]
