@@ -81,7 +81,7 @@ renamed() {
 begin() {
     echo '/* SPDX-License-Identifier: MIT */'
     echo "/* $1 of superframe $version: $2"
-    echo ' * Made by `make amalgamation`. Change the sources of superframe instead.'
+    echo ' * Made by emulator/board/amalgamate.sh. Change the sources of superframe instead.'
     echo ' *'
     sed 's/^/ * /; s/ *$//' "$root/LICENSE"
     echo ' */'

@@ -5,13 +5,11 @@
  *     part TRACE FIRST LAST FROM TO
  *
  * plays the accesses FIRST..LAST, counted from 1, into a board restored from the file FROM ("-": a
- * board that was just switched on), and prints each of them as the board answers. The state goes to
- * the file TO, and the CRC-32 of the picture is printed to standard error. */
+ * board that was just switched on), and prints what each read was answered. The state goes to the
+ * file TO, and the CRC-32 of the picture is printed to standard error. */
 #include "superframe_board.h"
 
 #include "traced.h"
-
-#include <stdlib.h>
 
 static struct superframe board;
 static uint8_t state[SUPERFRAME_STATE_BYTES];
@@ -45,8 +43,9 @@ static void play(FILE *trace, unsigned long first, unsigned long last) {
         } else {
             superframe_write(&board, (uint16_t)access.port, access.value, access.width);
         }
-        printf("%s%u %04X %0*X\n", access.is_read ? "in" : "out", access.width * 8, access.port,
-               (int)access.width * 2, access.value);
+        if (access.is_read) {
+            printf("%lu %04X %02X\n", number, access.port, access.value);
+        }
     }
 }
 

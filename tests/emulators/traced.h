@@ -8,6 +8,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* One access of a trace: its port, its value as the trace has it, 1 or 2 bytes wide. */
@@ -20,10 +21,12 @@ struct traced {
 static inline bool next_traced(FILE *trace, struct traced *access) {
     char line[256];
     while (fgets(line, sizeof line, trace) != NULL) {
-        char operation[6];
-        if (sscanf(line, "%5[a-z0-9] %x %x", operation, &access->port, &access->value) == 3) {
-            access->is_read = operation[0] == 'i';
-            access->width = strchr(operation, '8') != NULL ? 1 : 2;
+        char *digits = strchr(line, ' ');
+        if (line[0] != '#' && digits != NULL) {
+            access->is_read = line[0] == 'i';
+            access->width = digits[-1] == '8' ? 1 : 2;
+            access->port = (unsigned)strtoul(digits, &digits, 16);
+            access->value = (unsigned)strtoul(digits, NULL, 16);
             return true;
         }
     }
