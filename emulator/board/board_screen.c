@@ -40,8 +40,8 @@ static bool is_shown(const struct board *board) {
     return (board->mode & BOARD_MODE_SHOWN) != 0;
 }
 
-/* Returns the board's pixel at a dot of the screen, as the controller walks the memory: 80 blocks a
- * row from the start address on. */
+/* Returns the board's pixel at a dot of the screen. The controller walks the memory from the start
+ * address on, 80 blocks a row. */
 static const uint8_t *shown_pixel(const struct board *board, unsigned start, unsigned x,
                                   unsigned y) {
     unsigned row = start + y / BOARD_BLOCK_HEIGHT * BOARD_BLOCKS_ON_A_ROW;

@@ -28,8 +28,8 @@ struct board_timing board_read_timing(const struct board *board);
 /* Tells whether the controller makes a picture: it has been initialised, and gives 640 x 400. */
 bool board_makes_picture(const struct board *board);
 
-/* Draws the board's picture over the PC-9801's. On entry rgb holds the latter, 640 x 400 pixels of
- * R, G and B, 0..255 each, from the top left; on return it holds what the CRT shows.
+/* Draws the board's picture over the PC-9801's. On entry rgb holds the PC-9801's picture: 640 x 400
+ * pixels of R, G and B, 0..255 each, from the top left. On return rgb holds what the CRT shows.
  *
  * Mode bits 1-0: with 00 and 10, the PC's picture stays (grade D; 10: A). With 01, the board shows
  * where the PC's picture is black (grade I, weak). With 11, the board shows everywhere (grade D). A
