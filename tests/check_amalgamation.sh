@@ -72,8 +72,10 @@ else
 fi
 
 gcc -std=c99 -O2 -c -o "$out/board.o" "$pair/superframe_board.c"
-foreign=$(nm -g --defined-only "$out/board.o" | awk '$NF !~ /^superframe_/ { print $NF }')
-[ -z "$foreign" ] || wrong "names without the prefix: $foreign"
+for name in $(nm -g --defined-only "$out/board.o" | awk '{ print $NF }'); do
+    grep -q "[ *]$name(.*" "$pair/superframe_board.h" || wrong "$name is shown to the linker, and not in the header"
+    [ "$name" != "${name#superframe_}" ] || wrong "$name has no prefix"
+done
 wanted=$(nm -u "$out/board.o" | awk '$NF !~ /^(memcpy|memset|memcmp|strcmp|__stack_chk_fail|_GLOBAL_OFFSET_TABLE_)$/ { print $NF }')
 [ -z "$wanted" ] || wrong "the part asks for $wanted"
 hidden=$(sed -n -e 's/^enum { *\([A-Z][A-Z_]*\).*/\1/p' -e 's/^ \{4\}\([A-Z][A-Z_0-9]*\)\( =\|,\).*/\1/p' \

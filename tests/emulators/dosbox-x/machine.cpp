@@ -186,6 +186,9 @@ static bool check_widths() {
     out(0xD5, 0x01, 1);
     HOLDS(in(0xD8, 1) == 0x77);
     HOLDS((in(0xD8, 4) & 0xFFFF) == 0xFF77);
+    out(0xDA, 0x55, 1);
+    out(0xD8, 0, 2); /* a word of red fills all primaries; two bytes do not */
+    HOLDS(in(0xDA, 1) == 0);
     HOLDS(in(0xE0, 2) == 0xFFFF); /* nobody's */
     out(0xCF, 0x1F00, 2);         /* the word's high byte is control 1's */
     vga.draw.delay.framestart = 100;

@@ -234,6 +234,9 @@ static bool check_widths(void) {
     out8(0xD5, 0x01);
     HOLDS(inp8(0xD8) == 0x77);
     HOLDS(inp16(0xD8) == 0xFF77);
+    out8(0xDA, 0x55);
+    out16(0xD8, 0); /* a word of red fills all primaries; two bytes do not */
+    HOLDS(inp8(0xDA) == 0);
     HOLDS(inp16(0xE0) == 0xFFFF); /* nobody's */
     out16(0xCF, 0x1F00);          /* the word's high byte is control 1's */
     gdc.vsync = 0x20;
