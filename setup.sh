@@ -24,6 +24,7 @@ build|header|libdeflate.h|libdeflate-dev
 test|header|cmocka.h|libcmocka-dev
 test|m32|stdio.h|gcc-multilib
 test|tool|clang|clang
+test|tool|g++|g++
 test|tool|pkg-config|pkg-config
 test|runtime|libclang_rt.fuzzer-x86_64.a|libclang-rt-14-dev
 pov|tool|povray|povray

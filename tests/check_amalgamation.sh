@@ -63,8 +63,12 @@ built() {
 
 built gcc-c99 gcc -std=c99 -O2
 built clang-c99 clang -std=c99 -O1 -fsanitize=address,undefined -fno-sanitize-recover=all
-built gcc-c++17 g++ -x c++ -std=c++17 -O2
-built clang-c++17 clang++ -x c++ -std=c++17 -O1
+if command -v g++ > /dev/null; then
+    built gcc-c++17 g++ -x c++ -std=c++17 -O2
+    built clang-c++17 clang++ -x c++ -std=c++17 -O1
+else
+    echo 'skipped without g++: the pair as C++17, and the glue for DOSBox-X and MAME'
+fi
 if echo 'int main(void) { return 0; }' | gcc -m32 -x c - -o "$out/32" 2> /dev/null; then
     built gcc-32-bits gcc -std=c99 -m32 -O2
 else
@@ -116,8 +120,10 @@ glued() {
 }
 
 glued np2kai gcc -std=c99
-glued dosbox-x g++ -x c++ -std=c++17
-glued mame g++ -x c++ -std=c++17
+if command -v g++ > /dev/null; then
+    glued dosbox-x g++ -x c++ -std=c++17
+    glued mame g++ -x c++ -std=c++17
+fi
 
 rm -f "$out"/*.txt "$out"/*.state
 echo "check_amalgamation: $failures wrong"
