@@ -12,6 +12,19 @@ enum {
 
 /* ---- The position --------------------------------------------------------------------------- */
 
+/* Widens the changes by the column and the line that X and Y name, each by itself: the other may be
+ * outside at first. Whatever is written comes after this, and costs less so. */
+static void note_place(struct board *board, unsigned x, unsigned y) {
+    struct board_changes *changes = &board->changes;
+    if (x < BOARD_WIDTH) {
+        board_note_columns(board, x, x + 1);
+    }
+    if (y < BOARD_MEMORY_HEIGHT) {
+        changes->top = y < changes->top ? (uint16_t)y : changes->top;
+        changes->bottom = y >= changes->bottom ? (uint16_t)(y + 1) : changes->bottom;
+    }
+}
+
 void board_locate(struct board *board) {
     uint32_t x = board->x;
     uint32_t y = board->y;
@@ -24,6 +37,13 @@ void board_locate(struct board *board) {
     bool is_hidden = board->desc.profile == BOARD_LATER && x < BOARD_HIDDEN_WIDTH &&
                      y >= BOARD_HEIGHT && y < BOARD_HIDDEN_HEIGHT;
     board->place = is_shown || is_hidden ? (int32_t)((y * BOARD_WIDTH + x) * 3) : -1;
+    note_place(board, x, y);
+}
+
+void board_forget_changes(struct board *board) {
+    static const struct board_changes none = {BOARD_WIDTH, BOARD_MEMORY_HEIGHT, 0, 0, false, false};
+    board->changes = none;
+    board_locate(board);
 }
 
 static void set_x(struct board *board, unsigned x) {
@@ -78,9 +98,8 @@ static bool pixel_is_there(struct board *board, struct access access) {
 
 static inline void write_primary(struct board *board, unsigned primary, struct access access) {
     if (board_pixel_is_plain(board) || pixel_is_there(board, access)) {
-        uint32_t place = (uint32_t)board->place;
-        board_note_change(board, place / 3 % BOARD_WIDTH, place / 3 / BOARD_WIDTH, 1);
-        board->memory[place + primary] = (uint8_t)access.value;
+        board->changes.is_written = true;
+        board->memory[(uint32_t)board->place + primary] = (uint8_t)access.value;
     }
 }
 
@@ -105,7 +124,8 @@ static void fill(struct board *board, struct access access) {
     if (board_pixel_is_plain(board) || pixel_is_there(board, access)) {
         /* Lines begin at a multiple of four pixels, so rounding the pixel rounds X. */
         uint32_t pixel = (uint32_t)board->place / 3 & ~(uint32_t)3;
-        board_note_change(board, pixel % BOARD_WIDTH, pixel / BOARD_WIDTH, 4);
+        board_note_columns(board, pixel % BOARD_WIDTH, pixel % BOARD_WIDTH + 4);
+        board->changes.is_written = true;
         for (uint32_t i = 0; i < 4 * 3; i++) {
             board->memory[pixel * 3 + i] = (uint8_t)access.value;
         }

@@ -147,10 +147,11 @@ struct board_violation {
     bool is_read;
 };
 
-/* Pixels of the frame memory that have been written since board_take_changes(), as the smallest
+/* The pixels of the frame memory that X and Y have named since board_take_changes(), as a
  * rectangle. Right and bottom are the first column and line outside. */
 struct board_changes {
     uint16_t left, top, right, bottom; /* none: 640, 416, 0, 0 */
+    bool is_written;                   /* a pixel of them was written */
     bool is_all;                       /* whatever else decides what is shown has changed too */
 };
 

@@ -32,29 +32,24 @@ static inline bool board_pixel_is_plain(const struct board *board) {
            !board->is_wrapped;
 }
 
-/* Begins the changes anew: none so far. */
-static inline void board_forget_changes(struct board *board) {
-    struct board_changes *changes = &board->changes;
-    changes->left = BOARD_WIDTH;
-    changes->top = BOARD_MEMORY_HEIGHT;
-    changes->right = 0;
-    changes->bottom = 0;
-    changes->is_all = false;
-}
-
-/* Widens the changes by pixels of a line of the frame memory. */
-static inline void board_note_change(struct board *board, unsigned x, unsigned y, unsigned width) {
-    struct board_changes *changes = &board->changes;
-    changes->left = x < changes->left ? (uint16_t)x : changes->left;
-    changes->top = y < changes->top ? (uint16_t)y : changes->top;
-    changes->right = x + width > changes->right ? (uint16_t)(x + width) : changes->right;
-    changes->bottom = y >= changes->bottom ? (uint16_t)(y + 1) : changes->bottom;
+/* Widens the changes by the columns x..end - 1. */
+static inline void board_note_columns(struct board *board, unsigned x, unsigned end) {
+    if (x < board->changes.left) {
+        board->changes.left = (uint16_t)x;
+    }
+    if (end > board->changes.right) {
+        board->changes.right = (uint16_t)end;
+    }
 }
 
 /* Tells whether the mode steps X: its bit 40h does on the later boards. */
 static inline bool board_steps(const struct board *board) {
     return board->desc.profile == BOARD_LATER && (board->mode & BOARD_MODE_STEP) != 0;
 }
+
+/* Finds the pixel that X and Y name, and begins the changes anew with that pixel: it may be written
+ * next. */
+void board_forget_changes(struct board *board);
 
 /* Finds the pixel that X and Y name, so that a pixel write is one store. */
 void board_locate(struct board *board);

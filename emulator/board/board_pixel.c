@@ -15,7 +15,7 @@ static inline bool put_primary(struct board *board, unsigned offset, uint16_t va
     board->accesses++;
     board->writes[offset][BOARD_BYTE - 1]++;
     board_note_use(board, BOARD_PRIMARY_WRITE);
-    board_note_change(board, board->x, board->y, 1);
+    board->changes.is_written = true;
     board->memory[(uint32_t)board->place + offset / 2 - BOARD_RED / 2] = (uint8_t)value;
     return true;
 }
@@ -27,6 +27,7 @@ static inline bool put_x(struct board *board, unsigned offset, uint16_t x) {
     board->accesses++;
     board->writes[offset][BOARD_WORD - 1]++;
     board_note_use(board, BOARD_POSITION_WRITE);
+    board_note_columns(board, x, x + 1U);
     board->x = x;
     board->is_wrapped = false;
     board->place = (int32_t)((board->y * (uint32_t)BOARD_WIDTH + x) * 3);

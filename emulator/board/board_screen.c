@@ -102,7 +102,7 @@ const uint8_t *board_screen_in_memory(const struct board *board) {
 struct board_area board_take_changes(struct board *board) {
     struct board_area area = {0, 0, BOARD_WIDTH, BOARD_HEIGHT};
     struct board_changes changes = board->changes;
-    bool is_any = changes.left < changes.right && is_shown(board);
+    bool is_any = changes.is_written && is_shown(board);
     board_forget_changes(board);
     if (changes.is_all || (is_any && start_block(board) != 0)) {
         return area;

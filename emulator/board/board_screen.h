@@ -45,9 +45,10 @@ void board_draw_over_line(const struct board *board, unsigned y, uint8_t rgb[BOA
 void board_draw_over_area(const struct board *board, struct board_area area, uint8_t *rgb,
                           size_t pitch);
 
-/* Returns the smallest rectangle known to hold whatever board_draw_over() draws in another way
- * than at the last call, and begins anew. At first, and after mode, controller or a restored state
- * have changed, that is the whole screen. */
+/* Returns a rectangle that holds whatever board_draw_over() draws in another way than at the last
+ * call, and begins anew. Where pixels were written, the rectangle holds each place that X and Y
+ * have named. At first, and after mode, controller or a restored state have changed, it is the
+ * screen. */
 struct board_area board_take_changes(struct board *board);
 
 /* Returns the screen's 768,000 bytes of R, G and B, if they lie in the board's memory as they are.

@@ -234,7 +234,6 @@ enum board_state_status board_restore(struct board *board, const uint8_t *bytes,
     }
     memcpy(board->memory, memory, sizeof board->memory);
     board->is_stepping = board_steps(board);
-    board_locate(board);
     board_forget_changes(board);
     board->changes.is_all = true;
     return BOARD_STATE_OK;

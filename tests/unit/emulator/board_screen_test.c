@@ -148,15 +148,24 @@ static void expect_changes(unsigned x, unsigned y, unsigned width, unsigned heig
     }
 }
 
+/* Goes to a pixel before the changes begin anew. */
+static void begin_at(unsigned x, unsigned y) {
+    go_to(x, y);
+    (void)board_take_changes(&board);
+}
+
 static void the_changed_rectangle_holds_whatever_was_written(void **state) {
     (void)state;
     power_on_shown(BOARD_LATER, 0x01);
     expect_changes(0, 0, 640, 400);
     expect_changes(0, 0, 0, 0);
-    put_pixel(10, 20, 0x010203);
+    begin_at(10, 20);
+    outp(0x00DA, 0x55);
     expect_changes(10, 20, 1, 1);
+    put_pixel(12, 20, 0x010203);
+    expect_changes(10, 20, 3, 1); /* from the place at which the changes began */
+    begin_at(3, 390);
     put_pixel(639, 399, 0x010203);
-    put_pixel(3, 390, 0x010203);
     put_pixel(5, 395, 0x010203);
     expect_changes(3, 390, 637, 10);
     go_to(14, 7);
@@ -167,15 +176,21 @@ static void the_changed_rectangle_holds_whatever_was_written(void **state) {
     expect_changes(12, 7, 4, 1); /* the fill of four pixels */
     outpw(0x00DA, 0x1234);
     expect_changes(14, 7, 1, 1);
+    outp(0x00D5, 0x01); /* X by its bytes, Y by its low one */
+    outp(0x00D4, 0x02);
+    outp(0x00D6, 0x09);
+    outp(0x00DC, 1);
+    expect_changes(14, 7, 257, 3); /* X was 14, 270 and 258, Y was 7 and 9 */
 }
 
 static void what_is_not_shown_has_not_changed(void **state) {
     (void)state;
     power_on_shown(BOARD_LATER, 0x01);
-    (void)board_take_changes(&board);
-    put_pixel(100, 403, 0x010203); /* the hidden blocks */
+    begin_at(100, 403); /* the hidden blocks */
+    outp(0x00D8, 1);
     expect_changes(0, 0, 0, 0);
-    put_pixel(700, 100, 0x010203); /* outside */
+    begin_at(700, 100); /* outside */
+    outp(0x00D8, 1);
     expect_changes(0, 0, 0, 0);
     outp(0x00DE, 0x00);
     (void)board_take_changes(&board);
@@ -208,13 +223,27 @@ static void x_that_wraps_or_steps_changes_where_it_writes(void **state) {
     initialise();
     outp(0x00DE, 0x41);
     (void)board_take_changes(&board);
-    go_to(650, 8);
+    begin_at(650, 8);
     outp(0x00D8, 1);
     expect_changes(10, 8, 1, 1);
-    go_to(20, 8);
+    begin_at(20, 8);
     outp(0x00DC, 1); /* and X is 21 */
     outp(0x00D8, 1);
     expect_changes(20, 8, 2, 1);
+    outp(0x00D8, 1);
+    expect_changes(21, 8, 1, 1);
+}
+
+static void a_line_that_y_named_while_x_was_outside_has_changed(void **state) {
+    (void)state;
+    power_on_shown(BOARD_LATER, 0x01);
+    begin_at(700, 10);
+    outpw(0x00D6, 50);
+    outpw(0x00D4, 5);
+    outp(0x00D8, 1);
+    struct board_area area = board_take_changes(&board);
+    assert_true(area.x <= 5 && area.x + area.width >= 6);
+    assert_true(area.y <= 50 && area.y + area.height >= 51);
 }
 
 /* Whatever is written, redrawing what has changed keeps the screen up to date. */
@@ -223,8 +252,8 @@ static void redrawing_the_changes_keeps_the_screen(void **state) {
     (void)state;
     power_on_shown(BOARD_LATER, 0x03);
     memset(parts, 0, sizeof parts);
-    for (unsigned i = 0; i < 300; i++) {
-        for (unsigned k = 0; k < 40; k++) {
+    for (unsigned i = 0; i < 500; i++) {
+        for (unsigned k = 0; k < i % 12; k++) {
             random = random * 6364136223846793005U + 1442695040888963407U;
             uint16_t port = (uint16_t)(0x00D4 + (random >> 33) % 10);
             board_write(&board, port, (uint32_t)(random >> 40), 1U << (random >> 61) % 3);
@@ -301,6 +330,7 @@ int main(void) {
         cmocka_unit_test(what_is_not_shown_has_not_changed),
         cmocka_unit_test(mode_controller_scrolling_and_reset_change_the_whole_screen),
         cmocka_unit_test(x_that_wraps_or_steps_changes_where_it_writes),
+        cmocka_unit_test(a_line_that_y_named_while_x_was_outside_has_changed),
         cmocka_unit_test(redrawing_the_changes_keeps_the_screen),
         cmocka_unit_test(the_blanking_can_come_from_outside),
         cmocka_unit_test(the_blanking_stays_over_a_reset_and_is_no_matter_of_1987),
