@@ -12,8 +12,8 @@ enum {
 
 /* ---- The position --------------------------------------------------------------------------- */
 
-/* Widens the changes by the column and the line that X and Y name, each by itself: the other may be
- * outside at first. Whatever is written comes after this, and costs less so. */
+/* Widens the changes by the column and the line that X and Y name. Each counts by itself, since the
+ * other may be outside at first. Noted here, a change costs nothing where a pixel is written. */
 static void note_place(struct board *board, unsigned x, unsigned y) {
     struct board_changes *changes = &board->changes;
     if (x < BOARD_WIDTH) {
