@@ -82,9 +82,10 @@ for name in $(nm -g --defined-only "$out/board.o" | awk '{ print $NF }'); do
 done
 wanted=$(nm -u "$out/board.o" | awk '$NF !~ /^(memcpy|memset|memcmp|strcmp|__stack_chk_fail|_GLOBAL_OFFSET_TABLE_)$/ { print $NF }')
 [ -z "$wanted" ] || wrong "the part asks for $wanted"
-hidden=$(sed -n -e 's/^enum { *\([A-Z][A-Z_]*\).*/\1/p' -e 's/^ \{4\}\([A-Z][A-Z_0-9]*\)\( =\|,\).*/\1/p' \
-    -e 's/^#define \([A-Z_]*\).*/\1/p' -e 's/^\(struct\|enum\) \([a-z_]*\).*/\2/p' "$pair/superframe_board.h" |
-    grep -vi '^superframe')
+# Without comments, constants and macros are words in capitals, and types follow struct or enum.
+gcc -fpreprocessed -E -P "$pair/superframe_board.h" > "$out/names.txt"
+hidden=$(grep -oE '\b([A-Z][A-Z0-9_]+|(struct|enum) +[a-z_]+)\b' "$out/names.txt" | sed 's/.* //' |
+    grep -viE '^(superframe.*|ENTRY)$' | sort -u)
 [ -z "$hidden" ] || wrong "the header shows names without the prefix: $hidden"
 
 # ---- A state in the middle of fig3 ----
