@@ -155,10 +155,10 @@ void board_save(const struct board *board, uint8_t bytes[BOARD_STATE_BYTES]) {
 /* ---- Restoring ------------------------------------------------------------------------------ */
 
 static enum board_state_status check_form(const uint8_t *bytes, size_t count) {
-    const uint8_t *version = bytes + MAGIC_BYTES;
     if (count < MAGIC_BYTES + NUMBER_BYTES || memcmp(bytes, state_magic, MAGIC_BYTES) != 0) {
         return BOARD_STATE_FOREIGN;
     }
+    const uint8_t *version = bytes + MAGIC_BYTES;
     if (number_at(version, NUMBER_BYTES) != BOARD_STATE_VERSION) {
         return BOARD_STATE_WRONG_VERSION;
     }

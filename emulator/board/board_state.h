@@ -30,7 +30,8 @@ void board_save(const struct board *board, uint8_t bytes[BOARD_STATE_BYTES]);
 
 /* Makes the board what it was when the `count` bytes were saved. Whatever is checked is checked
  * before the board changes: unless BOARD_STATE_OK is returned, the board is as it was. The board
- * needs no board_init() before. After success, board_take_changes() gives the whole screen. */
+ * needs no board_init() before. bytes may be NULL if count is 0. After success,
+ * board_take_changes() gives the whole screen. */
 enum board_state_status board_restore(struct board *board, const uint8_t *bytes, size_t count);
 
 /* Returns one English phrase for a status, for messages. */

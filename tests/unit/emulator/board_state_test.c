@@ -195,6 +195,7 @@ static void a_state_of_another_length_is_refused(void **state) {
     for (size_t i = 0; i < sizeof cut / sizeof cut[0]; i++) {
         refused(cut[i], BOARD_STATE_FOREIGN);
     }
+    assert_int_equal(board_restore(&board, NULL, 0), BOARD_STATE_FOREIGN);
     for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
         refused(wrong[i], BOARD_STATE_WRONG_LENGTH);
     }
