@@ -26,6 +26,8 @@ enum {
     LOG_COUNT = 1548,
     LOG_ACCESS = 1549,
     LOG_BEHAVIOUR = 2061,
+    LOG_PORT = 2125,
+    LOG_VALUE = 2253,
     LOG_WIDTH = 2381,
     LOG_IS_READ = 2445,
     MEMORY = 2509
@@ -237,15 +239,37 @@ static void a_value_that_no_board_has_is_refused_whatever_its_checksum(void **st
     refused_with(COUNTS, 0, BOARD_STATE_IMPOSSIBLE);   /* of index writes: has a first one */
     refused_with(FIRSTS, 0, BOARD_STATE_IMPOSSIBLE);
     refused_with(LOG_COUNT, 65, BOARD_STATE_IMPOSSIBLE);
+    refused_with(LOG_COUNT, 64, BOARD_STATE_IMPOSSIBLE); /* more than the violations */
     refused_with(LOG_COUNT, 1, BOARD_STATE_IMPOSSIBLE); /* fewer than the violations */
     refused_with(LOG_ACCESS, 0, BOARD_STATE_IMPOSSIBLE);
     refused_with(LOG_ACCESS + 7, 1, BOARD_STATE_IMPOSSIBLE);
     refused_with(LOG_ACCESS + 8 * 63, 1, BOARD_STATE_IMPOSSIBLE); /* behind the last entry */
+    refused_with(LOG_BEHAVIOUR + 63, 1, BOARD_STATE_IMPOSSIBLE);
+    refused_with(LOG_PORT + 2 * 63, 1, BOARD_STATE_IMPOSSIBLE);
+    refused_with(LOG_VALUE + 2 * 63 + 1, 1, BOARD_STATE_IMPOSSIBLE);
+    refused_with(LOG_WIDTH + 63, 1, BOARD_STATE_IMPOSSIBLE);
+    refused_with(LOG_IS_READ + 63, 1, BOARD_STATE_IMPOSSIBLE);
     refused_with(LOG_BEHAVIOUR, BOARD_BEHAVIOURS, BOARD_STATE_IMPOSSIBLE);
     refused_with(LOG_BEHAVIOUR, BOARD_PRIMARY_WRITE, BOARD_STATE_IMPOSSIBLE);
     refused_with(LOG_WIDTH, 0, BOARD_STATE_IMPOSSIBLE);
     refused_with(LOG_WIDTH, 3, BOARD_STATE_IMPOSSIBLE);
     refused_with(LOG_IS_READ, 2, BOARD_STATE_IMPOSSIBLE);
+}
+
+/* More violations than the log holds, and exactly as many. */
+static void a_full_log_comes_back_and_is_held_against_the_violations(void **state) {
+    (void)state;
+    power_on(BOARD_LATER);
+    for (unsigned i = 1; i <= 66; i++) {
+        inp(0x00D5);
+        board_save(&board, saved);
+        assert_int_equal(saved[LOG_COUNT], i < 64 ? i : 64);
+        assert_int_equal(board_restore(&other, saved, BYTES), BOARD_STATE_OK);
+        assert_int_equal(board_violations(&other), i);
+    }
+    saved[LOG_COUNT] = 63;
+    seal();
+    refused(BYTES, BOARD_STATE_IMPOSSIBLE);
 }
 
 static void a_restored_screen_has_changed_as_a_whole(void **state) {
@@ -279,6 +303,7 @@ int main(void) {
         cmocka_unit_test(a_foreign_state_and_another_version_are_refused),
         cmocka_unit_test(a_changed_byte_anywhere_is_refused),
         cmocka_unit_test(a_value_that_no_board_has_is_refused_whatever_its_checksum),
+        cmocka_unit_test(a_full_log_comes_back_and_is_held_against_the_violations),
         cmocka_unit_test(a_restored_screen_has_changed_as_a_whole),
         cmocka_unit_test(every_status_has_a_text_of_its_own),
     };
