@@ -240,7 +240,7 @@ static void a_value_that_no_board_has_is_refused_whatever_its_checksum(void **st
     refused_with(FIRSTS, 0, BOARD_STATE_IMPOSSIBLE);
     refused_with(LOG_COUNT, 65, BOARD_STATE_IMPOSSIBLE);
     refused_with(LOG_COUNT, 64, BOARD_STATE_IMPOSSIBLE); /* more than the violations */
-    refused_with(LOG_COUNT, 1, BOARD_STATE_IMPOSSIBLE); /* fewer than the violations */
+    refused_with(LOG_COUNT, 1, BOARD_STATE_IMPOSSIBLE);  /* fewer than the violations */
     refused_with(LOG_ACCESS, 0, BOARD_STATE_IMPOSSIBLE);
     refused_with(LOG_ACCESS + 7, 1, BOARD_STATE_IMPOSSIBLE);
     refused_with(LOG_ACCESS + 8 * 63, 1, BOARD_STATE_IMPOSSIBLE); /* behind the last entry */
