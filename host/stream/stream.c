@@ -203,11 +203,11 @@ static void absorb(struct stream *stream) {
 /* Adds the estimated radiance of the pruned branches, as cut_radiance() of firmware/growth.c does.
  */
 static void add_estimate(struct stream *stream, const struct cut_lanes *cut) {
-    const struct estimate_level *level = &stream->scene->estimate->level[0];
+    const struct estimate *estimate = stream->scene->estimate;
     const uint32_t uncounted[LANES] = {0};
     struct colour_lanes worth;
     for (int i = 0; i < LANES; i++) {
-        const int32_t *steps = level->mean[cut->way[i]];
+        const int32_t *steps = estimate->mean[cut->way[i]];
         worth.red[i] = colour_of_steps(steps[0]);
         worth.green[i] = colour_of_steps(steps[1]);
         worth.blue[i] = colour_of_steps(steps[2]);
