@@ -213,3 +213,16 @@ void tail_judge(const struct scene *scene, const struct tail *tail, uint8_t step
         }
     }
 }
+
+bool tail_note(const struct scene *scene, const struct tail_verdict *verdict,
+               struct render_counts *counts) {
+    const bool is_worst = verdict->uncertainty > counts->estimated_error;
+    if (is_worst) {
+        counts->estimated_error = verdict->uncertainty;
+    }
+    if (verdict->proved > counts->proved_error) {
+        counts->proved_error = verdict->proved;
+    }
+    counts->unreached_pixels += verdict->uncertainty > scene->error;
+    return is_worst;
+}

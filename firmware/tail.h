@@ -96,4 +96,9 @@ struct tail_rays {
 void tail_judge(const struct scene *scene, const struct tail *tail, uint8_t steps,
                 const struct tail_rays *rays, struct tail_verdict *verdict);
 
+/* Notes a pixel's errors, the worst of all pixels that are counted. Returns whether the estimated
+ * one is the worst by now. */
+bool tail_note(const struct scene *scene, const struct tail_verdict *verdict,
+               struct render_counts *counts);
+
 #endif

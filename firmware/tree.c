@@ -5,18 +5,6 @@
 #include "growth.h"
 #include "refine.h"
 
-/* Notes a pixel's errors, the worst of all pixels that are counted. */
-static void note_errors(const struct scene *scene, const struct tail_verdict *verdict,
-                        struct render_counts *counts) {
-    if (verdict->uncertainty > counts->estimated_error) {
-        counts->estimated_error = verdict->uncertainty;
-    }
-    if (verdict->proved > counts->proved_error) {
-        counts->proved_error = verdict->proved;
-    }
-    counts->unreached_pixels += verdict->uncertainty > scene->error;
-}
-
 static struct colours refined_colour(const struct scene *scene, const struct ray *eye_ray,
                                      struct render_counts *counts,
                                      const struct tree_observer *observer) {
@@ -24,7 +12,7 @@ static struct colours refined_colour(const struct scene *scene, const struct ray
     struct tail_verdict verdict;
     struct refining refining = {scene, observer, scene->ray_budget};
     refine_pixel(&refining, eye_ray, counts, &tail, &verdict);
-    note_errors(scene, &verdict, counts);
+    (void)tail_note(scene, &verdict, counts);
     const struct colours colours = {colour_of_steps(verdict.colour[0]),
                                     colour_of_steps(verdict.colour[1]),
                                     colour_of_steps(verdict.colour[2])};
