@@ -37,7 +37,7 @@ struct stream {
     uint32_t wanted_count;
     uint16_t wanted[TARGET_PIXELS]; /* the pixels of the band that are looked at */
     int64_t sums[TAIL_PLACES * TARGET_PIXELS][SUMS];
-    struct ray_lanes *rays; /* of a step: a block of the queue */
+    struct ray_lanes *rays;       /* of a step: a block of the queue */
     struct watched_pixels pixels; /* where an accuracy is asked for */
 };
 
@@ -386,12 +386,10 @@ static bool judge(struct stream *stream, uint32_t pixel) {
     struct tail *tail = &pixels->tail[pixel];
     struct tail_verdict found;
     const uint64_t in_all = rays_of(stream, pixel);
-    const struct tail_rays rays = {in_all - pixels->rays[pixel], in_all,
-                                   stream->scene->ray_budget};
+    const struct tail_rays rays = {in_all - pixels->rays[pixel], in_all, stream->scene->ray_budget};
     for (uint32_t place = 0; place < TAIL_PLACES; place++) {
         for (uint32_t primary = 0; primary < PRIMARIES; primary++) {
-            tail->gathered[place][primary] =
-                stream->sums[pixel + place * TARGET_PIXELS][primary];
+            tail->gathered[place][primary] = stream->sums[pixel + place * TARGET_PIXELS][primary];
         }
     }
     tail_judge(stream->scene, tail, pixels->steps[pixel], &rays, &found);

@@ -82,7 +82,6 @@ void watch_children(struct watched_pixels *pixels, const struct scene *scene,
         const uint32_t i = lanes_first(set);
         tail_cut(&pixels->tail[target[i] % TARGET_PIXELS],
                  (enum tail_place)(target[i] / TARGET_PIXELS), (enum estimate_way)fate.way[i],
-                 weight_of(children, i),
-                 (uint8_t)(scene->depth - path_events(rays->path[i]) - 1));
+                 weight_of(children, i), (uint8_t)(scene->depth - path_events(rays->path[i]) - 1));
     }
 }
