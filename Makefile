@@ -57,7 +57,7 @@ ENGINES      := $(foreach real,$(STREAM_REALS) $(STREAM_REALS:%=%_many),$(patsub
 FIRMWARE_SOURCES := $(wildcard firmware/*.c)
 # Compiled once for each arithmetic beside the firmware.
 PER_ARITHMETIC_SOURCES := $(wildcard host/render/per_arithmetic/*.c)
-STREAM_SOURCES    = $(wildcard host/stream/*.c host/stream/$(1)/*.c) firmware/solids.c
+STREAM_SOURCES    = $(wildcard host/stream/*.c host/stream/$(1)/*.c) firmware/solids.c firmware/tail.c
 # Both ends of the cable, and the board.
 TESTKIT_SOURCES  := $(wildcard emulator/testing/*.c)
 BOARD_SOURCES    := $(wildcard hal/*.c hal/cable/*.c firmware/adapter/*.c) \

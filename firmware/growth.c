@@ -26,7 +26,7 @@ static void report_end(const struct tree *tree, uint32_t parent, enum branch_kin
 
 static void report_branch_end(const struct tree *tree, const struct branch *branch,
                               enum branch_end why) {
-    report_end(tree, branch->noted.parent, (enum branch_kind)branch->kind, branch->channel,
+    report_end(tree, branch->parent, (enum branch_kind)branch->kind, branch->channel,
                branch->weight, why);
 }
 
@@ -44,131 +44,48 @@ static enum estimate_way way_of(const struct scene *scene, const struct directio
 static void cut_radiance(struct tree *tree, struct energies weight, enum estimate_way way) {
     const struct estimate *estimate = tree->scene->estimate;
     if (FEATURE_ESTIMATE && estimate) {
-        const int32_t *steps = estimate->level[0].mean[way];
+        const int32_t *steps = estimate->mean[way];
         const struct colours mean = {colour_of_steps(steps[0]), colour_of_steps(steps[1]),
                                      colour_of_steps(steps[2])};
         add_part(tree, colours_weighed(mean, weight));
     }
 }
 
-static void add_weight(int64_t sum[3], struct energies weight) {
-    sum[0] += energy_steps(weight.red);
-    sum[1] += energy_steps(weight.green);
-    sum[2] += energy_steps(weight.blue);
-}
-
-int64_t growth_square(struct energies weight) {
-    int64_t steps = energy_steps(energies_largest(weight)) >> 4;
-    return steps * steps;
-}
-
-void growth_lose(struct tree *tree, const struct branch *branch, enum branch_end why) {
-    struct losses *losses = &tree->kept->losses;
-    report_branch_end(tree, branch, why);
-    if (why == END_DEPTH) {
-        add_weight(losses->ended, branch->weight);
-        return;
+/* Enters a new branch into the sums of its pixel's tail, and returns whether the branch is
+ * followed. `events` are those of the branch that it grows from. The new branch has one more, which
+ * may be too many. */
+static bool watch(struct tree *tree, struct branch *branch, uint8_t events) {
+    const bool is_deep = events >= tree->scene->depth;
+    const bool ends = events >= tree->last_depth;
+    const real_energy largest = energies_largest(branch->weight);
+    const enum estimate_way way = way_of(tree->scene, &branch->ray.direction);
+    if (is_deep && !tree->learns_depth) {
+        report_branch_end(tree, branch, END_DEPTH);
+        return false;
     }
-    int64_t steps = energy_steps(energies_largest(branch->weight));
-    losses->depth += steps * (tree->scene->depth - branch->events + 1);
-    add_weight(losses->weight[way_of(tree->scene, &branch->ray.direction)], branch->weight);
-    losses->squares += growth_square(branch->weight);
-}
-
-/* Keeps for a lower threshold what a threshold cut; what the depth level cut is lost. When half of
- * the places are taken, the others are for what weighs most. Accuracy depends on the squares of the
- * weights. Of these squares, branches below a quarter of the threshold have some twentieth. */
-static void keep(struct tree *tree, const struct branch *branch, enum branch_end why) {
-    struct kept_branches *kept = tree->kept;
-    bool has_place = kept->count < KEPT_MOST / 2;
-    if (!has_place && kept->count < KEPT_MOST) {
-        real_energy least = energy_product(tree->threshold, REAL_ENERGY(0.25));
-        has_place = !energy_less(energies_largest(branch->weight), least);
+    if (branch->place == TAIL_NEAR && (is_deep || energy_less(largest, tree->coarse))) {
+        branch->place = (uint8_t)(1 + way);
+        tail_watch(tree->tail, way, branch->weight);
     }
-    if (has_place && why == END_THRESHOLD) {
-        kept->branches[kept->count++] = *branch;
-    } else {
-        growth_lose(tree, branch, why);
-    }
-}
-
-/* Returns the number of levels whose threshold is above a weight. */
-static uint8_t levels_above(const struct training *training, int32_t weight) {
-    uint8_t count = 0;
-    while (count < training->levels && training->first >> count > weight) {
-        count++;
-    }
-    return count;
-}
-
-/* Returns the way, up or down, that a branch or its ancestor was going when a level pruned the
- * branch. */
-static enum estimate_way way_at(const struct branch *branch, uint8_t level) {
-    return branch->noted.ups >> level & 1 ? WAY_UP : WAY_DOWN;
-}
-
-/* Adds a pruned branch that ends unseen to the rest of all the levels that pruned the branch. These
- * levels miss the branch's radiance. */
-static void learn_rest(struct training *training, const struct branch *branch) {
-    for (uint8_t i = 0; i < branch->beyond; i++) {
-        add_weight(training->level[i].rest[way_at(branch, i)], branch->weight);
-    }
-}
-
-/* Adds a part that a pruned branch shows to the radiance of all the levels that pruned the branch.
- */
-static void learn_radiance(struct training *training, const struct branch *branch,
-                           struct colours part) {
-    const int32_t steps[3] = {colour_steps(part.red), colour_steps(part.green),
-                              colour_steps(part.blue)};
-    for (uint8_t i = 0; i < branch->beyond; i++) {
-        int64_t *radiance = training->level[i].radiance[way_at(branch, i)];
-        for (uint8_t j = 0; j < 3; j++) {
-            radiance[j] += steps[j];
-        }
-    }
-}
-
-/* Enters a new branch into the training pass. Returns whether the branch is followed, beyond the
- * cut if need be. `events` are those of the branch that it grows from. The new branch has one more,
- * which may be too many. */
-static bool learn_of(struct tree *tree, struct branch *branch, uint8_t events) {
-    struct training *training = tree->training;
-    bool is_deep = events >= tree->scene->depth;
-    int32_t steps = energy_steps(energies_largest(branch->weight));
-    enum estimate_way way = way_of(tree->scene, &branch->ray.direction);
-    uint8_t cut = levels_above(training, steps), level = branch->beyond;
-    if (is_deep && training->of_depth && cut == 0) {
-        cut = 1;
-    }
-    for (; level < cut; level++) {
-        add_weight(training->level[level].weight[way], branch->weight);
-        training->level[level].squares += growth_square(branch->weight);
-        branch->noted.ups |= (uint32_t)way << level;
-    }
-    branch->beyond = level;
-    if (events >= training->last_depth || (level > 0 && steps < training->last)) {
-        learn_rest(training, branch);
+    if (ends || (branch->place != TAIL_NEAR && energy_less(largest, tree->threshold))) {
+        uint8_t more = ends ? 0 : (uint8_t)(tree->last_depth - events - 1);
+        tail_cut(tree->tail, (enum tail_place)branch->place, way, branch->weight, more);
+        report_branch_end(tree, branch, END_THRESHOLD);
         return false;
     }
     return true;
 }
 
-/* Keeps a branch that threshold or depth level cut, or adds its estimate where none are kept. */
+/* Adds the estimate of a branch that threshold or depth level cut. */
 static void cut(struct tree *tree, const struct branch *branch, enum branch_end why) {
-    if (FEATURE_KEPT > 0 && tree->kept) {
-        keep(tree, branch, why);
-    } else {
-        report_branch_end(tree, branch, why);
-        cut_radiance(tree, branch->weight,
-                     why == END_DEPTH ? WAY_ANY : way_of(tree->scene, &branch->ray.direction));
-    }
+    report_branch_end(tree, branch, why);
+    cut_radiance(tree, branch->weight,
+                 why == END_DEPTH ? WAY_ANY : way_of(tree->scene, &branch->ray.direction));
 }
 
 /* Tells whether the caller needs more of a pruned branch than its weight and direction. */
 static bool cut_is_noticed(const struct tree *tree) {
-    return (FEATURE_OBSERVER && tree->observer) || (FEATURE_KEPT > 0 && tree->kept) ||
-           (FEATURE_ESTIMATE && tree->training);
+    return (FEATURE_OBSERVER && tree->observer) || (FEATURE_ESTIMATE && tree->tail);
 }
 
 /* Makes the branch of one kind that grows from a node, without its direction and weight. What only
@@ -185,13 +102,10 @@ static void make_branch(const struct tree *tree, const struct node *node, enum b
     branch->channel = channel;
     if (FEATURE_OBSERVER) {
         branch->kind = (uint8_t)kind;
-        branch->noted.parent = tree->node;
-    }
-    if (FEATURE_ESTIMATE && tree->training) {
-        branch->noted.ups = node->branch->noted.ups;
+        branch->parent = tree->node;
     }
     if (FEATURE_ESTIMATE) {
-        branch->beyond = node->branch->beyond;
+        branch->place = node->branch->place;
     }
 }
 
@@ -214,8 +128,8 @@ static void grow(struct tree *tree, const struct node *node, enum branch_kind ki
     make_branch(tree, node, kind, channel, branch);
     branch->ray.direction = *direction;
     branch->weight = weight;
-    if (FEATURE_ESTIMATE && tree->training) {
-        if (!learn_of(tree, branch, node->branch->events)) {
+    if (FEATURE_ESTIMATE && tree->tail) {
+        if (!watch(tree, branch, node->branch->events)) {
             return;
         }
     } else if (ends) {
@@ -331,12 +245,31 @@ static void grow_transparent(struct tree *tree, const struct node *node) {
     grow(tree, node, BRANCH_REFRACTED, branch->channel, &passage.refracted, &coefficient);
 }
 
-/* Adds what arrives from the end of a branch, to the picture or to the training pass. */
+/* Adds a part to the sums of a pixel's tail. `intensity` is without the branch's weight. */
+static void gather(struct tail *tail, uint8_t place, struct colours intensity,
+                   struct colours part) {
+    const int32_t white = INT32_C(255) << 16;
+    const int32_t steps[3] = {colour_steps(part.red), colour_steps(part.green),
+                              colour_steps(part.blue)};
+    int32_t brightest = colour_steps(intensity.red), most = 0;
+    brightest =
+        colour_steps(intensity.green) > brightest ? colour_steps(intensity.green) : brightest;
+    brightest = colour_steps(intensity.blue) > brightest ? colour_steps(intensity.blue) : brightest;
+    for (uint8_t i = 0; i < 3; i++) {
+        tail->gathered[place][i] += steps[i];
+        most = steps[i] > most ? steps[i] : most;
+    }
+    if (place != TAIL_NEAR && brightest > white) {
+        tail->above_white += (int64_t)(most >> 8) * (most >> 8);
+    }
+}
+
+/* Adds what arrives from the end of a branch, to the picture or to the sums of its tail. */
 static void add_intensity(struct tree *tree, const struct branch *branch,
                           struct colours intensity) {
     struct colours part = colours_weighed(intensity, branch->weight);
-    if (FEATURE_ESTIMATE && tree->training && branch->beyond > 0) {
-        learn_radiance(tree->training, branch, part);
+    if (FEATURE_ESTIMATE && tree->tail) {
+        gather(tree->tail, branch->place, intensity, part);
     } else {
         add_part(tree, part);
     }
@@ -396,10 +329,11 @@ void growth_start(struct tree *tree, const struct scene *scene, const struct ray
     tree->scene = scene;
     tree->counts = counts;
     tree->observer = 0;
-    tree->kept = 0;
-    tree->training = 0;
+    tree->tail = 0;
+    tree->learns_depth = false;
+    tree->last_depth = scene->depth;
     tree->sum.red = tree->sum.green = tree->sum.blue = REAL_COLOUR(0.0);
-    tree->threshold = scene->threshold;
+    tree->threshold = tree->coarse = scene->threshold;
     tree->rays_before = counts->rays;
     tree->ray_budget = scene->ray_budget;
     tree->exhausted = false;
@@ -410,24 +344,33 @@ void growth_start(struct tree *tree, const struct scene *scene, const struct ray
     tree->branches[0].events = 0;
     tree->branches[0].channel = CHANNEL_ALL;
     tree->branches[0].kind = BRANCH_EYE;
-    tree->branches[0].beyond = 0;
-    tree->branches[0].noted.parent = 0;
+    tree->branches[0].place = TAIL_NEAR;
+    tree->branches[0].parent = 0;
 }
 
 bool growth_is_exhausted(const struct tree *tree) {
     return tree->counts->rays - tree->rays_before >= tree->ray_budget;
 }
 
+/* Notes a branch that waited when the budget ended among what is cut. */
+static void watch_end(struct tree *tree, const struct branch *branch) {
+    enum estimate_way way = way_of(tree->scene, &branch->ray.direction);
+    enum tail_place place = (enum tail_place)branch->place;
+    if (place == TAIL_NEAR) {
+        place = (enum tail_place)(1 + way);
+        tail_watch(tree->tail, way, branch->weight);
+    }
+    tail_cut(tree->tail, place, way, branch->weight, (uint8_t)(tree->last_depth - branch->events));
+}
+
 /* Cuts, unseen, all branches that wait when the budget is used up. */
 static void cut_waiting(struct tree *tree) {
     while (tree->waiting > 0) {
         const struct branch *branch = &tree->branches[--tree->waiting];
-        if (FEATURE_ESTIMATE && tree->training) {
-            learn_rest(tree->training, branch);
-        } else if (FEATURE_KEPT > 0 && tree->kept) {
-            growth_lose(tree, branch, END_BUDGET);
+        report_branch_end(tree, branch, END_BUDGET);
+        if (FEATURE_ESTIMATE && tree->tail) {
+            watch_end(tree, branch);
         } else {
-            report_branch_end(tree, branch, END_BUDGET);
             cut_radiance(tree, branch->weight, way_of(tree->scene, &branch->ray.direction));
         }
     }
@@ -447,8 +390,8 @@ void growth_finish(struct tree *tree) {
                                 last->events,
                                 last->channel,
                                 FEATURE_OBSERVER ? last->kind : 0,
-                                FEATURE_ESTIMATE ? last->beyond : 0,
-                                {FEATURE_OBSERVER || FEATURE_ESTIMATE ? last->noted.parent : 0}};
+                                FEATURE_ESTIMATE ? last->place : TAIL_NEAR,
+                                FEATURE_OBSERVER ? last->parent : 0};
         follow(tree, &branch);
     }
 }

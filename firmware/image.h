@@ -20,45 +20,32 @@ struct render_counts {
     uint64_t solid_tests; /* a ray against a primitive */
     uint64_t leaked_rays; /* rays that left the scene inside a medium: 0 is the only right value */
 
-    /* Pixels that ended by their budget of rays, or at the last level short of the accuracy. */
-    uint32_t exhausted_pixels;
+    uint32_t exhausted_pixels; /* that ended by their budget of rays */
 
-    /* Of scenes with an accuracy asked for: the worst pixel's, not sums. */
-    uint32_t estimated_error;  /* in steps of 2^-16 level: what was pruned, times its spread */
-    uint16_t worst_x, worst_y; /* that pixel, where rows are rendered */
-    uint32_t proved_error; /* in levels: what was pruned, at its brightest, to the depth level */
+    /* Of scenes with an accuracy asked for, in steps of 2^-16 level. */
+    uint32_t unreached_pixels; /* whose estimated error is larger than was asked for */
+    uint32_t estimated_error;  /* of the pixel where that is largest: not a sum */
+    uint32_t proved_error;     /* of the pixel where that is largest: none is farther off */
+    uint16_t worst_x, worst_y; /* where estimated_error is, where rows are rendered */
 };
 
 /* The way that a branch was going when it was pruned. What is above and what is below the objects
  * differs more than anything else that is known of the branch by then. */
 enum estimate_way { WAY_DOWN, WAY_UP, WAYS, WAY_ANY = WAYS };
 
-/* The estimated radiance of the branches that one threshold prunes; intensities in steps of 2^-16
- * level. */
-struct estimate_level {
-    int32_t mean[WAYS + 1][3]; /* of one way, or of any; red, green, blue */
-
-    /* Three standard deviations: of a pixel, over the root of the sum of the squares of the pruned
-     * weights. */
-    int32_t spread;
-
-    /* The sum of those squares, in steps of 2^-52, at which a pixel is as accurate as was asked
-     * for. */
-    int64_t squares_most;
-};
-
-enum { ESTIMATE_LEVELS = 20 };
-
 /* Without an accuracy asked for, learning follows a pruned branch so many events beyond the scene's
  * depth level, up to level 255. An image needs room for these events. */
 enum { ESTIMATE_EVENTS = 16 };
 
-/* The training pass over a scene. Level 0 is of the scene's own threshold, each next level
- * of half the threshold before. All levels but level 0 are for an accuracy that is asked for. */
+/* What a training pass over a scene has learned of pruned branches. */
 struct estimate {
-    struct estimate_level level[ESTIMATE_LEVELS];
-    uint8_t first;   /* the level where pixels begin */
-    uint8_t typical; /* the level that most of the harder ones take */
+    int32_t mean[WAYS + 1][3]; /* radiance of one way, or of any, in steps of 2^-16 level */
+
+    /* Of scenes with an accuracy asked for. */
+    int32_t mean_variance;   /* of a pixel's means about these, in levels^2 */
+    int32_t branch_variance; /* of a branch about its pixel's mean */
+    int32_t noise;           /* the latter over the former, in steps of 2^-8 */
+    uint8_t first;           /* pixels begin so many half octaves below the scene's threshold */
 };
 
 /* Gives row y as width x 3 bytes R G B, in full colour; false stops the drawing. */

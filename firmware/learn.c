@@ -3,58 +3,46 @@
 #include "learn.h"
 
 #include "camera.h"
-#include "growth.h"
+#include "refine.h"
 
-/* The pixels looked at: a grid over the whole picture. */
+/* The pixels looked at: a grid over the whole picture, of at most every second pixel either way. */
 enum { COLUMNS = 32, ROWS = 20 };
 
-/* Without an accuracy asked for, pruned branches are followed down to this part of the threshold.
- */
-enum { LESS_WEIGHT_BITS = 5 };
-
-/* With an accuracy asked for: the levels of the first look, and those that each next look adds. A
- * level is known when LEVELS_BELOW levels below it have been seen. */
-enum { FIRST_LEVELS = 7, MORE_LEVELS = 3, LEVELS_BELOW = 4 };
-
-/* A spread is so many standard deviations. The deviation of a branch is taken to be at least 255 /
- * 12^(1/2), because few pixels tell little. The deviation is that large if all levels from black to
- * white are equally likely. */
-enum { SPREAD_DEVIATIONS = 3, DEVIATION_LEAST = 74 };
-
-/* A pixel that is looked at has 1 / BUDGET_PART of the budget of rays. Light is trapped where more
- * than 1 / EXHAUSTED_PART of the pixels in which something is pruned use that budget up. Then more
- * levels would teach nothing. */
-enum { BUDGET_PART = 8, EXHAUSTED_PART = 8 };
+/* Without an accuracy asked for, pruned branches are followed down to this part of the threshold,
+ * with 1 / BUDGET_PART of a pixel's budget of rays. */
+enum { LESS_WEIGHT_BITS = 5, BUDGET_PART = 8 };
 
 /* A way's mean is learned as if this part of all that was pruned had gone that way, too. So a way
  * that few branches went has nearly the mean of all. */
 enum { SHARED_PART = 64 };
 
-/* Pixels begin so many levels above the typical one: few branches are pruned there, and kept. */
-enum { LEVELS_ABOVE = 8 };
+/* With an accuracy asked for: what is believed before anything is learned, and the least that a
+ * pixel's mean varies about the means of all; levels, and levels^2. */
+enum { MEAN_BEFORE = 100, VARIANCE_BEFORE = 3600, VARIANCE_LEAST = 225, VARIANCE_MOST = 65025 };
 
-/* Sums over pixels, of one level and one primary. */
-struct level_sum {
-    int64_t radiance[WAYS]; /* in steps of 2^-16 level */
-    int64_t weight[WAYS];   /* whose radiance that is, in steps of 2^-30 */
+/* The variance of a branch about its mean, in levels^2: that of a level when all levels from black
+ * to white are equally likely. What is brighter than white adds to that. */
+enum { BRANCH_VARIANCE = 5476, BRANCH_VARIANCE_MOST = 1048576 };
 
-    /* These products are summed over the pixels. A pixel has its radiance a, in steps of 2^-8
-     * level. Its weights are b, down, and c, up, in steps of 2^-18. */
-    int64_t aa, ab, ac, bb, bc, cc;
-};
+/* The grid is looked at twice. After the first look pixels begin where so many per cent of them
+ * were accurate enough, after the second look as well. */
+enum { LOOKS = 2 };
+static const uint8_t first_percent[LOOKS] = {30, 85};
 
-struct level_sums {
-    struct level_sum of[3]; /* red, green, blue */
-    int64_t squares;        /* in steps of 2^-52 */
-    uint16_t pixels;        /* where something is pruned */
+/* Sums over pixels, of one way and one channel. A pixel has gathered a, in steps of 2^-8 level, by
+ * branches of a weight of b, in steps of 2^-18. */
+struct way_sums {
+    int64_t radiance; /* in steps of 2^-16 level */
+    int64_t weight;   /* whose radiance that is, in steps of 2^-30 */
+    int64_t aa, ab, bb;
 };
 
 struct sums {
-    uint8_t levels;
-    uint16_t exhausted; /* pixels */
-    const int32_t
-        *rest_mean; /* what ends unseen is worth, in steps of 2^-16 level; NULL: unknown */
-    struct level_sums level[TRAINING_LEVELS];
+    struct way_sums of[WAYS][3]; /* red, green, blue */
+    int64_t squares;             /* of the weights, in steps of 2^-52 */
+    int64_t above_white;         /* as in struct tail */
+    uint16_t pixels;             /* where something was cut */
+    uint16_t ended[TAIL_STEPS];  /* of those, by the steps of their last look */
 };
 
 /* Returns a / b for a, b >= 0, bit by bit, so that no library's 64-bit division is called. b = 0
@@ -93,117 +81,48 @@ static int32_t per_weight(int64_t radiance, int64_t weight) {
     return mean > INT32_MAX ? INT32_MAX : (int32_t)mean;
 }
 
-uint32_t learn_root(int64_t square) {
-    uint32_t root = 0;
-    for (int8_t i = 30; i >= 0; i--) {
-        uint32_t larger = root | (uint32_t)1 << i;
-        if ((int64_t)larger * larger <= square) {
-            root = larger;
-        }
+static void clear(struct sums *sums) {
+    const struct way_sums nothing = {0, 0, 0, 0, 0};
+    for (uint8_t i = 0; i < 3; i++) {
+        sums->of[WAY_DOWN][i] = sums->of[WAY_UP][i] = nothing;
     }
-    return root;
-}
-
-/* Looks at the middle pixel of a cell of the grid; false where the budget ended the pixel. */
-static bool look_at(const struct scene *scene, struct training *training, uint16_t cell,
-                    struct render_counts *counts) {
-    /* The middle of the cell; a 16-bit int holds 2 * 31 + 1 times 640. */
-    uint16_t column = (uint16_t)(cell % COLUMNS), row = (uint16_t)(cell / COLUMNS);
-    uint16_t x = (uint16_t)((uint32_t)(2u * column + 1) * scene->width / (2u * COLUMNS));
-    uint16_t y = (uint16_t)((uint32_t)(2u * row + 1) * scene->height / (2u * ROWS));
-    const struct ray ray = camera_ray(scene, x, y);
-    struct tree tree;
-    growth_start(&tree, scene, &ray, counts);
-    tree.training = training;
-    tree.ray_budget = scene->ray_budget / BUDGET_PART;
-    growth_finish(&tree);
-    return !tree.exhausted;
-}
-
-static void clear_training(struct training *training) {
-    for (uint8_t i = 0; i < training->levels; i++) {
-        struct training_level *level = &training->level[i];
-        for (uint8_t j = 0; j < 3; j++) {
-            for (uint8_t way = 0; way < WAYS; way++) {
-                level->radiance[way][j] = level->weight[way][j] = level->rest[way][j] = 0;
-            }
-        }
-        level->squares = 0;
+    for (uint8_t i = 0; i < TAIL_STEPS; i++) {
+        sums->ended[i] = 0;
     }
+    sums->squares = sums->above_white = 0;
+    sums->pixels = 0;
 }
 
-static void clear_sums(struct sums *sums) {
-    const struct level_sum nothing = {{0, 0}, {0, 0}, 0, 0, 0, 0, 0, 0};
-    for (uint8_t i = 0; i < sums->levels; i++) {
-        struct level_sums *level = &sums->level[i];
-        level->of[0] = level->of[1] = level->of[2] = nothing;
-        level->squares = 0;
-        level->pixels = 0;
-    }
-}
-
-/* Adds one primary of a pixel. In the products a radiance above white counts as white: the screen
- * does not show more, so more is no error. */
-static void add_primary(struct level_sum *to, const int64_t radiance[WAYS],
-                        const int64_t weight[WAYS]) {
+/* Adds what a pixel has seen behind its coarse threshold. In the products a radiance above white
+ * counts as white: the screen does not show more, so more is no error. */
+static void add_pixel(struct sums *sums, const struct tail *tail) {
     const int64_t white = (int64_t)255 << 8;
     for (uint8_t way = 0; way < WAYS; way++) {
-        to->radiance[way] += radiance[way];
-        to->weight[way] += weight[way];
-    }
-    int64_t a = (radiance[WAY_DOWN] + radiance[WAY_UP]) >> 8;
-    int64_t b = weight[WAY_DOWN] >> 12, c = weight[WAY_UP] >> 12;
-    a = a < white ? a : white;
-    to->aa += a * a;
-    to->ab += a * b;
-    to->ac += a * c;
-    to->bb += b * b;
-    to->bc += b * c;
-    to->cc += c * c;
-}
-
-static void add_pixel(struct sums *sums, const struct training *training) {
-    for (uint8_t i = 0; i < training->levels; i++) {
-        const struct training_level *from = &training->level[i];
-        struct level_sums *to = &sums->level[i];
-        for (uint8_t j = 0; j < 3; j++) {
-            int64_t radiance[WAYS], weight[WAYS];
-            for (uint8_t way = 0; way < WAYS; way++) {
-                int64_t rest = from->rest[way][j];
-                bool is_known = sums->rest_mean != 0;
-                radiance[way] = from->radiance[way][j];
-                radiance[way] += is_known ? (rest * sums->rest_mean[j]) >> 30 : 0;
-                weight[way] = from->weight[way][j] - (is_known ? 0 : rest);
-            }
-            add_primary(&to->of[j], radiance, weight);
+        for (uint8_t i = 0; i < 3; i++) {
+            struct way_sums *to = &sums->of[way][i];
+            int64_t weight = tail->watched[way][i] - tail->rest[way][i];
+            int64_t a = tail->gathered[1 + way][i] >> 8, b = weight >> 12;
+            a = a < white ? a : white;
+            to->radiance += tail->gathered[1 + way][i];
+            to->weight += weight;
+            to->aa += a * a;
+            to->ab += a * b;
+            to->bb += b * b;
         }
-        to->squares += from->squares;
-        to->pixels = (uint16_t)(to->pixels + (from->squares > 0));
+        sums->squares += tail->watched_squares[way];
     }
+    sums->above_white += tail->above_white;
 }
 
-static void look(const struct scene *scene, struct training *training, struct sums *sums,
-                 const int32_t *rest_mean, struct render_counts *counts) {
-    sums->rest_mean = rest_mean;
-    sums->levels = training->levels;
-    sums->exhausted = 0;
-    clear_sums(sums);
-    for (uint16_t i = 0; i < COLUMNS * ROWS; i++) {
-        clear_training(training);
-        sums->exhausted = (uint16_t)(sums->exhausted + !look_at(scene, training, i, counts));
-        add_pixel(sums, training);
-    }
-}
-
-static void conclude_mean(const struct level_sums *sums, struct estimate_level *level) {
+static void conclude_means(const struct sums *sums, struct estimate *estimate) {
     for (uint8_t i = 0; i < 3; i++) {
-        const struct level_sum *of = &sums->of[i];
-        int64_t radiance = of->radiance[WAY_DOWN] + of->radiance[WAY_UP];
-        int64_t weight = of->weight[WAY_DOWN] + of->weight[WAY_UP];
-        level->mean[WAY_ANY][i] = per_weight(radiance, weight);
+        const struct way_sums *down = &sums->of[WAY_DOWN][i], *up = &sums->of[WAY_UP][i];
+        int64_t radiance = down->radiance + up->radiance, weight = down->weight + up->weight;
+        estimate->mean[WAY_ANY][i] = per_weight(radiance, weight);
         for (uint8_t way = 0; way < WAYS; way++) {
-            level->mean[way][i] = per_weight(of->radiance[way] + radiance / SHARED_PART,
-                                             of->weight[way] + weight / SHARED_PART);
+            const struct way_sums *of = &sums->of[way][i];
+            estimate->mean[way][i] = per_weight(of->radiance + radiance / SHARED_PART,
+                                                of->weight + weight / SHARED_PART);
         }
     }
 }
@@ -216,128 +135,164 @@ static int64_t times_mean(int64_t sum, int64_t mean) {
     return (sum >> 18) * mean + (((sum & below) * mean) >> 18);
 }
 
-/* Returns the sum of the squares of how far pixels stray from the means, (a - down b - up c)^2. The
- * sum is that of the primary where it is largest, in steps of 2^-16 level^2. */
-static int64_t squared_strays(const struct level_sums *sums, const struct estimate_level *level) {
-    int64_t most = 0;
-    for (uint8_t i = 0; i < 3; i++) {
-        const struct level_sum *of = &sums->of[i];
-        int64_t down = level->mean[WAY_DOWN][i] >> 8, up = level->mean[WAY_UP][i] >> 8;
-        int64_t strays = of->aa - 2 * (times_mean(of->ab, down) + times_mean(of->ac, up)) +
-                         times_mean(times_mean(of->bb, down) + 2 * times_mean(of->bc, up), down) +
-                         times_mean(times_mean(of->cc, up), up);
-        most = strays > most ? strays : most;
-    }
-    return most;
-}
-
-/* Sets a level's spread and squares_most. The spread, times the root of the squares, is to be no
- * more than the error that is asked for. */
-static void conclude_spread(int64_t deviation, uint32_t error, struct estimate_level *level) {
-    const int64_t all = (int64_t)1 << 26;
-    int64_t spread = deviation * SPREAD_DEVIATIONS << 8;
-    level->spread = spread > INT32_MAX ? INT32_MAX : (int32_t)spread;
-    int64_t most = quotient((int64_t)error << 26, level->spread);
-    most = most < all ? most : all;
-    level->squares_most = most * most;
-}
-
-/* Tells whether the pixels' mean sum of squares is no more than what is asked for. */
-static bool is_enough(const struct level_sums *sums, const struct estimate_level *level) {
-    return quotient(sums->squares, sums->pixels) <= level->squares_most;
-}
-
-/* Returns one standard deviation, in steps of 2^-8 level, at least DEVIATION_LEAST levels. */
-static int64_t deviation_of(const struct level_sums *sums, const struct estimate_level *level) {
-    const int64_t least = (int64_t)DEVIATION_LEAST << 8;
-    int64_t deviation = learn_root(scaled_quotient(squared_strays(sums, level), sums->squares, 52));
-    return deviation > least ? deviation : least;
-}
-
-static bool is_trapped(const struct sums *sums) {
-    return sums->exhausted > sums->level[0].pixels / EXHAUSTED_PART;
-}
-
-/* Concludes all levels from the sums of those that are known. For a level below these, the mean is
- * taken to be the same. The deviation grows by an eighth from each such level to the next, for what
- * is cut is more and more alike. Where light is trapped, the last MORE_LEVELS known levels count as
- * unknown. Their deviation would be that of the easier pixels. */
-static void conclude(const struct sums *sums, uint32_t error, struct estimate *estimate) {
-    uint8_t known = (uint8_t)(sums->levels - LEVELS_BELOW);
-    if (is_trapped(sums) && known > MORE_LEVELS) {
-        known = (uint8_t)(known - MORE_LEVELS);
-    }
-    int64_t deviation = 0;
-    for (uint8_t i = 0; i < ESTIMATE_LEVELS; i++) {
-        struct estimate_level *level = &estimate->level[i];
-        if (i < known) {
-            conclude_mean(&sums->level[i], level);
-            deviation = deviation_of(&sums->level[i], level);
-        } else {
-            *level = estimate->level[known - 1];
-            deviation += deviation >> 3;
-        }
-        conclude_spread(deviation, error, level);
-    }
-    estimate->typical = 0;
-    while (estimate->typical + 1 < known &&
-           !is_enough(&sums->level[estimate->typical], &estimate->level[estimate->typical])) {
-        estimate->typical++;
-    }
-    estimate->first =
-        (uint8_t)(estimate->typical > LEVELS_ABOVE ? estimate->typical - LEVELS_ABOVE : 0);
-}
-
-/* Looks deeper until the harder pixels' level is known, with enough levels below it. */
-static void learn_levels(const struct scene *scene, struct training *training,
-                         struct estimate *estimate, struct render_counts *counts) {
-    struct sums sums;
-    int32_t rest_mean[3];
-    training->last_depth = scene->depth;
-    training->of_depth = false;
-    training->levels = FIRST_LEVELS;
-    training->last = training->first >> (training->levels - 1);
-    look(scene, training, &sums, 0, counts);
-    for (;;) {
-        conclude(&sums, scene->error, estimate);
-        if (estimate->typical + LEVELS_BELOW < training->levels - 1 || is_trapped(&sums) ||
-            training->levels + MORE_LEVELS > TRAINING_LEVELS) {
-            return;
-        }
+/* Returns the sum of the squares of how far pixels stray from the means, (a - m b)^2, in steps of
+ * 2^-16 level^2. */
+static int64_t squared_strays(const struct sums *sums, const struct estimate *estimate) {
+    int64_t strays = 0;
+    for (uint8_t way = 0; way < WAYS; way++) {
         for (uint8_t i = 0; i < 3; i++) {
-            rest_mean[i] = estimate->level[training->levels - FIRST_LEVELS].mean[WAY_ANY][i];
+            const struct way_sums *of = &sums->of[way][i];
+            int64_t mean = estimate->mean[way][i] >> 8;
+            strays +=
+                of->aa - 2 * times_mean(of->ab, mean) + times_mean(times_mean(of->bb, mean), mean);
         }
-        training->levels = (uint8_t)(training->levels + MORE_LEVELS);
-        training->last = training->first >> (training->levels - 1);
-        look(scene, training, &sums, rest_mean, counts);
+    }
+    return strays;
+}
+
+static int64_t squared_weights(const struct sums *sums) {
+    int64_t sum = 0;
+    for (uint8_t way = 0; way < WAYS; way++) {
+        for (uint8_t i = 0; i < 3; i++) {
+            sum += sums->of[way][i].bb;
+        }
+    }
+    return sum;
+}
+
+/* Sets the variances of a pixel's mean and of a branch. */
+static void set_variances(int64_t mean, int64_t branch, struct estimate *estimate) {
+    estimate->mean_variance = (int32_t)(mean < VARIANCE_LEAST  ? VARIANCE_LEAST
+                                        : mean > VARIANCE_MOST ? VARIANCE_MOST
+                                                               : mean);
+    estimate->branch_variance =
+        (int32_t)(branch < BRANCH_VARIANCE_MOST ? branch : BRANCH_VARIANCE_MOST);
+    estimate->noise =
+        (int32_t)quotient((int64_t)estimate->branch_variance << 8, estimate->mean_variance);
+}
+
+/* Concludes how much pixels' means vary: what strays, less what so many branches of these weights
+ * stray by themselves. */
+static void conclude_variance(const struct sums *sums, struct estimate *estimate) {
+    int64_t branch = BRANCH_VARIANCE + 2 * scaled_quotient(sums->above_white, sums->squares, 36);
+    int64_t noise = (sums->squares >> 26) * BRANCH_VARIANCE * 3 >> 10;
+    int64_t strays = squared_strays(sums, estimate) - noise;
+    set_variances(strays > 0 ? scaled_quotient(strays, squared_weights(sums), 20) : 0, branch,
+                  estimate);
+}
+
+/* Returns the step with which so many per cent of the pixels were accurate enough. */
+static uint8_t step_of_percent(const struct sums *sums, uint8_t percent) {
+    const uint32_t wanted = (uint32_t)sums->pixels * percent;
+    uint32_t count = 0;
+    uint8_t step = 0;
+    while (step + 1 < TAIL_STEPS && (count += sums->ended[step], count * 100 < wanted)) {
+        step++;
+    }
+    return step;
+}
+
+/* A grid over the whole picture. */
+struct grid {
+    uint16_t columns, rows;
+};
+
+/* Returns the eye's ray through the middle pixel of a cell. */
+static struct ray ray_of(const struct scene *scene, const struct grid *grid, uint16_t cell) {
+    /* A 16-bit int holds 2 * 31 + 1 times 640. */
+    uint16_t column = (uint16_t)(cell % grid->columns), row = (uint16_t)(cell / grid->columns);
+    uint16_t x = (uint16_t)((uint32_t)(2u * column + 1) * scene->width / (2u * grid->columns));
+    uint16_t y = (uint16_t)((uint32_t)(2u * row + 1) * scene->height / (2u * grid->rows));
+    return camera_ray(scene, x, y);
+}
+
+static uint16_t cells(uint16_t pixels, uint16_t most) {
+    uint16_t half = (uint16_t)((pixels + 1) / 2);
+    return half < most ? half : most;
+}
+
+/* Looks at all pixels of the grid until each is as accurate as was asked for. */
+static void look_at_pixels(const struct scene *scene, struct sums *sums,
+                           struct render_counts *counts) {
+    const struct grid grid = {cells(scene->width, COLUMNS), cells(scene->height, ROWS)};
+    const struct refining refining = {scene, 0, scene->ray_budget / BUDGET_PART};
+    struct tail tail;
+    struct tail_verdict verdict;
+    clear(sums);
+    for (uint16_t i = 0; i < grid.columns * grid.rows; i++) {
+        const struct ray ray = ray_of(scene, &grid, i);
+        uint8_t steps = refine_pixel(&refining, &ray, counts, &tail, &verdict);
+        if (tail.cut_squares > 0) {
+            sums->pixels++;
+            sums->ended[steps]++;
+        }
+        add_pixel(sums, &tail);
     }
 }
 
-static void learn_level(const struct scene *scene, struct training *training,
-                        struct estimate *estimate, struct render_counts *counts) {
+/* Learns for an accuracy that is asked for. The second look knows what the first has learned. */
+static void learn_for_accuracy(const struct scene *scene, struct estimate *estimate,
+                               struct render_counts *counts) {
+    struct scene learned = *scene;
     struct sums sums;
-    uint16_t depth = (uint16_t)(scene->depth + ESTIMATE_EVENTS);
-    training->last_depth = (uint8_t)(depth < UINT8_MAX ? depth : UINT8_MAX);
-    training->of_depth = true;
-    training->levels = 1;
-    training->last = training->first >> LESS_WEIGHT_BITS;
-    look(scene, training, &sums, 0, counts);
-    conclude_mean(&sums.level[0], &estimate->level[0]);
-    estimate->level[0].spread = 0;
-    estimate->level[0].squares_most = 0;
-    estimate->first = estimate->typical = 0;
+    learned.estimate = estimate;
+    for (uint8_t i = 0; i < 3; i++) {
+        estimate->mean[WAY_DOWN][i] = estimate->mean[WAY_UP][i] = estimate->mean[WAY_ANY][i] =
+            (int32_t)MEAN_BEFORE << 16;
+    }
+    set_variances(VARIANCE_BEFORE, BRANCH_VARIANCE, estimate);
+    estimate->first = 0;
+    for (uint8_t look = 0; look < LOOKS; look++) {
+        look_at_pixels(&learned, &sums, counts);
+        conclude_means(&sums, estimate);
+        conclude_variance(&sums, estimate);
+        estimate->first = step_of_percent(&sums, first_percent[look]);
+    }
+}
+
+/* Returns a threshold of which weights are learned that a scene's own threshold cuts. */
+static real_energy lower_threshold(const struct scene *scene) {
+    real_energy threshold = scene->threshold;
+    for (uint8_t i = 0; i < LESS_WEIGHT_BITS; i++) {
+        threshold = energy_product(threshold, REAL_ENERGY(0.5));
+    }
+    return threshold;
+}
+
+/* Learns what the scene's threshold and depth level cut. */
+static void learn_tail(const struct scene *scene, struct estimate *estimate,
+                       struct render_counts *counts) {
+    const struct grid grid = {COLUMNS, ROWS};
+    const uint16_t depth = (uint16_t)(scene->depth + ESTIMATE_EVENTS);
+    struct tail tail;
+    struct sums sums;
+    clear(&sums);
+    for (uint16_t i = 0; i < COLUMNS * ROWS; i++) {
+        struct tree tree;
+        const struct ray ray = ray_of(scene, &grid, i);
+        tail_clear(&tail);
+        growth_start(&tree, scene, &ray, counts);
+        tree.tail = &tail;
+        tree.threshold = lower_threshold(scene);
+        tree.ray_budget = scene->ray_budget / BUDGET_PART;
+        tree.last_depth = (uint8_t)(depth < UINT8_MAX ? depth : UINT8_MAX);
+        tree.learns_depth = true;
+        growth_finish(&tree);
+        add_pixel(&sums, &tail);
+    }
+    conclude_means(&sums, estimate);
+    set_variances(VARIANCE_BEFORE, BRANCH_VARIANCE, estimate);
+    estimate->first = 0;
 }
 
 void learn_estimate(const struct scene *scene, struct estimate *estimate,
                     struct render_counts *counts) {
-    struct training training;
     if (!FEATURE_ESTIMATE) {
         return;
     }
-    training.first = energy_steps(scene->threshold);
-    if (FEATURE_KEPT > 0 && scene->error > 0) {
-        learn_levels(scene, &training, estimate, counts);
+    if (FEATURE_ACCURACY && scene->error > 0) {
+        learn_for_accuracy(scene, estimate, counts);
     } else {
-        learn_level(scene, &training, estimate, counts);
+        learn_tail(scene, estimate, counts);
     }
 }

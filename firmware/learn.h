@@ -9,7 +9,4 @@
 void learn_estimate(const struct scene *scene, struct estimate *estimate,
                     struct render_counts *counts);
 
-/* Returns the root of a number that is not negative, rounded down. */
-uint32_t learn_root(int64_t square);
-
 #endif

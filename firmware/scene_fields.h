@@ -182,7 +182,11 @@
 
 #define SCENE_FIELDS_AFTER(F)                                                                      \
     F(LONG, ray_budget) /* of a pixel: what is left then is cut */                                 \
-    F(WORD, brightest)  /* no surface's own intensity is above this level */                       \
+    /* A branch that may meet n boundaries gathers darkest to brightest + (n - 1) brightest_each   \
+     * levels a weight of 1. */                                                                    \
+    F(WORD, darkest)                                                                               \
+    F(LONG, brightest)                                                                             \
+    F(LONG, brightest_each)                                                                        \
     F(COLOURS, background)                                                                         \
     F(TRUTH, simple)         /* Table 1 (a): transmittance alone, straight on */                   \
     F(TRUTH, filters)        /* transparent colours multiply instead of adding */                  \

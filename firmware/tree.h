@@ -27,13 +27,8 @@ struct branch {
     uint8_t events;         /* boundary events on its path: their number is held against N */
     uint8_t channel;        /* 0, 1, 2 or CHANNEL_ALL */
     uint8_t kind;           /* enum branch_kind */
-    uint8_t beyond; /* the levels that cut it, of a training pass: 0 is what is seen anyway */
-
-    /* A training pass has no observer, so both members share storage. */
-    union {
-        uint32_t parent; /* for an observer: the node where it began; 0: the eye */
-        uint32_t ups;    /* of a training pass, bit i: the way that level i cut was going up */
-    } noted;
+    uint8_t place;          /* enum tail_place, where a pixel's tail is kept */
+    uint32_t parent;        /* for an observer: the node where it began; 0: the eye */
 };
 
 /* The observer of a tree while the tree is grown. Both members may be called many times a pixel. A

@@ -26,7 +26,7 @@ enum {
     FEATURE_TRANSPARENCY = 1,
     FEATURE_ABSORPTION = 1,
     FEATURE_ESTIMATE = 1,       /* pruned branches count as their estimated radiance */
-    FEATURE_KEPT = 512,         /* branches kept for an accuracy that is asked for; 0: none is */
+    FEATURE_ACCURACY = 1,       /* an accuracy may be asked for */
     FEATURE_SIMPLE = 1,         /* Table 1 (a) */
     FEATURE_DISPERSION = 1,     /* Table 1 (c): directions by wavelength */
     FEATURE_TINT = 1,           /* Table 1 (c): reflectance and transmittance by wavelength */

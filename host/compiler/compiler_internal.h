@@ -259,9 +259,12 @@ void compile_sample_curve(const struct compiled_scene *scene, uint32_t primitive
 double compile_curve_distance(const struct compiled_scene *scene, struct curve_sample *sample,
                               uint32_t other);
 
-/* Returns the largest level of a channel that the material's own colour has, or its pattern's. */
+/* Returns the largest and the least level of a channel that the material's own colour has, or its
+ * pattern's. */
 double compiled_colour_most(const struct compiled_scene *scene,
                             const struct compiled_material *material, int channel);
+double compiled_colour_least(const struct compiled_scene *scene,
+                             const struct compiled_material *material, int channel);
 
 /* Compiles a part of the scene: camera, materials, lights, the brightest level, what can throw
  * shadows. False with the failure recorded. */

@@ -19,9 +19,6 @@ struct feature {
 
 enum { FEATURES = 29, NOT_OF_FORM = -1 };
 
-/* firmware/features/full/ has room for so many branches: fewer would give another picture. */
-enum { KEPT_BRANCHES = 512 };
-
 static bool has_rotation(const struct compiled_scene *scene) {
     for (uint32_t i = 0; i < scene->primitive_count; i++) {
         if (scene->primitives[i].frame != COMPILED_FRAME_WORLD) {
@@ -134,7 +131,7 @@ static void find_features(const struct compiled_scene *scene, struct feature fea
         {"FILTER", scene->filters},
         {"SPECULAR_TABLE", scene->specular_table_count > 0},
         {"ESTIMATE", scene->estimates && scene->has_branches},
-        {"KEPT", scene->error > 0 && scene->has_branches ? KEPT_BRANCHES : 0},
+        {"ACCURACY", scene->error > 0 && scene->has_branches},
         {"OBSERVER", 0},
         {"SHOW", scene->show != SHOW_FULL},
     };

@@ -95,6 +95,14 @@ double compiled_colour_most(const struct compiled_scene *scene,
     return fmax(material->colour[channel], other);
 }
 
+double compiled_colour_least(const struct compiled_scene *scene,
+                             const struct compiled_material *material, int channel) {
+    return material->pattern == PATTERN_NONE
+               ? material->colour[channel]
+               : fmin(material->colour[channel],
+                      scene->patterns[material->pattern].colour[channel]);
+}
+
 static bool is_lit(const struct compiled_scene *scene, const struct compiled_material *material,
                    const struct compiled_light *light) {
     for (int i = 0; i < 3 && material_is_shaded(scene, material); i++) {

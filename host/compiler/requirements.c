@@ -33,7 +33,7 @@ static void print_word(struct words *words, const char *text) {
  * their value. */
 static void take_feature(void *context, const char *name, int value) {
     static const char *const numbers[] = {"DEPTH",   "WIDTH",  "PRIMITIVE_WORDS",
-                                          "NESTING", "LEVELS", "KEPT"};
+                                          "NESTING", "LEVELS"};
     char text[64];
     size_t length = 0;
     if (value == 0) {

@@ -166,31 +166,64 @@ bool compile_lights(struct compiler *compiler) {
     return true;
 }
 
-/* Finds an intensity that no surface's own exceeds: Eq. (1) with every cosine and A at 1. The
+/* The levels between which a material's own intensity is, in one channel. */
+struct own_range {
+    double least, most;
+};
+
+/* Finds what a material sends by itself: Eq. (1) with every cosine and A at 1, and in the dark. The
  * distance may make C + D as small as C. */
+static struct own_range own_range(const struct compiler *compiler,
+                                  const struct compiled_material *material, int channel) {
+    const struct compiled_scene *scene = compiler->scene;
+    const struct own_range nothing = {0, 0};
+    if (scene->filters && material->transparent) {
+        return nothing;
+    }
+    double colour = compiled_colour_most(scene, material, channel);
+    double specular = material->specular_table != SPECULAR_CONSTANT ? 1 : material->specular;
+    double direct = 0;
+    for (uint32_t i = 0; i < scene->light_count; i++) {
+        double light = scene->lights[i].colour[channel];
+        direct += material->diffuse * colour * light / 255 + specular * light;
+    }
+    if (scene->fades) {
+        direct /= fmax(compiler->description->attenuation_constant, 1e-3);
+    }
+    const struct own_range range = {
+        material->ambient_share * compiled_colour_least(scene, material, channel) +
+            material->ambient[channel],
+        material->ambient_share * colour + material->ambient[channel] + direct};
+    return range;
+}
+
+/* Finds what a branch gathers at least and at most. Let a branch that may meet one boundary more
+ * gather at most E levels more. Then B + (n - 1) E is a bound for n boundaries, if B is one for
+ * what ends a branch, E for what transparent surfaces send, and B (1 - w) for mirrors: the shares
+ * of a boundary's branches are 1 together at most, and w for a mirror. */
 void compile_brightest(struct compiler *compiler) {
-    const struct scene_description *description = compiler->description;
+    const double most = 8388607, nearly_one = 1 - 1e-6;
     struct compiled_scene *scene = compiler->scene;
-    double most = 0;
+    double least = 65535, each = 0, end = 0;
     for (int j = 0; j < 3; j++) {
-        most = fmax(most, scene->background[j]);
+        least = fmin(least, scene->background[j]);
+        end = fmax(end, scene->background[j]);
         for (uint32_t i = 1; i < scene->material_count; i++) {
             const struct compiled_material *material = &scene->materials[i];
-            double colour = compiled_colour_most(scene, material, j);
-            double specular =
-                material->specular_table != SPECULAR_CONSTANT ? 1 : material->specular;
-            double direct = 0;
-            for (uint32_t k = 0; k < scene->light_count; k++) {
-                double light = scene->lights[k].colour[j];
-                direct += material->diffuse * colour * light / 255 + specular * light;
+            const struct own_range own = own_range(compiler, material, j);
+            double mirrors = material->specular_table != SPECULAR_CONSTANT ? 1 : material->specular;
+            least = material->absorbs ? 0 : fmin(least, own.least);
+            end = fmax(end, own.most);
+            if (material->transparent || mirrors > nearly_one) {
+                each = fmax(each, own.most);
+            } else {
+                end = fmax(end, own.most / (1 - mirrors));
             }
-            if (scene->fades) {
-                direct /= fmax(description->attenuation_constant, 1e-3);
-            }
-            most = fmax(most, material->ambient_share * colour + material->ambient[j] + direct);
         }
     }
-    scene->brightest = (uint16_t)fmin(ceil(most), 32767);
+    scene->darkest = (uint16_t)fmin(floor(least), 65535);
+    scene->brightest = (uint32_t)fmin(ceil(end), most);
+    scene->brightest_each = (uint32_t)fmin(ceil(each), most);
 }
 
 bool compile_colour(struct compiler *compiler) {

@@ -51,6 +51,7 @@ static void add_row(struct renderer *renderer, const struct render_counts *count
     totals->solid_tests += counts->solid_tests;
     totals->leaked_rays += counts->leaked_rays;
     totals->exhausted_pixels += counts->exhausted_pixels;
+    totals->unreached_pixels += counts->unreached_pixels;
     if (counts->estimated_error > totals->estimated_error) {
         totals->estimated_error = counts->estimated_error;
         totals->worst_x = counts->worst_x;

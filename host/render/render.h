@@ -13,7 +13,7 @@
 struct render_totals {
     uint64_t rays, shadow_rays, nodes, solid_tests, leaked_rays; /* as in struct render_counts */
     uint64_t learning_rays;                                      /* of rays: for the estimate */
-    uint64_t exhausted_pixels;                                   /* as in struct render_counts */
+    uint64_t exhausted_pixels, unreached_pixels;                 /* as in struct render_counts */
     uint32_t estimated_error, proved_error;                      /* the worst pixel's */
     unsigned worst_x, worst_y;                                   /* where estimated_error is */
     struct estimate estimate;                                    /* of pruned branches */

@@ -13,24 +13,23 @@ static void write_estimate(struct json *json, const struct run_stats *stats) {
     static const char *const names[WAYS + 1] = {
         [WAY_DOWN] = "tail_down", [WAY_UP] = "tail_up", [WAY_ANY] = "tail"};
     const struct render_totals *totals = stats->totals;
-    const struct estimate_level *level = &totals->estimate.level[totals->estimate.typical];
     json_count(json, "learning_rays", totals->learning_rays);
     for (int way = 0; way <= WAYS; way++) {
         json_begin_list(json, names[way]);
         for (int i = 0; i < 3; i++) {
-            json_decimal(json, NULL, level->mean[way][i] / 65536.0, 6);
+            json_decimal(json, NULL, totals->estimate.mean[way][i] / 65536.0, 6);
         }
         json_end_list(json);
     }
     if (stats->compiled->error > 0) {
         json_real(json, "error", stats->compiled->error);
-        json_decimal(json, "spread", level->spread / 65536.0, 6);
+        json_count(json, "unreached_pixels", totals->unreached_pixels);
         json_decimal(json, "estimated_error", totals->estimated_error / 65536.0, 6);
         json_begin_list(json, "worst_pixel");
         json_count(json, NULL, totals->worst_x);
         json_count(json, NULL, totals->worst_y);
         json_end_list(json);
-        json_count(json, "proved_error", totals->proved_error);
+        json_decimal(json, "proved_error", totals->proved_error / 65536.0, 6);
     }
 }
 

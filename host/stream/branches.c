@@ -151,28 +151,34 @@ static void set_starts(const struct ray_lanes *restrict rays, const struct hit_l
 
 static void send(const struct scene *scene, const struct ray_lanes *rays,
                  const struct hit_lanes *hit, const struct start_lanes *start,
-                 const struct kind_of_children *kind, struct queue *queue, struct cut_lanes *cut) {
+                 const struct kind_of_children *kind, struct watched_pixels *watched,
+                 struct queue *queue, struct cut_lanes *cut) {
     struct energy_lanes weight;
-    uint32_t follow[LANES], path[LANES];
+    uint32_t follow[LANES], path[LANES], places[LANES];
+    const uint32_t *target = start->target;
     if (queue->is_grey) {
         weigh_grey(scene, rays, hit, kind->share, &weight, follow);
     } else {
         weigh(scene, rays, hit, kind->share, &weight, follow);
     }
-    if (scene->estimate) {
+    if (watched != NULL) {
+        const struct watched_children children = {kind->direction, &weight, queue->is_grey};
+        watch_children(watched, scene, rays, hit, &children, follow, places);
+        target = places;
+    } else if (scene->estimate) {
         set_cut(scene, rays, hit, kind->direction, &weight, follow, cut);
     }
     for (int i = 0; i < LANES; i++) {
         path[i] = start->events[i] | path_of(0, kind->object[i], 0);
     }
     const struct ray_columns children = {
-        &hit->where, kind->direction, &weight, start->from, kind->inside, path, start->target};
+        &hit->where, kind->direction, &weight, start->from, kind->inside, path, target};
     queue_push(queue, &children, follow);
 }
 
 void children_grow(const struct scene *scene, const struct ray_lanes *rays,
                    const struct hit_lanes *hit, const struct boundary_lanes *boundary,
-                   struct queue *queue, struct cut_lanes cut[2]) {
+                   struct watched_pixels *watched, struct queue *queue, struct cut_lanes cut[2]) {
     struct passage_lanes passage;
     struct start_lanes start;
     find_passages(&rays->direction, hit, boundary, &passage);
@@ -181,6 +187,6 @@ void children_grow(const struct scene *scene, const struct ray_lanes *rays,
                                               passage.reflectance};
     const struct kind_of_children refracted = {&passage.refracted, hit->after, hit->inside_after,
                                                passage.transmittance};
-    send(scene, rays, hit, &start, &mirrored, queue, &cut[0]);
-    send(scene, rays, hit, &start, &refracted, queue, &cut[1]);
+    send(scene, rays, hit, &start, &mirrored, watched, queue, &cut[0]);
+    send(scene, rays, hit, &start, &refracted, watched, queue, &cut[1]);
 }

@@ -3,6 +3,7 @@
 #ifndef SUPERFRAME_LANES_H
 #define SUPERFRAME_LANES_H
 
+#include "render/engine.h"
 #include "scene.h"
 
 /* All loops over lanes run from 0 to LANES, a constant that vectors of any width divide. LANES is
@@ -50,7 +51,7 @@ struct ray_lanes {
     real_length from[LANES_ROOM]; /* where the search for the next crossing begins */
     uint32_t inside[LANES_ROOM];  /* a set of primitives, as set_memory.h has it */
     uint32_t path[LANES_ROOM];    /* the surface it starts on, and more: path_of() */
-    uint32_t target[LANES_ROOM];  /* the pixel that it is for, in the band | TARGET_CONTINUED */
+    uint32_t target[LANES_ROOM];  /* where its parts are summed | TARGET_CONTINUED */
 };
 
 /* Rays as in struct ray_lanes whose quantities lie apart: for each quantity, where its lanes
@@ -65,6 +66,10 @@ struct ray_columns {
 
 /* Set for a ray behind a crossing where the material did not change: the ray has been counted. */
 #define TARGET_CONTINUED UINT32_C(0x80000000)
+
+/* The most pixels of a band. A ray's parts are summed at its pixel's number in the band. Where an
+ * accuracy is asked for, they are summed at that number + its enum tail_place * TARGET_PIXELS. */
+enum { TARGET_PIXELS = STREAM_ROWS_MOST * FEATURE_WIDTH };
 
 static inline struct ray_columns columns_of(const struct ray_lanes *rays) {
     const struct ray_columns columns = {&rays->origin, &rays->direction, &rays->weight, rays->from,

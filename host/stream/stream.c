@@ -9,6 +9,7 @@
 #include "stream/interval.h"
 #include "stream/objects.h"
 #include "stream/shading.h"
+#include "stream/watch.h"
 
 #define STREAM_TEXT(name)          STREAM_TEXT_(name)
 #define STREAM_TEXT_(name)         #name
@@ -17,8 +18,6 @@
 #define STREAM_JOIN(name, suffix)  STREAM_JOIN_(name, suffix)
 #define STREAM_JOIN_(name, suffix) name##suffix
 #define STREAM_REAL                STREAM_JOIN(REAL_NAME, SETS_SUFFIX)
-
-enum { BAND_PIXELS = STREAM_ROWS_MOST * FEATURE_WIDTH };
 
 /* A pixel's sums lie together, so that a ray's part is one sum of vectors. The sums are one for
  * each primary, in steps of 2^-16 level, and the number of rays. */
@@ -35,11 +34,19 @@ struct stream {
     bool absorbs; /* a material of the scene absorbs */
     struct set_memory memory;
     struct queue queue;
-    int64_t sums[BAND_PIXELS][SUMS];
-    struct ray_lanes *rays; /* of a step: a block of the queue */
+    uint32_t wanted_count;
+    uint16_t wanted[TARGET_PIXELS]; /* the pixels of the band that are looked at */
+    int64_t sums[TAIL_PLACES * TARGET_PIXELS][SUMS];
+    struct ray_lanes *rays;       /* of a step: a block of the queue */
+    struct watched_pixels pixels; /* where an accuracy is asked for */
 };
 
-/* Starts the rays through the eye for `count` pixels, up to LANES, from `first` on: see
+/* Returns the watched pixels; NULL where no accuracy is asked for. */
+static struct watched_pixels *watched(struct stream *stream) {
+    return stream->scene->error > 0 ? &stream->pixels : NULL;
+}
+
+/* Starts the rays through the eye for `count` wanted pixels, up to LANES, from `first` on: see
  * camera_ray(). */
 static void start_eye_rays(struct stream *stream, uint16_t first_row, uint32_t first,
                            uint32_t count) {
@@ -50,7 +57,7 @@ static void start_eye_rays(struct stream *stream, uint16_t first_row, uint32_t f
     int16_t column[LANES], row[LANES];
     uint32_t wanted[LANES];
     for (uint32_t i = 0; i < LANES; i++) {
-        uint32_t pixel = first + (i < count ? i : 0);
+        uint32_t pixel = stream->wanted[first + (i < count ? i : 0)];
         column[i] = (int16_t)(2 * (pixel % scene->width) + 1 - scene->width);
         row[i] = (int16_t)(2 * (first_row + pixel / scene->width) + 1 - scene->height);
         wanted[i] = i < count ? 1 : 0;
@@ -203,11 +210,11 @@ static void absorb(struct stream *stream) {
 /* Adds the estimated radiance of the pruned branches, as cut_radiance() of firmware/growth.c does.
  */
 static void add_estimate(struct stream *stream, const struct cut_lanes *cut) {
-    const struct estimate_level *level = &stream->scene->estimate->level[0];
+    const struct estimate *estimate = stream->scene->estimate;
     const uint32_t uncounted[LANES] = {0};
     struct colour_lanes worth;
     for (int i = 0; i < LANES; i++) {
-        const int32_t *steps = level->mean[cut->way[i]];
+        const int32_t *steps = estimate->mean[cut->way[i]];
         worth.red[i] = colour_of_steps(steps[0]);
         worth.green[i] = colour_of_steps(steps[1]);
         worth.blue[i] = colour_of_steps(steps[2]);
@@ -248,8 +255,9 @@ static void meet_boundaries(struct stream *stream, struct colour_lanes *local) {
     boundaries_find(stream->scene, &stream->hit, &boundary);
     shading_local(stream->scene, &stream->rays->direction, &stream->hit, &boundary, local,
                   &stream->search, &stream->memory, &stream->counts);
-    children_grow(stream->scene, stream->rays, &stream->hit, &boundary, &stream->queue, cut);
-    if (stream->scene->estimate) {
+    children_grow(stream->scene, stream->rays, &stream->hit, &boundary, watched(stream),
+                  &stream->queue, cut);
+    if (stream->scene->estimate && watched(stream) == NULL) {
         add_estimate(stream, &cut[0]);
         add_estimate(stream, &cut[1]);
     }
@@ -306,42 +314,114 @@ static void start_band(struct stream *stream, const struct scene *scene, uint32_
     stream->scene = scene;
     stream->counts = nothing;
     stream->absorbs = scene_absorbs(scene);
-    set_memory_begin(&stream->memory, scene);
-    queue_clear(&stream->queue, scene_is_grey(scene));
-    memset(stream->sums, 0, pixels * sizeof stream->sums[0]);
+    stream->wanted_count = pixels;
+    for (uint32_t i = 0; i < pixels; i++) {
+        stream->wanted[i] = (uint16_t)i;
+    }
+}
+
+/* Makes all that a look at the wanted pixels begins with empty. */
+static void start_look(struct stream *stream) {
+    const uint32_t places = watched(stream) != NULL ? TAIL_PLACES : 1;
+    set_memory_begin(&stream->memory, stream->scene);
+    queue_clear(&stream->queue, scene_is_grey(stream->scene));
+    for (uint32_t i = 0; i < stream->wanted_count; i++) {
+        for (uint32_t place = 0; place < places; place++) {
+            memset(stream->sums[stream->wanted[i] + place * TARGET_PIXELS], 0,
+                   sizeof stream->sums[0]);
+        }
+    }
+}
+
+/* Returns the number of rays of a pixel: of the look at work, and of those before. */
+static uint64_t rays_of(const struct stream *stream, uint32_t pixel) {
+    uint64_t rays = (uint64_t)stream->sums[pixel][SUM_OF_RAYS];
+    if (stream->scene->error > 0) {
+        rays += (uint64_t)stream->sums[pixel + TAIL_DOWN * TARGET_PIXELS][SUM_OF_RAYS] +
+                (uint64_t)stream->sums[pixel + TAIL_UP * TARGET_PIXELS][SUM_OF_RAYS] +
+                stream->pixels.rays[pixel];
+    }
+    return rays;
 }
 
 /* Tells whether a pixel had more rays than it may have. */
-static bool is_exhausted(const struct stream *stream, uint32_t pixels) {
-    int64_t most = 0;
-    for (uint32_t i = 0; i < pixels; i++) {
-        most = stream->sums[i][SUM_OF_RAYS] > most ? stream->sums[i][SUM_OF_RAYS] : most;
+static bool is_exhausted(const struct stream *stream) {
+    uint64_t most = 0;
+    for (uint32_t i = 0; i < stream->wanted_count; i++) {
+        uint64_t rays = rays_of(stream, stream->wanted[i]);
+        most = rays > most ? rays : most;
     }
     return most > stream->scene->ray_budget;
 }
 
-/* Follows all rays of the band; false where the queue overflowed or a pixel's budget ended. */
-static bool follow_rays(struct stream *stream, uint16_t first, uint32_t pixels) {
+/* Follows all rays of the wanted pixels; false where the queue overflowed or a pixel's budget
+ * ended. */
+static bool follow_rays(struct stream *stream, uint16_t first_row) {
     uint32_t next = 0, unwatched = 0, block = 0;
+    start_look(stream);
     for (;;) {
-        while (next < pixels && queue_fullest(&stream->queue) < LANES) {
-            uint32_t count = pixels - next < LANES ? pixels - next : LANES;
-            start_eye_rays(stream, first, next, count);
+        while (next < stream->wanted_count && queue_fullest(&stream->queue) < LANES) {
+            uint32_t left = stream->wanted_count - next, count = left < LANES ? left : LANES;
+            start_eye_rays(stream, first_row, next, count);
             next += count;
         }
         uint32_t count = queue_take(&stream->queue, &block);
         if (count == 0) {
-            return !is_exhausted(stream, pixels);
+            return !is_exhausted(stream);
         }
         stream->rays = &stream->queue.blocks[block];
         step(stream, count);
         queue_give_back(&stream->queue, block);
         unwatched = (unwatched + 1) % STEPS_UNWATCHED;
         if (stream->queue.overflowed || set_memory_is_full(&stream->memory) ||
-            (unwatched == 0 && is_exhausted(stream, pixels))) {
+            (unwatched == 0 && is_exhausted(stream))) {
             return false;
         }
     }
+}
+
+/* Judges the look at a pixel; false if there is to be no other. */
+static bool judge(struct stream *stream, uint32_t pixel) {
+    struct watched_pixels *pixels = &stream->pixels;
+    struct tail *tail = &pixels->tail[pixel];
+    struct tail_verdict found;
+    const uint64_t in_all = rays_of(stream, pixel);
+    const struct tail_rays rays = {in_all - pixels->rays[pixel], in_all, stream->scene->ray_budget};
+    for (uint32_t place = 0; place < TAIL_PLACES; place++) {
+        for (uint32_t primary = 0; primary < PRIMARIES; primary++) {
+            tail->gathered[place][primary] = stream->sums[pixel + place * TARGET_PIXELS][primary];
+        }
+    }
+    tail_judge(stream->scene, tail, pixels->steps[pixel], &rays, &found);
+    if (found.uncertainty <= pixels->best[pixel].uncertainty) {
+        pixels->best[pixel] = found;
+    }
+    pixels->rays[pixel] = in_all;
+    pixels->steps[pixel] = found.steps;
+    return found.steps < TAIL_STEPS;
+}
+
+/* Looks at the pixels of a band until each is as accurate as was asked for: refine_pixel() of
+ * firmware/refine.c. False where follow_rays() was. */
+static bool refine_band(struct stream *stream, uint16_t first_row) {
+    watch_begin(&stream->pixels, stream->scene, stream->wanted_count);
+    while (stream->wanted_count > 0) {
+        uint32_t again = 0;
+        for (uint32_t i = 0; i < stream->wanted_count; i++) {
+            tail_clear(&stream->pixels.tail[stream->wanted[i]]);
+        }
+        if (!follow_rays(stream, first_row)) {
+            return false;
+        }
+        for (uint32_t i = 0; i < stream->wanted_count; i++) {
+            uint16_t pixel = stream->wanted[i];
+            if (judge(stream, pixel)) {
+                stream->wanted[again++] = pixel;
+            }
+        }
+        stream->wanted_count = again;
+    }
+    return true;
 }
 
 /* Returns colour_level() of a sum, without a branch: up to white every arithmetic holds all steps
@@ -352,17 +432,39 @@ static inline uint8_t level_of(int64_t steps) {
     return (uint8_t)(((above < white ? above : white) + half) >> 16);
 }
 
+static void show_watched(const struct stream *stream, uint16_t first_row, uint32_t pixels,
+                         uint8_t *rgb, struct render_counts *counts) {
+    const struct scene *scene = stream->scene;
+    for (uint32_t i = 0; i < pixels; i++) {
+        const struct tail_verdict *verdict = &stream->pixels.best[i];
+        if (tail_note(scene, verdict, counts)) {
+            counts->worst_x = (uint16_t)(i % scene->width);
+            counts->worst_y = (uint16_t)(first_row + i / scene->width);
+        }
+        for (uint32_t primary = 0; primary < PRIMARIES; primary++) {
+            rgb[PRIMARIES * i + primary] = level_of(verdict->colour[primary]);
+        }
+    }
+}
+
 static bool stream_rows(void *memory, const struct scene *scene, uint16_t first, uint16_t rows,
                         uint8_t *rgb, struct render_counts *counts) {
     struct stream *stream = memory;
     uint32_t pixels = (uint32_t)rows * scene->width;
     start_band(stream, scene, pixels);
-    if (!follow_rays(stream, first, pixels)) {
-        return false;
-    }
-    for (uint32_t i = 0; i < pixels; i++) {
-        for (uint32_t primary = 0; primary < PRIMARIES; primary++) {
-            rgb[PRIMARIES * i + primary] = level_of(stream->sums[i][primary]);
+    if (watched(stream) != NULL) {
+        if (!refine_band(stream, first)) {
+            return false;
+        }
+        show_watched(stream, first, pixels, rgb, counts);
+    } else {
+        if (!follow_rays(stream, first)) {
+            return false;
+        }
+        for (uint32_t i = 0; i < pixels; i++) {
+            for (uint32_t primary = 0; primary < PRIMARIES; primary++) {
+                rgb[PRIMARIES * i + primary] = level_of(stream->sums[i][primary]);
+            }
         }
     }
     add_counts(counts, &stream->counts);
@@ -376,8 +478,8 @@ static bool material_fits(const struct material *material) {
            material->specular_table == SPECULAR_CONSTANT;
 }
 
-/* Tells whether the engine knows a scene. Filters, the simplified model and an accuracy that is
- * asked for are the image's alone. */
+/* Tells whether the engine knows a scene. Filters and the simplified model are the image's
+ * alone. */
 static bool stream_fits(const struct scene *scene) {
     for (entry_number i = 0; i < scene->object_count; i++) {
         if (!material_fits(&scene->materials[scene->objects[i].material])) {
@@ -385,7 +487,7 @@ static bool stream_fits(const struct scene *scene) {
         }
     }
     return set_memory_fits(scene) && scene->width <= FEATURE_WIDTH && !scene->simple &&
-           !scene->filters && scene->error == 0;
+           !scene->filters;
 }
 
 extern const struct stream_engine STREAM_SYMBOL(STREAM_REAL, INSTRUCTION_SET);

@@ -14,7 +14,7 @@ failures=0
 # Every feature, with a stack of rays that such a machine has room for, in both forms of sets.
 for form in full many; do
     mkdir -p "$work/$form/features"
-    sed 's/FEATURE_DEPTH = [0-9]*/FEATURE_DEPTH = 10/; s/FEATURE_KEPT = [0-9]*/FEATURE_KEPT = 0/' \
+    sed 's/FEATURE_DEPTH = [0-9]*/FEATURE_DEPTH = 10/; s/FEATURE_ACCURACY = [0-9]*/FEATURE_ACCURACY = 0/' \
         firmware/features/all.h > "$work/$form/features/all.h"
     sed 's/FEATURE_NESTING = [0-9]*/FEATURE_NESTING = 8/' \
         firmware/features/$form/feature_set.h > "$work/$form/feature_set.h"

@@ -30,7 +30,7 @@ static void see_node(void *context, uint32_t number, const struct branch *branch
     const struct pixel_observer *observer = context;
     struct observed_node node;
     node.number = number;
-    node.parent = branch->noted.parent;
+    node.parent = branch->parent;
     node.kind = (enum observed_kind)branch->kind;
     node.channel = branch->channel;
     node.events = branch->events;
