@@ -161,8 +161,9 @@ $(foreach file,search_solids search_quadrics boundaries,$(eval STREAM_FLAGS_$(fi
 # A fourth one unrolls loops of NODE_WIDTH before they can become vectors.
 STREAM_FLAGS_search := --param max-completely-peel-times=4
 endif
-# Only what is used is made of vectors: under the sanitizers, checks between the lanes leave none.
+# Under the sanitizers, checks between the lanes leave no vectors.
 STREAM_FLAGS_release := $(OPTIMISE:-O2=-O3)
+STREAM_FLAGS_sanitized := -O2
 STREAM_FLAGS_avx2   := -march=x86-64-v3
 STREAM_FLAGS_avx512 := -march=x86-64-v4 -mprefer-vector-width=512
 
@@ -210,7 +211,7 @@ $(BUILD)/superframe: $(BUILD)/release/superframe
 
 # Compiler and flags of the last build: when they change, everything is compiled again.
 $(BUILD)/flags: FORCE | setup
-	$(call renew,echo '$(subst ','\'',$(CC) $(WARNINGS) $(FLOATING) $(CFLAGS_library) $(CFLAGS_fuzzed) $(STREAM_FLAGS))')
+	$(call renew,echo '$(subst ','\'',$(CC) $(WARNINGS) $(FLOATING) $(CFLAGS_library) $(CFLAGS_fuzzed) $(STREAM_FLAGS) $(STREAM_FLAGS_sanitized))')
 
 # The list of sources: when a file goes away, what was linked from it is linked again.
 $(BUILD)/sources: FORCE
