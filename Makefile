@@ -14,7 +14,8 @@ export BUILD
 
 WARNINGS := -std=c99 -pedantic -Wall -Wextra -Wconversion -Wshadow -Werror
 OPTIMISE ?= -O2
-DEBUG    ?= -g
+# Functions and lines, for reports and profiles; DEBUG=-g has variables too, and takes a third longer.
+DEBUG    ?= -g1
 # Golden images: no contraction to fused multiply-add, no excess precision.
 FLOATING := -ffp-contract=off
 # Files of more than 2 GiB where long has 32 bits.
@@ -126,11 +127,11 @@ $(Q)$(CC) -r -nostdlib -o $@ $(filter %.o,$^)
 $(Q)$(if $(1),$(OBJCOPY) --keep-global-symbol=$(1) $@)
 endef
 
-# renew COMMAND: what the command prints, in a file that keeps its time where nothing changes.
+# renew COMMAND: what the command prints, in a file that keeps its time where nothing changes. Another make
+# may be doing the same.
 define renew
 @mkdir -p $(@D)
-@{ $(1); } > $@.new
-@cmp -s $@.new $@ && rm $@.new || mv $@.new $@
+@new=$@.$$$$; { $(1); } > $$new && if cmp -s $$new $@; then rm $$new; else mv $$new $@; fi
 endef
 
 # objects FOLDER,FLAGS[,WHERE]: what is compiled into a folder, of any source below WHERE.
@@ -151,7 +152,7 @@ endef
 
 # Nothing here changes a result: no trap is waited for, no errno is read, no infinity is made in a lane that
 # counts (strict/real.h), and no sign of a zero is asked for. In lanes, & is what && is elsewhere.
-STREAM_FLAGS := -O3 -fno-trapping-math -fno-math-errno -ffinite-math-only -fno-signed-zeros -Wno-bitwise-instead-of-logical
+STREAM_FLAGS := -fno-trapping-math -fno-math-errno -ffinite-math-only -fno-signed-zeros -Wno-bitwise-instead-of-logical
 # Two of gcc's passes make branches in loops that are to be vectors: they thread jumps through choices that
 # hang together, and, in some files, look for partial redundancies. A third calls memcpy for short loops.
 ifeq ($(findstring clang,$(shell $(CC) --version)),)
@@ -160,6 +161,9 @@ $(foreach file,search_solids search_quadrics boundaries,$(eval STREAM_FLAGS_$(fi
 # A fourth one unrolls loops of NODE_WIDTH before they can become vectors.
 STREAM_FLAGS_search := --param max-completely-peel-times=4
 endif
+# Under the sanitizers, checks between the lanes leave no vectors.
+STREAM_FLAGS_release := $(OPTIMISE:-O2=-O3)
+STREAM_FLAGS_sanitized := -O2
 STREAM_FLAGS_avx2   := -march=x86-64-v3
 STREAM_FLAGS_avx512 := -march=x86-64-v4 -mprefer-vector-width=512
 
@@ -173,7 +177,7 @@ arithmetic = $(call joined,$(1),$(3),$(FIRMWARE_SOURCES) $(PER_ARITHMETIC_SOURCE
 
 # engine CONFIGURATION,REAL,INSTRUCTIONS,SUFFIX,SETS: streams of rays in an arithmetic, for a set of instructions.
 engine = $(call joined,$(1),stream_engine_$(2)$(4)_$(3),$(call STREAM_SOURCES,$(5)),\
-    $$(STREAM_FLAGS) $$(STREAM_FLAGS_$$(*F)) $$(STREAM_FLAGS_$(3)) $(SETS_$(5)) -Ihost/stream/$(5) -Ifirmware/real/$(2:fx=fx_vector) -Ihost/stream/sets/$(3) $$(INCLUDE_host))
+    $$(STREAM_FLAGS) $$(STREAM_FLAGS_$(1)) $$(STREAM_FLAGS_$$(*F)) $$(STREAM_FLAGS_$(3)) $(SETS_$(5)) -Ihost/stream/$(5) -Ifirmware/real/$(2:fx=fx_vector) -Ihost/stream/sets/$(3) $$(INCLUDE_host))
 
 # configuration NAME: every object, compiled for it. The include path chooses arithmetic and instructions.
 define configuration
@@ -207,7 +211,7 @@ $(BUILD)/superframe: $(BUILD)/release/superframe
 
 # Compiler and flags of the last build: when they change, everything is compiled again.
 $(BUILD)/flags: FORCE | setup
-	$(call renew,echo '$(subst ','\'',$(CC) $(WARNINGS) $(FLOATING) $(CFLAGS_library) $(CFLAGS_fuzzed) $(STREAM_FLAGS))')
+	$(call renew,echo '$(subst ','\'',$(CC) $(WARNINGS) $(FLOATING) $(CFLAGS_library) $(CFLAGS_fuzzed) $(STREAM_FLAGS) $(STREAM_FLAGS_sanitized))')
 
 # The list of sources: when a file goes away, what was linked from it is linked again.
 $(BUILD)/sources: FORCE
