@@ -99,7 +99,7 @@ static void render_converged(const char *name, double threshold, struct picture 
         loaded.arithmetic->pixel(loaded.scene, (uint16_t)(i % WIDTH), (uint16_t)(i / WIDTH),
                                  picture->level[i], &counts, &observer);
         for (int j = 0; j < 3; j++) {
-            picture->level[i][j] += cut.sum[j] * estimate.level[0].mean[WAY_ANY][j] / 65536.0;
+            picture->level[i][j] += cut.sum[j] * estimate.mean[WAY_ANY][j] / 65536.0;
         }
     }
     unload(&coarse);

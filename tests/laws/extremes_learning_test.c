@@ -104,7 +104,7 @@ static void means_are_as_many_times_brighter_as_the_lights(void **state) {
         snprintf(text, sizeof text, bright, 0, 0, 8192, 8192, 8192);
         render_learned(&seen, text, extreme_arithmetics[j], true, 0, &many);
         for (int way = 0; way < WAYS; way++) {
-            double few = dim.level[0].mean[way][0], more = many.level[0].mean[way][0];
+            double few = dim.mean[way][0], more = many.mean[way][0];
             assert_true(few > 65536);
             assert_true(fabs(more / few - 256) < 256 * 0.002);
         }
@@ -121,14 +121,14 @@ static void the_brightest_lights_are_learned_without_an_overflow(void **state) {
             char text[EXTREME_TEXT_SIZE];
             snprintf(text, sizeof text, bright, 255, 255, 32767, 32767, 32767);
             render_learned(&seen, text, extreme_arithmetics[j], true, errors[i], &estimate);
-            for (int level = 0; level < ESTIMATE_LEVELS; level++) {
-                const struct estimate_level *learned = &estimate.level[level];
-                for (int way = 0; way < WAYS; way++) {
-                    assert_true(learned->mean[way][0] > 65536);
-                }
-                assert_true(learned->spread > 0);
-                assert_true(learned->squares_most >= 0);
+            for (int way = 0; way < WAYS; way++) {
+                assert_true(estimate.mean[way][0] > 65536);
             }
+            assert_true(estimate.mean_variance > 0);
+            assert_true(estimate.branch_variance > 0);
+            assert_true(estimate.noise > 0);
+            assert_true(seen.counts.proved_error <= 255u << 16);
+            assert_true(seen.counts.estimated_error <= seen.counts.proved_error);
         }
     }
 }
