@@ -19,7 +19,7 @@ USB_TEST_PROGRAMS  := $(USB_FLAVOURS:%=$(BUILD)/sanitized/tests/usb/%_test)
 TOOL      := $(BUILD)/release/tests
 RELATIONS := $(TOOL)/relations/relations
 TOOLS     := $(RELATIONS) $(addprefix $(TOOL)/,bench/timed bench/psnr bench/frame bench/ports_bench bench/usb_bytes \
-             accuracy/accuracy accuracy/tails accuracy/asked cost/operations cost/predict pov/pov_check)
+             accuracy/accuracy accuracy/tails accuracy/asked accuracy/promise cost/operations cost/predict pov/pov_check)
 # Only clang brings libFuzzer, whatever compiler the caller has chosen. The fuzzer of boot needs Unicorn.
 FUZZERS := $(patsubst %.c,$(BUILD)/fuzzed/%,$(filter-out $(if $(PROCESSORS),,%/boot_fuzz.c),$(wildcard tests/fuzz/*_fuzz.c)))
 $(BUILD)/fuzzed/%: private override CC := clang
@@ -96,7 +96,8 @@ test: setup ## Run every test (under the address and undefined-behaviour sanitiz
 	@$(MAKE) --no-print-directory run-tests
 
 run-tests: $(TEST_PROGRAMS) $(REAL_TEST_PROGRAMS) $(USB_TEST_PROGRAMS) $(BUILD)/superframe $(BUILD)/sanitized/superframe \
-    $(FIRMWARE_IMAGES) strict fresh-prefix $(BUILD)/superframe_without $(filter $(TOOL)/bench/%,$(TOOLS)) $(FUZZERS) $(RELATIONS)
+    $(FIRMWARE_IMAGES) strict fresh-prefix $(BUILD)/superframe_without $(filter $(TOOL)/bench/%,$(TOOLS)) $(FUZZERS) $(RELATIONS) \
+    $(TOOL)/accuracy/promise
 	@$(if $(TEST_SKIPPED),echo 'skipped without libquadmath: $(TEST_SKIPPED)')
 	@$(if $(USB_FLAVOURS),,echo 'skipped without libusb, both hidapi and umockdev: tests/usb')
 	@$(if $(PROCESSORS),,echo 'skipped without Unicorn: boot_fuzz')

@@ -52,12 +52,13 @@ int main(void) {
         scene.estimate = &estimate;
     }
     IMAGE.row(&scene, SCENE.height / 2, rgb, &counts);
-    printf("%lu rays, %lu shadow rays, %lu nodes, %lu tests, %lu leaked, %lu exhausted, worst %lu "
-           "of pixel %u %u, proved %lu\n",
+    printf("%lu rays, %lu shadow rays, %lu nodes, %lu tests, %lu leaked, %lu exhausted, %lu "
+           "unreached, "
+           "worst %lu of pixel %u %u, proved %lu\n",
            (unsigned long)counts.rays, (unsigned long)counts.shadow_rays,
            (unsigned long)counts.nodes, (unsigned long)counts.solid_tests,
            (unsigned long)counts.leaked_rays, (unsigned long)counts.exhausted_pixels,
-           (unsigned long)counts.estimated_error, counts.worst_x, counts.worst_y,
-           (unsigned long)counts.proved_error);
+           (unsigned long)counts.unreached_pixels, (unsigned long)counts.estimated_error,
+           counts.worst_x, counts.worst_y, (unsigned long)counts.proved_error);
     return bytes[0] + values[0x00D0] > 0 ? 0 : 1;
 }

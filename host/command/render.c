@@ -282,6 +282,14 @@ static void tell_place(const struct render_run *run) {
     }
 }
 
+/* Returns STATUS_NOT_HELD where --strict is asked for and pixels are not as accurate as --error
+ * asks; such pixels are told of without --strict, too. */
+static int judge_accuracy(const struct render_run *run) {
+    remarks_complain_of_error(run->compiled, &run->totals);
+    return run->options->board.strict && run->totals.unreached_pixels > 0 ? STATUS_NOT_HELD
+                                                                          : STATUS_DONE;
+}
+
 /* Returns the exit status of a finished run: whether it was interrupted, and whether --strict
  * holds. */
 static int judge(struct render_run *run) {
@@ -292,7 +300,8 @@ static int judge(struct render_run *run) {
         return STATUS_SIGNAL + *interrupt_noted();
     }
     tell_place(run);
-    return session_judge(&run->session);
+    const int accuracy = judge_accuracy(run), board = session_judge(&run->session);
+    return board != STATUS_DONE ? board : accuracy;
 }
 
 static int run_render(const struct options *options) {

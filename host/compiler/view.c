@@ -166,13 +166,26 @@ bool compile_lights(struct compiler *compiler) {
     return true;
 }
 
+/* In levels: colour_most() of firmware/real/floating.h, and the end of fixed point. */
+#define LIGHT_MOST 32768.0
+
+/* In units of the scaled world: steps of lengths in fixed point are not coarser. */
+#define LENGTH_STEP (1.0 / 65536)
+
 /* The levels between which a material's own intensity is, in one channel. */
 struct own_range {
     double least, most;
 };
 
-/* Finds what a material sends by itself: Eq. (1) with every cosine and A at 1, and in the dark. The
- * distance may make C + D as small as C. */
+/* Returns what is left of direct light at most. C + D may be as small as C, and C is rounded to
+ * what lengths hold. No arithmetic has brighter light than LIGHT_MOST. */
+static double faded_most(const struct compiler *compiler, double direct) {
+    const double constant = compiler->description->attenuation_constant -
+                            ldexp(LENGTH_STEP, -compiler->scene->exponent);
+    return constant > direct / LIGHT_MOST ? direct / constant : LIGHT_MOST;
+}
+
+/* Finds what a material sends by itself: Eq. (1) with every cosine and A at 1, and in the dark. */
 static struct own_range own_range(const struct compiler *compiler,
                                   const struct compiled_material *material, int channel) {
     const struct compiled_scene *scene = compiler->scene;
@@ -188,7 +201,7 @@ static struct own_range own_range(const struct compiler *compiler,
         direct += material->diffuse * colour * light / 255 + specular * light;
     }
     if (scene->fades) {
-        direct /= fmax(compiler->description->attenuation_constant, 1e-3);
+        direct = faded_most(compiler, direct);
     }
     const struct own_range range = {
         material->ambient_share * compiled_colour_least(scene, material, channel) +

@@ -2,6 +2,7 @@
 /* Remarks on what a scene says, and perhaps does not mean. */
 #include "render/remarks.h"
 
+#include <inttypes.h>
 #include <math.h>
 #include <string.h>
 
@@ -170,6 +171,17 @@ void remarks_complain(const struct compiled_scene *scene, const struct arithmeti
         complain("%s:%u: the eye is inside this opaque object: all that is seen is its inner side; "
                  "move the eye if that is not meant",
                  scene->path, scene->objects[scene->camera.object].line);
+    }
+}
+
+void remarks_complain_of_error(const struct compiled_scene *scene,
+                               const struct render_totals *totals) {
+    if (totals->unreached_pixels > 0) {
+        complain("%s: %" PRIu64 " of %" PRIu64
+                 " pixels did not reach --error %g; the worst is %u, %u, with an "
+                 "estimated error of %.3g levels; a larger E or a lower --depth takes fewer rays",
+                 scene->path, totals->unreached_pixels, (uint64_t)totals->rows * scene->width,
+                 scene->error, totals->worst_x, totals->worst_y, totals->estimated_error / 65536.0);
     }
 }
 

@@ -217,7 +217,7 @@ static bool learn_mean(const struct frame_settings *settings, double mean[3]) {
     struct scene *scene = load(&coarse, &frame);
     bool good = scene != NULL;
     for (int i = 0; i < 3; i++) {
-        mean[i] = frame.estimate.level[0].mean[WAY_ANY][i] / 65536.0;
+        mean[i] = frame.estimate.mean[WAY_ANY][i] / 65536.0;
     }
     free(scene);
     return good;

@@ -73,6 +73,10 @@ void check_lists(struct form *form, int arithmetic, struct rendering *room,
 void check_jobs(struct form *form, int arithmetic, struct rendering *room,
                 struct trial_result *result);
 
+/* A check by accuracies.c: no pixel is farther off than is proved. */
+void check_proved(struct form *form, int arithmetic, struct rendering *room,
+                  struct trial_result *result);
+
 /* Rewrites by relations_place.c: the whole scene moves or turns, and the eye with it. */
 bool rewrite_mirror(struct syntax *scene, uint64_t *random);
 bool rewrite_move(struct syntax *scene, uint64_t *random);

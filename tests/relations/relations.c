@@ -11,6 +11,7 @@ const struct relation relations[] = {
     {"streams", IN_ALL, MAP_SAME, check_streams, NULL, NULL, false, false, 1},
     {"lists", IN_ALL, MAP_SAME, check_lists, NULL, NULL, false, false, 1},
     {"jobs", IN_ALL, MAP_SAME, check_jobs, NULL, NULL, false, false, 4},
+    {"proved", IN_ALL, MAP_SAME, check_proved, NULL, NULL, false, false, 2},
     {"f128", IN_F64, MAP_SAME, NULL, NULL, NULL, false, true, 1},
     {"mirror", IN_F64, MAP_MIRRORED, NULL, NULL, rewrite_mirror, false, false, 1},
     {"move", IN_F64, MAP_SAME, NULL, NULL, rewrite_move, false, false, 1},

@@ -31,6 +31,7 @@ bool form_start(struct form *form, const struct syntax *syntax) {
         description = scene_description_read("scene", text, strlen(text), &form->error);
     }
     if (description != NULL) {
+        description->error = syntax->error;
         form->compiled = scene_compile(description, &form->error);
         if (form->compiled != NULL) {
             map_materials(form, description);

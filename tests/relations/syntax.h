@@ -106,6 +106,7 @@ enum syntax_model { SYNTAX_SIMPLE, SYNTAX_FRESNEL, SYNTAX_WAVELENGTH };
 struct syntax {
     int width, height, depth;
     double threshold;
+    double error; /* in levels, asked for instead of a threshold; 0: none is */
     enum syntax_model model;
     bool blinn, filters, fades;
     double fade_constant;
