@@ -38,7 +38,8 @@ struct builder {
 static double half_area(const struct bounds *bounds) {
     double x = bounds->high[0] - bounds->low[0], y = bounds->high[1] - bounds->low[1];
     double z = bounds->high[2] - bounds->low[2];
-    return x < 0 ? 0 : x * y + y * z + z * x;
+    /* What holds no point has its low place above its high one, along some axis or along all. */
+    return x < 0 || y < 0 || z < 0 ? 0 : x * y + y * z + z * x;
 }
 
 /* How a node's items are divided: those below `place` along an axis, or the first half of them. */
@@ -147,10 +148,10 @@ static struct group divide(struct item *all, struct group *group, unsigned level
 /* Returns the group that costs most, among those that can be divided; -1: none can. */
 static int costliest(const struct group *groups, int count, bool by_number) {
     int found = -1;
-    double most = -1;
+    double most = 0;
     for (int i = 0; i < count; i++) {
         double cost = by_number ? groups[i].count : groups[i].count * half_area(&groups[i].bounds);
-        if (groups[i].count > 1 && cost > most) {
+        if (groups[i].count > 1 && (found < 0 || cost > most)) {
             found = i;
             most = cost;
         }

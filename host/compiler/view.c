@@ -210,10 +210,10 @@ static struct own_range own_range(const struct compiler *compiler,
     return range;
 }
 
-/* Finds what a branch gathers at least and at most. Let a branch that may meet one boundary more
- * gather at most E levels more. Then B + (n - 1) E is a bound for n boundaries, if B is one for
- * what ends a branch, E for what transparent surfaces send, and B (1 - w) for mirrors: the shares
- * of a boundary's branches are 1 together at most, and w for a mirror. */
+/* Finds what a branch gathers at least and at most. The most are B + (n - 1) E levels for n
+ * boundaries. Transparent surfaces send at most E levels each, and what ends a branch at most B. A
+ * mirror of coefficient w sends at most B (1 - w). The shares of a boundary's branches are 1
+ * together at most, and w for a mirror. So the bound for n - 1 boundaries gives that for n. */
 void compile_brightest(struct compiler *compiler) {
     const double most = 8388607, nearly_one = 1 - 1e-6;
     struct compiled_scene *scene = compiler->scene;
