@@ -13,9 +13,9 @@ void watch_begin(struct watched_pixels *pixels, const struct scene *scene, uint3
     }
 }
 
-/* What becomes of each lane's child; 1 or 0, and an enum estimate_way. */
+/* What becomes of each lane's child: 1 or 0. */
 struct fate_lanes {
-    uint32_t enters[LANES], ends[LANES], way[LANES];
+    uint32_t enters[LANES], ends[LANES];
 };
 
 static inline real_energy largest_of(const struct watched_children *children, int i) {
@@ -40,8 +40,9 @@ static void find_ways(const struct scene *scene, const struct direction_lanes *r
 /* Decides on each child by its pixel's thresholds. */
 static void decide(const struct watched_pixels *pixels, const struct scene *scene,
                    const struct ray_lanes *restrict rays, const struct hit_lanes *restrict hit,
-                   const struct watched_children *children, struct fate_lanes *restrict fate,
-                   uint32_t follow[restrict LANES], uint32_t target[restrict LANES]) {
+                   const struct watched_children *children, const uint32_t way[restrict LANES],
+                   struct fate_lanes *restrict fate, uint32_t follow[restrict LANES],
+                   uint32_t target[restrict LANES]) {
     for (int i = 0; i < LANES; i++) {
         const uint32_t from = rays->target[i] & ~TARGET_CONTINUED;
         const uint32_t pixel = from % TARGET_PIXELS;
@@ -50,7 +51,7 @@ static void decide(const struct watched_pixels *pixels, const struct scene *scen
         bool lives = (hit->is[i] != 0) & !energy_is_zero(largest) &
                      (path_events(rays->path[i]) < scene->depth);
         bool enters = lives & (from == pixel) & energy_less(largest, at->coarse);
-        target[i] = enters ? pixel + (1 + fate->way[i]) * TARGET_PIXELS : from;
+        target[i] = enters ? pixel + (1 + way[i]) * TARGET_PIXELS : from;
         bool ends = lives & (target[i] != pixel) & energy_less(largest, at->fine);
         fate->enters[i] = enters ? 1 : 0;
         fate->ends[i] = ends ? 1 : 0;
@@ -71,17 +72,18 @@ void watch_children(struct watched_pixels *pixels, const struct scene *scene,
                     const struct watched_children *children, uint32_t follow[LANES],
                     uint32_t target[LANES]) {
     struct fate_lanes fate;
-    find_ways(scene, children->direction, fate.way);
-    decide(pixels, scene, rays, hit, children, &fate, follow, target);
+    uint32_t way[LANES];
+    find_ways(scene, children->direction, way);
+    decide(pixels, scene, rays, hit, children, way, &fate, follow, target);
     for (uint64_t set = lanes_set(fate.enters); set != 0; set &= set - 1) {
         const uint32_t i = lanes_first(set);
-        tail_watch(&pixels->tail[target[i] % TARGET_PIXELS], (enum estimate_way)fate.way[i],
+        tail_watch(&pixels->tail[target[i] % TARGET_PIXELS], (enum estimate_way)way[i],
                    weight_of(children, i));
     }
     for (uint64_t set = lanes_set(fate.ends); set != 0; set &= set - 1) {
         const uint32_t i = lanes_first(set);
         tail_cut(&pixels->tail[target[i] % TARGET_PIXELS],
-                 (enum tail_place)(target[i] / TARGET_PIXELS), (enum estimate_way)fate.way[i],
+                 (enum tail_place)(target[i] / TARGET_PIXELS), (enum estimate_way)way[i],
                  weight_of(children, i), (uint8_t)(scene->depth - path_events(rays->path[i]) - 1));
     }
 }
