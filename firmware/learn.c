@@ -8,20 +8,20 @@
 /* The pixels looked at: a grid over the whole picture, of at most every second pixel either way. */
 enum { COLUMNS = 32, ROWS = 20 };
 
-/* Without an accuracy asked for, pruned branches are followed down to this part of the threshold,
- * with 1 / BUDGET_PART of a pixel's budget of rays. */
+/* Without an accuracy asked for, pruned branches are followed down to this part of the threshold.
+ * That takes at most 1 / BUDGET_PART of a pixel's budget of rays. */
 enum { LESS_WEIGHT_BITS = 5, BUDGET_PART = 8 };
 
 /* A way's mean is learned as if this part of all that was pruned had gone that way, too. So a way
  * that few branches went has nearly the mean of all. */
 enum { SHARED_PART = 64 };
 
-/* With an accuracy asked for: what is believed before anything is learned, and the least that a
- * pixel's mean varies about the means of all; levels, and levels^2. */
+/* With an accuracy asked for: a mean, in levels, and a variance, in levels^2, that are believed
+ * before anything is learned. A pixel's mean varies about the means of all within two ends. */
 enum { MEAN_BEFORE = 100, VARIANCE_BEFORE = 3600, VARIANCE_LEAST = 225, VARIANCE_MOST = 65025 };
 
-/* The variance of a branch about its mean, in levels^2: that of a level when all levels from black
- * to white are equally likely. What is brighter than white adds to that. */
+/* The variance of a branch about its mean, in levels^2: all levels from black to white are taken to
+ * be equally likely. What is brighter than white adds to that. */
 enum { BRANCH_VARIANCE = 5476, BRANCH_VARIANCE_MOST = 1048576 };
 
 /* The grid is looked at twice. After the first look pixels begin where so many per cent of them

@@ -18,8 +18,9 @@ enum tail_place { TAIL_NEAR, TAIL_DOWN = 1 + WAY_DOWN, TAIL_UP = 1 + WAY_UP, TAI
 struct tail {
     int64_t gathered[TAIL_PLACES][3]; /* in steps of 2^-16 level */
 
-    /* Weights in steps of 2^-30: of branches as they left what is near, of what was cut of these
-     * branches later on, and of all that was cut, by the way that it was going itself. */
+    /* Weights in steps of 2^-30. `watched` are branches as they left what is near, and `rest` is
+     * what was cut of these later on. `cut` is the same, by the way that each cut branch was going.
+     */
     int64_t watched[WAYS][3], rest[WAYS][3], cut[WAYS][3];
 
     /* Squares of the largest of the weights, in steps of 2^-52. */

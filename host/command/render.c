@@ -282,8 +282,8 @@ static void tell_place(const struct render_run *run) {
     }
 }
 
-/* Returns STATUS_NOT_HELD where --strict is asked for and pixels are not as accurate as --error
- * asks; such pixels are told of without --strict, too. */
+/* Tells of pixels that are not as accurate as --error asks. Returns STATUS_NOT_HELD if there are
+ * any and --strict is asked for. */
 static int judge_accuracy(const struct render_run *run) {
     remarks_complain_of_error(run->compiled, &run->totals);
     return run->options->board.strict && run->totals.unreached_pixels > 0 ? STATUS_NOT_HELD

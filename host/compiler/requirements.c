@@ -32,8 +32,7 @@ static void print_word(struct words *words, const char *text) {
 /* Prints a required feature's name as people write names. Features that are numbers are followed by
  * their value. */
 static void take_feature(void *context, const char *name, int value) {
-    static const char *const numbers[] = {"DEPTH",   "WIDTH",  "PRIMITIVE_WORDS",
-                                          "NESTING", "LEVELS"};
+    static const char *const numbers[] = {"DEPTH", "WIDTH", "PRIMITIVE_WORDS", "NESTING", "LEVELS"};
     char text[64];
     size_t length = 0;
     if (value == 0) {

@@ -211,9 +211,10 @@ static struct own_range own_range(const struct compiler *compiler,
 }
 
 /* Finds what a branch gathers at least and at most. Let a branch that may meet one boundary more
- * gather at most E levels more. Then B + (n - 1) E is a bound for n boundaries, if B is one for
- * what ends a branch, E for what transparent surfaces send, and B (1 - w) for mirrors: the shares
- * of a boundary's branches are 1 together at most, and w for a mirror. */
+ * gather at most E levels more. Then B + (n - 1) E is a bound for n boundaries, if three things
+ * hold. What ends a branch sends at most B, and transparent surfaces send at most E. A mirror of
+ * coefficient w sends at most B (1 - w). For the shares of a boundary's branches are 1 together at
+ * most, and w for a mirror. */
 void compile_brightest(struct compiler *compiler) {
     const double most = 8388607, nearly_one = 1 - 1e-6;
     struct compiled_scene *scene = compiler->scene;

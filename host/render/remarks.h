@@ -13,8 +13,8 @@
  * that is seen to end, or nothing in view. */
 void remarks_complain(const struct compiled_scene *scene, const struct arithmetic *arithmetic);
 
-/* Says on standard error how many pixels are not as accurate as the scene asks for, and which one
- * is the worst; says nothing where all are. */
+/* Says on standard error how many pixels are not as accurate as the scene asks for. Names the worst
+ * of them; says nothing where there are none. */
 void remarks_complain_of_error(const struct compiled_scene *scene,
                                const struct render_totals *totals);
 
