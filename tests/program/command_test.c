@@ -245,6 +245,61 @@ static void strict_checks(void **state) {
     assert_non_null(strstr(text_of("err"), "superframe: violation: "));
 }
 
+/* Writes a scene of plates, between which light goes to and fro for longer than the budget of one
+ * pixel lasts. */
+static void write_plates(void) {
+    FILE *file = fopen("plates", "w");
+    assert_non_null(file);
+    fprintf(file,
+            "version = 1; size = [2, 1]; background = [255, 200, 90];\n"
+            "camera = { eye = (0.3, -1, 0.2); look_at = (0.35, 0, 0.22); field_of_view = 20; };\n"
+            "materials = { glass = { colour = [0, 0, 0]; ambient = 1.0; ambient_is_own = true;\n"
+            "  ior = 2.4; pattern = { size = (0.3, 0, 0.3); colour = [9, 6, 3]; }; }; };\n"
+            "objects = (");
+    for (int i = 0; i < 8; i++) {
+        fprintf(file,
+                "%s { material = \"glass\"; solid = { box = { min = (-9, %d, -9);"
+                " max = (9, %d.1, 9); }; }; }",
+                i > 0 ? ",\n" : "", i, i);
+    }
+    fprintf(file, " );\n");
+    assert_int_equal(fclose(file), 0);
+}
+
+/* The line is one, names how many there are, and where the worst is. */
+static void an_accuracy_that_is_not_reached_is_told_of(void **state) {
+    (void)state;
+    write_plates();
+    assert_status("superframe render plates --error 0.1 --depth 255 -o a.png --stats s", 0);
+    const char *told = strstr(text_of("err"), "superframe: plates: ");
+    assert_non_null(told);
+    assert_non_null(strstr(told, " of 2 pixels did not reach --error 0.1; the worst is "));
+    assert_ptr_equal(strchr(told, '\n'), told + strlen(told) - 1);
+    assert_null(strstr(text_of("s"), "\"unreached_pixels\": 0,"));
+    assert_true(is_there("a.png"));
+    assert_status("superframe render plates --error 0.1 --depth 255 -o b.png --strict --arith f32",
+                  3);
+    assert_non_null(strstr(text_of("err"), "did not reach"));
+    assert_true(is_there("b.png"));
+}
+
+static void an_accuracy_that_is_reached_is_not_told_of(void **state) {
+    (void)state;
+    static const char *const options[] = {"--error 0.1 --depth 0", "--error 0.1 --depth 1",
+                                          "--error 0.01 --depth 3", "--error 255 --depth 255",
+                                          "--threshold 0.01 --depth 255"};
+    write_plates();
+    for (size_t i = 0; i < sizeof options / sizeof options[0]; i++) {
+        char line[200];
+        (void)snprintf(line, sizeof line, "superframe render plates %s -o a.png --strict --stats s",
+                       options[i]);
+        assert_status(line, 0);
+        assert_string_equal(text_of("err"), "");
+        assert_true(strstr(options[i], "threshold") != NULL ||
+                    strstr(text_of("s"), "\"unreached_pixels\": 0,") != NULL);
+    }
+}
+
 static void comparisons(void **state) {
     (void)state;
     assert_status("superframe render " TINY "-o a.png; superframe compare a.png a.png --share 100 "
@@ -347,6 +402,8 @@ int main(void) {
         TEST(traces_replay_to_the_same_picture),
         TEST(a_fifo_gets_the_picture),
         TEST(strict_checks),
+        TEST(an_accuracy_that_is_not_reached_is_told_of),
+        TEST(an_accuracy_that_is_reached_is_not_told_of),
         TEST(comparisons),
         TEST(compiling),
         TEST(names_are_quoted_in_a_graph),
