@@ -283,6 +283,8 @@ MAKEFILES_READ := $(MAKEFILE_LIST)
 OUT       = $(BUILD)/out/$(notdir $(basename $(SCENE)))
 # image_for TARGET,FILE: the firmware on a target, and from its folder the file to run.
 image_for = CC='$(CC)' sh firmware/targets/build.sh $(1) fx $(SCENE) - - minimal $(BUILD)/targets/$@ && cp $(BUILD)/targets/$@/$(2) $(OUT)$(suffix $(2))
+DEPTHS ?= 10
+ERRORS ?= 4,2,1,0.5
 install_if_possible = CC='$(CC)' SETUP='$(SETUP)' sh setup.sh $(1) || true
 
 run:             RUN = $(BUILD)/superframe render $(SCENE) -o $(OUT).png ## Render fig3 (or SCENE=...) to build/out/fig3.png
@@ -304,7 +306,7 @@ usb-table:       RUN = sh tests/bench/usb_bytes.sh $(BUILD)/superframe $(TOOL)/b
 accuracy:        RUN = $(TOOL)/accuracy/accuracy $(BUILD)/accuracy $(SCENES) ## Whole frames of every built-in scene against f128 (SCENES=... for some)
 accuracy-tails:  RUN = $(TOOL)/accuracy/tails $(BUILD)/converged $(or $(CONVERGED_SIZE),640x400) $(SCENES) ## What pruned branches count as: fig3, fig4a, fig5 by arithmetic, threshold and tail (CONVERGED_SIZE=640x400, SCENES=... for some)
 accuracy-asked:  RUN = $(TOOL)/accuracy/asked $(BUILD)/converged $(or $(CONVERGED_SIZE),640x400) $(SCENES) ## What --error reaches on every built-in scene, and what it takes (CONVERGED_SIZE=640x400, SCENES=... for some)
-accuracy-foreign: RUN = $(TOOL)/accuracy/promise $(or $(FOREIGN_SIZE),80x50) $(or $(DEPTHS),10) $(or $(ERRORS),4,2,1,0.5) $(or $(SCENES),$(wildcard tests/accuracy/foreign/*.scene)) ## Whether --error keeps its promise on scenes that nobody tuned it for (FOREIGN_SIZE=80x50 DEPTHS=10 ERRORS=4,2,1,0.5 SCENES=...)
+accuracy-foreign: RUN = $(TOOL)/accuracy/promise $(or $(FOREIGN_SIZE),80x50) $(DEPTHS) $(ERRORS) $(or $(SCENES),$(wildcard tests/accuracy/foreign/*.scene)) ## Whether --error keeps its promise on scenes that nobody tuned it for (FOREIGN_SIZE=80x50 DEPTHS=10 ERRORS=4,2,1,0.5 SCENES=...)
 measure:         RUN = $(BUILD)/superframe measure --size 80x50 --jobs 2 -o $(BUILD)/measure ## Measure speed against accuracy: report and plots in build/measure [paper]
 cost-operations: RUN = $(TOOL)/cost/operations ## Count the operations of rays, boundaries and tests
 cost-check:      RUN = sh tests/cost/check.sh $(BUILD) docs/measure.md ## Hold the predicted instructions against those that qemu counts; write the table in docs/measure.md [quick]

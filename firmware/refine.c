@@ -23,7 +23,8 @@ uint8_t refine_pixel(const struct refining *refining, const struct ray *eye_ray,
                      struct render_counts *counts, struct tail *tail,
                      struct tail_verdict *verdict) {
     const uint64_t rays_before = counts->rays;
-    uint8_t steps = refining->scene->estimate->first;
+    uint64_t best_began = rays_before;
+    uint8_t steps = refining->scene->estimate->first, best_steps = steps;
     bool is_whole = true;
     verdict->uncertainty = UINT32_MAX;
     for (;;) {
@@ -36,6 +37,8 @@ uint8_t refine_pixel(const struct refining *refining, const struct ray *eye_ray,
         /* A look that the budget has ended may be worse than the one before. */
         if (found.uncertainty <= verdict->uncertainty) {
             *verdict = found;
+            best_began = rays_so_far;
+            best_steps = steps;
         }
         if (found.steps == TAIL_STEPS) {
             break;
@@ -43,5 +46,11 @@ uint8_t refine_pixel(const struct refining *refining, const struct ray *eye_ray,
         steps = found.steps;
     }
     counts->exhausted_pixels += !is_whole;
+    /* An observer is to keep the look whose colour counts. Its rays are not counted once more. */
+    if (FEATURE_OBSERVER && refining->observer && best_steps != steps) {
+        struct render_counts again = *counts;
+        again.rays = best_began;
+        (void)look(refining, eye_ray, best_steps, rays_before, &again, tail);
+    }
     return steps;
 }

@@ -12,7 +12,8 @@ struct refining {
 };
 
 /* Looks at a pixel with lower and lower thresholds, each time from the beginning. Sets *verdict to
- * the best look's, and *tail to the last one's. Returns the steps of the last look. Counts the
+ * the best look's, and *tail to the last one's. An observer sees the best look last, and *tail is
+ * that look's then. Returns the steps of the last look. Counts the
  * pixel among the exhausted ones if the budget ended the last look. */
 uint8_t refine_pixel(const struct refining *refining, const struct ray *eye_ray,
                      struct render_counts *counts, struct tail *tail, struct tail_verdict *verdict);

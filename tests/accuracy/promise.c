@@ -156,15 +156,17 @@ static bool judge(const char *path, const struct frame *frame, int depth, double
     return kept && found.disproved == 0;
 }
 
-/* Reads numbers with commas between them; returns how many. */
+/* Reads numbers with commas between them; returns how many, or 0 for anything else. */
 static int read_list(const char *text, double list[LIST_MOST]) {
     int count = 0;
     char *end;
+    bool is_number;
     do {
         list[count++] = strtod(text, &end);
+        is_number = end != text;
         text = end + 1;
-    } while (*end == ',' && count < LIST_MOST);
-    return *end == '\0' ? count : 0;
+    } while (is_number && *end == ',' && count < LIST_MOST);
+    return is_number && *end == '\0' ? count : 0;
 }
 
 int main(int argc, char **argv) {
