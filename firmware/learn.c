@@ -18,11 +18,13 @@ enum { SHARED_PART = 64 };
 
 /* With an accuracy asked for, in levels and levels^2: what is believed before anything is learned.
  * A pixel's mean varies about the means of all by VARIANCE_LEAST at least. */
-enum { MEAN_BEFORE = 100, VARIANCE_BEFORE = 3600, VARIANCE_LEAST = 225, VARIANCE_MOST = 65025 };
+enum { MEAN_BEFORE = 100, VARIANCE_BEFORE = 3600, VARIANCE_LEAST = 225 };
+static const int32_t variance_most = INT32_C(65025);
 
 /* The variance of a branch about its mean, in levels^2. All levels from black to white are taken to
  * be equally likely. What is brighter than white adds to that. */
-enum { BRANCH_VARIANCE = 5476, BRANCH_VARIANCE_MOST = 1048576 };
+enum { BRANCH_VARIANCE = 5476 };
+static const int32_t branch_variance_most = INT32_C(1048576);
 
 /* The grid is looked at twice. After the first look pixels begin where so many per cent of them
  * were accurate enough, after the second look as well. */
@@ -163,10 +165,10 @@ static int64_t squared_weights(const struct sums *sums) {
 /* Sets the variances of a pixel's mean and of a branch. */
 static void set_variances(int64_t mean, int64_t branch, struct estimate *estimate) {
     estimate->mean_variance = (int32_t)(mean < VARIANCE_LEAST  ? VARIANCE_LEAST
-                                        : mean > VARIANCE_MOST ? VARIANCE_MOST
+                                        : mean > variance_most ? variance_most
                                                                : mean);
     estimate->branch_variance =
-        (int32_t)(branch < BRANCH_VARIANCE_MOST ? branch : BRANCH_VARIANCE_MOST);
+        (int32_t)(branch < branch_variance_most ? branch : branch_variance_most);
     estimate->noise =
         (int32_t)quotient((int64_t)estimate->branch_variance << 8, estimate->mean_variance);
 }

@@ -12,7 +12,7 @@ enum { DRIFT_VARIANCE = 100 };
 enum { FARTHER_MOST = 16 };
 
 /* A mean is at most so many levels, in steps of 2^-8. */
-enum { MEAN_MOST = 1023 << 8 };
+static const int32_t mean_most = INT32_C(1023) << 8;
 
 void tail_clear(struct tail *tail) {
     for (uint8_t i = 0; i < 3; i++) {
@@ -91,7 +91,7 @@ struct pixel_mean {
  * of which the training pass is worth as much, in steps of 2^-36. */
 static struct pixel_mean mean_of(int64_t gathered, int64_t seen, int64_t noise, int32_t learned,
                                  int32_t variance) {
-    int64_t before = learned >> 8 < MEAN_MOST ? learned >> 8 : MEAN_MOST;
+    int64_t before = learned >> 8 < mean_most ? learned >> 8 : mean_most;
     struct pixel_mean result = {before, variance};
     if (seen > 0) {
         int64_t together = seen * seen + noise;
