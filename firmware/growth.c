@@ -64,7 +64,7 @@ static bool watch(struct tree *tree, struct branch *branch, uint8_t events) {
         return false;
     }
     if (branch->place == TAIL_NEAR && (is_deep || energy_less(largest, tree->coarse))) {
-        branch->place = (uint8_t)(1 + way);
+        branch->place = (uint8_t)tail_place_of(way);
         tail_watch(tree->tail, way, branch->weight);
     }
     if (ends || (branch->place != TAIL_NEAR && energy_less(largest, tree->threshold))) {
@@ -245,22 +245,27 @@ static void grow_transparent(struct tree *tree, const struct node *node) {
     grow(tree, node, BRANCH_REFRACTED, branch->channel, &passage.refracted, &coefficient);
 }
 
-/* Adds a part to the sums of a pixel's tail. `intensity` is without the branch's weight. */
+static bool is_above_white(struct colours intensity) {
+    const int32_t white = INT32_C(255) << 16;
+    return colour_steps(intensity.red) > white || colour_steps(intensity.green) > white ||
+           colour_steps(intensity.blue) > white;
+}
+
+/* Adds a part to the sums of a pixel's tail. `intensity` is without the branch's weight. A square
+ * counts up to 4096 levels, so that no sum leaves 64 bits. */
 static void gather(struct tail *tail, uint8_t place, struct colours intensity,
                    struct colours part) {
-    const int32_t white = INT32_C(255) << 16;
     const int32_t steps[3] = {colour_steps(part.red), colour_steps(part.green),
                               colour_steps(part.blue)};
-    int32_t brightest = colour_steps(intensity.red), most = 0;
-    brightest =
-        colour_steps(intensity.green) > brightest ? colour_steps(intensity.green) : brightest;
-    brightest = colour_steps(intensity.blue) > brightest ? colour_steps(intensity.blue) : brightest;
+    int64_t largest = 0;
     for (uint8_t i = 0; i < 3; i++) {
         tail->gathered[place][i] += steps[i];
-        most = steps[i] > most ? steps[i] : most;
+        largest = steps[i] > largest ? steps[i] : largest;
     }
-    if (place != TAIL_NEAR && brightest > white) {
-        tail->above_white += (int64_t)(most >> 8) * (most >> 8);
+    if (place != TAIL_NEAR && is_above_white(intensity)) {
+        const int64_t most = (int64_t)4096 << 16;
+        largest = (largest < most ? largest : most) >> 8;
+        tail->above_white += largest * largest;
     }
 }
 
@@ -357,7 +362,7 @@ static void watch_end(struct tree *tree, const struct branch *branch) {
     enum estimate_way way = way_of(tree->scene, &branch->ray.direction);
     enum tail_place place = (enum tail_place)branch->place;
     if (place == TAIL_NEAR) {
-        place = (enum tail_place)(1 + way);
+        place = tail_place_of(way);
         tail_watch(tree->tail, way, branch->weight);
     }
     tail_cut(tree->tail, place, way, branch->weight, (uint8_t)(tree->last_depth - branch->events));

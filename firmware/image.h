@@ -22,7 +22,7 @@ struct render_counts {
 
     uint32_t exhausted_pixels; /* that ended by their budget of rays */
 
-    /* Of scenes with an accuracy asked for, in steps of 2^-16 level. */
+    /* These are 0 where no accuracy is asked for; errors are in steps of 2^-16 level. */
     uint32_t unreached_pixels; /* whose estimated error is larger than was asked for */
     uint32_t estimated_error;  /* of the pixel where that is largest: not a sum */
     uint32_t proved_error;     /* of the pixel where that is largest: none is farther off */
@@ -37,7 +37,7 @@ enum estimate_way { WAY_DOWN, WAY_UP, WAYS, WAY_ANY = WAYS };
  * depth level, up to level 255. An image needs room for these events. */
 enum { ESTIMATE_EVENTS = 16 };
 
-/* What a training pass over a scene has learned of pruned branches. */
+/* Holds what a training pass over a scene has learned of pruned branches. */
 struct estimate {
     int32_t mean[WAYS + 1][3]; /* radiance of one way, or of any, in steps of 2^-16 level */
 

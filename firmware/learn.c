@@ -103,9 +103,10 @@ static void add_pixel(struct sums *sums, const struct tail *tail) {
         for (uint8_t i = 0; i < 3; i++) {
             struct way_sums *to = &sums->of[way][i];
             int64_t weight = tail->watched[way][i] - tail->rest[way][i];
-            int64_t a = tail->gathered[1 + way][i] >> 8, b = weight >> 12;
+            int64_t gathered = tail->gathered[tail_place_of((enum estimate_way)way)][i];
+            int64_t a = gathered >> 8, b = weight >> 12;
             a = a < white ? a : white;
-            to->radiance += tail->gathered[1 + way][i];
+            to->radiance += gathered;
             to->weight += weight;
             to->aa += a * a;
             to->ab += a * b;
@@ -176,7 +177,8 @@ static void set_variances(int64_t mean, int64_t branch, struct estimate *estimat
 /* Concludes how much pixels' means vary: what strays, less what so many branches of these weights
  * stray by themselves. */
 static void conclude_variance(const struct sums *sums, struct estimate *estimate) {
-    int64_t branch = BRANCH_VARIANCE + 2 * scaled_quotient(sums->above_white, sums->squares, 36);
+    /* Few pixels see what is above white: it counts twice. */
+    int64_t branch = BRANCH_VARIANCE + scaled_quotient(sums->above_white, sums->squares, 37);
     int64_t noise = (sums->squares >> 26) * BRANCH_VARIANCE * 3 >> 10;
     int64_t strays = squared_strays(sums, estimate) - noise;
     set_variances(strays > 0 ? scaled_quotient(strays, squared_weights(sums), 20) : 0, branch,

@@ -117,7 +117,7 @@ static int64_t add_worth(const struct scene *scene, const struct tail *tail, uin
         if (weight > 0) {
             int64_t noise = ((tail->watched_squares[way] >> 16) * estimate->noise) >> 8;
             const struct pixel_mean mean =
-                mean_of(tail->gathered[1 + way][channel] >> 8,
+                mean_of(tail->gathered[tail_place_of((enum estimate_way)way)][channel] >> 8,
                         (tail->watched[way][channel] - tail->rest[way][channel]) >> 12, noise,
                         estimate->mean[way][channel], estimate->mean_variance);
             *sum += (mean.mean * weight) >> 10;
@@ -163,17 +163,16 @@ static uint32_t root_of(int64_t square) {
     return root;
 }
 
-/* Returns the square of the uncertainty, in steps of 2^-36 level^2. */
+/* Returns the square of the uncertainty that two variances make, all in steps of 2^-36 level^2. */
 static int64_t square_of(int64_t variance, int64_t deviation) {
     return (variance + deviation) / SURENESS_PARTS * SURENESS_TIMES;
 }
 
 /* Returns how many half octaves farther down the uncertainty is expected to be as asked for. Each
  * takes a quarter more rays, for which there has to be room. */
-static uint8_t steps_farther(const struct scene *scene, const struct tail_verdict *verdict,
+static uint8_t steps_farther(const struct scene *scene, int64_t variance, int64_t deviation,
                              const struct tail_rays *rays) {
     const int64_t asked = ((int64_t)scene->error * scene->error) << 4;
-    int64_t variance = verdict->variance, deviation = verdict->deviation;
     uint64_t of_look = rays->of_look;
     uint8_t farther = 0;
     while (farther < FARTHER_MOST && square_of(variance, deviation) > asked) {
@@ -190,23 +189,23 @@ static uint8_t steps_farther(const struct scene *scene, const struct tail_verdic
 
 void tail_judge(const struct scene *scene, const struct tail *tail, uint8_t steps,
                 const struct tail_rays *rays, struct tail_verdict *verdict) {
-    int64_t proved = 0;
-    verdict->variance = 0;
+    /* Of the means, and of the branches about them, in steps of 2^-36 level^2. */
+    const int64_t deviation = (tail->cut_squares >> 16) * scene->estimate->branch_variance;
+    int64_t variance = 0, proved = 0;
     for (uint8_t i = 0; i < 3; i++) {
         int64_t known = tail->gathered[TAIL_NEAR][i] + tail->gathered[TAIL_DOWN][i] +
                         tail->gathered[TAIL_UP][i];
         int64_t sum = known;
-        verdict->variance = larger(verdict->variance, add_worth(scene, tail, i, &sum));
+        variance = larger(variance, add_worth(scene, tail, i, &sum));
         proved = larger(proved, bound(scene, tail, i, known, rays->of_look, &sum));
         verdict->colour[i] = sum < INT32_MAX ? (int32_t)sum : INT32_MAX;
     }
-    verdict->deviation = (tail->cut_squares >> 16) * scene->estimate->branch_variance;
-    uint32_t uncertainty = root_of(square_of(verdict->variance, verdict->deviation)) >> 2;
+    uint32_t uncertainty = root_of(square_of(variance, deviation)) >> 2;
     verdict->proved = (uint32_t)proved;
     verdict->uncertainty = uncertainty < verdict->proved ? uncertainty : verdict->proved;
     verdict->steps = TAIL_STEPS;
     if (verdict->uncertainty > scene->error && rays->in_all < rays->budget) {
-        uint8_t next = (uint8_t)(steps + steps_farther(scene, verdict, rays));
+        uint8_t next = (uint8_t)(steps + steps_farther(scene, variance, deviation, rays));
         uint8_t last = TAIL_STEPS - 1;
         if (next > steps && steps < last) {
             verdict->steps = next < last ? next : last;

@@ -11,7 +11,12 @@ enum { TAIL_STEPS = 40 };
 
 /* Where a part of a pixel comes from. A branch is near until it weighs less than the coarse
  * threshold. From there on the branch and what grows from it belong to the way it was going. */
-enum tail_place { TAIL_NEAR, TAIL_DOWN = 1 + WAY_DOWN, TAIL_UP = 1 + WAY_UP, TAIL_PLACES };
+enum tail_place { TAIL_NEAR, TAIL_DOWN, TAIL_UP, TAIL_PLACES };
+
+/* Returns the place of what goes that way, behind what is near. */
+static inline enum tail_place tail_place_of(enum estimate_way way) {
+    return way == WAY_DOWN ? TAIL_DOWN : TAIL_UP;
+}
 
 /* What a pixel's tree has gathered, and what it has left out. These are sums in integers, so that
  * the order of branches does not matter. */
@@ -42,11 +47,10 @@ struct tail_thresholds {
 
 /* What a look at a pixel has found. */
 struct tail_verdict {
-    int32_t colour[3];           /* in steps of 2^-16 level */
-    uint32_t uncertainty;        /* the estimated error, in such steps */
-    uint32_t proved;             /* no channel is farther off than this, in such steps */
-    int64_t variance, deviation; /* of the means, and of the branches: in steps of 2^-36 level^2 */
-    uint8_t steps;               /* of the next look; TAIL_STEPS: there is none */
+    int32_t colour[3];    /* in steps of 2^-16 level */
+    uint32_t uncertainty; /* the estimated error, in such steps */
+    uint32_t proved;      /* no channel is farther off than this, in such steps */
+    uint8_t steps;        /* of the next look; TAIL_STEPS: there is none */
 };
 
 /* Returns the thresholds so many half octaves below the scene's own, 0..TAIL_STEPS - 1. */
@@ -70,14 +74,15 @@ static inline void tail_watch(struct tail *tail, enum estimate_way way, struct e
     tail->watched_squares[way] += tail_square(weight);
 }
 
-/* Notes a branch of a place that is not near, and that is not followed any farther. The branch
- * could still meet 1 + `more` boundaries. */
+/* Notes a branch that is not near, and that is not followed any farther. The branch could still
+ * meet 1 + `more` boundaries. */
 static inline void tail_cut(struct tail *tail, enum tail_place place, enum estimate_way way,
                             struct energies weight, uint8_t more) {
     const int64_t steps[3] = {energy_steps(weight.red), energy_steps(weight.green),
                               energy_steps(weight.blue)};
+    int64_t *rest = tail->rest[place == TAIL_DOWN ? WAY_DOWN : WAY_UP];
     for (uint8_t i = 0; i < 3; i++) {
-        tail->rest[place - 1][i] += steps[i];
+        rest[i] += steps[i];
         tail->cut[way][i] += steps[i];
         tail->reach[i] += steps[i] * more;
     }

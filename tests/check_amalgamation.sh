@@ -51,7 +51,7 @@ built() {
     name=$1
     shift
     # shellcheck disable=SC2086 # words
-    "$@" $warnings -I"$pair" -Itests/emulators -o "$out/$name" "$pair/superframe_board.c" tests/emulators/part.c ||
+    "$@" $warnings -I"$pair" -Itests/emulators -Itests/fixtures -o "$out/$name" "$pair/superframe_board.c" tests/emulators/part.c ||
         {
             wrong "$name: not built"
             return
@@ -115,7 +115,7 @@ glued() {
     emulator=$1
     shift
     # shellcheck disable=SC2086 # words
-    if "$@" $warnings $sanitized -I"$pair" -Itests/emulators -I"tests/emulators/$emulator" \
+    if "$@" $warnings $sanitized -I"$pair" -Itests/emulators -Itests/fixtures -I"tests/emulators/$emulator" \
         -I"docs/examples/emulators/$emulator" -o "$out/$emulator" "docs/examples/emulators/$emulator"/*.c* \
         "tests/emulators/$emulator"/*.c* "$out/part.o"; then
         "$out/$emulator" "$out/drawn.txt" "$crc" || wrong "$emulator: the glue does not serve"

@@ -82,7 +82,7 @@ enum board_profile { BOARD_1987, BOARD_LATER, BOARD_PROFILES };
 /* What a pixel access at X >= 640 does; reported either way (grade A). */
 enum board_outside { BOARD_OUTSIDE_IGNORED, BOARD_OUTSIDE_WRAPS };
 
-/* Where the status takes the vertical blanking from. Counted: from the number of accesses. The
+/* Says where the status takes the vertical blanking from. Counted: from the number of accesses. The
  * others: from outside, the CRT is in the blanking or not. */
 enum board_blanking {
     BOARD_BLANKING_COUNTED,

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What the board adds to the PC-9801's own picture on the CRT: drawn over that picture, by screen,
- * line or rectangle. */
+/* The board draws over the PC-9801's own picture on the CRT, by screen, line or rectangle. */
 #ifndef SUPERFRAME_EMULATOR_BOARD_SCREEN_H
 #define SUPERFRAME_EMULATOR_BOARD_SCREEN_H
 
@@ -15,7 +14,7 @@ struct board_area {
     unsigned x, y, width, height;
 };
 
-/* What the controller's registers say (meanings: grade I, strong). */
+/* Holds what the controller's registers say (meanings: grade I, strong). */
 struct board_timing {
     bool is_initialised; /* all of the fifteen registers have been written (grade A) */
     unsigned width;      /* dots shown on a line: (01) x 8 */

@@ -31,9 +31,9 @@ struct member {
             sizeof(((struct board *)0)->array), count, bytes, most                                 \
     }
 
-/* What is saved besides the memory, in order. A member that is not here follows from others, or is
- * no state: place, is_stepping, is_wrapped, changes. Another list, or other numbers in one of the
- * enumerations, takes another version. */
+/* Lists what is saved besides the memory, in order. A member that is not here follows from others,
+ * or is no state: place, is_stepping, is_wrapped, changes. Another list, or other numbers in one of
+ * the enumerations, takes another version. */
 static const struct member members[] = {
     ONE(desc.profile, 1, BOARD_PROFILES - 1),
     ONE(desc.outside, 1, BOARD_OUTSIDE_WRAPS),

@@ -14,7 +14,7 @@ enum {
     BOARD_STATE_BYTES = 801233 /* a whole state, with its checksum */
 };
 
-/* What is wrong with a state. Whatever comes first in the list is told first. */
+/* Names what is wrong with a state. Whatever comes first in the list is told first. */
 enum board_state_status {
     BOARD_STATE_OK,
     BOARD_STATE_FOREIGN, /* no state of the board, or not even its first bytes */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What the CRT shows: the PC's own screen, and the board's picture over it. */
+/* The CRT shows the PC's own screen, and the board's picture over it. */
 #include "picture.h"
 
 #include "board_screen.h"

@@ -231,7 +231,7 @@ static bool compile_live(struct compiler *compiler) {
     if (!compile_settle(compiler)) {
         return false;
     }
-    compile_brightest(compiler);
+    compile_light_bounds(compiler);
     return step(compiler, compile_shadows, STEP_SHADOWS) && compile_solids(compiler) &&
            step(compiler, compile_enclosures, STEP_ENCLOSURES) && compile_near(compiler) &&
            compile_nesting(compiler) && compile_hierarchy(compiler) && compile_uses(compiler);

@@ -266,12 +266,12 @@ double compiled_colour_most(const struct compiled_scene *scene,
 double compiled_colour_least(const struct compiled_scene *scene,
                              const struct compiled_material *material, int channel);
 
-/* Compiles a part of the scene: camera, materials, lights, the brightest level, what can throw
+/* Compiles a part of the scene: camera, materials, lights, bounds of light, what can throw
  * shadows. False with the failure recorded. */
 bool compile_view(struct compiler *compiler);
 bool compile_materials(struct compiler *compiler);
 bool compile_lights(struct compiler *compiler);
-void compile_brightest(struct compiler *compiler);
+void compile_light_bounds(struct compiler *compiler);
 bool compile_shadows(struct compiler *compiler);
 
 /* Makes the tables cheaper to render, and says so in the scene's report. */

@@ -185,6 +185,11 @@ static double faded_most(const struct compiler *compiler, double direct) {
     return constant > direct / LIGHT_MOST ? direct / constant : LIGHT_MOST;
 }
 
+/* Returns the most that w can be: of highlights, and of an opaque mirror. */
+static double specular_most(const struct compiled_material *material) {
+    return material->specular_table != SPECULAR_CONSTANT ? 1 : material->specular;
+}
+
 /* Finds what a material sends by itself: Eq. (1) with every cosine and A at 1, and in the dark. */
 static struct own_range own_range(const struct compiler *compiler,
                                   const struct compiled_material *material, int channel) {
@@ -194,8 +199,7 @@ static struct own_range own_range(const struct compiler *compiler,
         return nothing;
     }
     double colour = compiled_colour_most(scene, material, channel);
-    double specular = material->specular_table != SPECULAR_CONSTANT ? 1 : material->specular;
-    double direct = 0;
+    double specular = specular_most(material), direct = 0;
     for (uint32_t i = 0; i < scene->light_count; i++) {
         double light = scene->lights[i].colour[channel];
         direct += material->diffuse * colour * light / 255 + specular * light;
@@ -214,7 +218,7 @@ static struct own_range own_range(const struct compiler *compiler,
  * boundaries. Transparent surfaces send at most E levels each, and what ends a branch at most B. A
  * mirror of coefficient w sends at most B (1 - w). The shares of a boundary's branches are 1
  * together at most, and w for a mirror. So the bound for n - 1 boundaries gives that for n. */
-void compile_brightest(struct compiler *compiler) {
+void compile_light_bounds(struct compiler *compiler) {
     const double most = 8388607, nearly_one = 1 - 1e-6;
     struct compiled_scene *scene = compiler->scene;
     double least = 65535, each = 0, end = 0;
@@ -224,7 +228,7 @@ void compile_brightest(struct compiler *compiler) {
         for (uint32_t i = 1; i < scene->material_count; i++) {
             const struct compiled_material *material = &scene->materials[i];
             const struct own_range own = own_range(compiler, material, j);
-            double mirrors = material->specular_table != SPECULAR_CONSTANT ? 1 : material->specular;
+            double mirrors = specular_most(material);
             least = material->absorbs ? 0 : fmin(least, own.least);
             end = fmax(end, own.most);
             if (material->transparent || mirrors > nearly_one) {

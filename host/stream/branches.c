@@ -106,21 +106,27 @@ static void weigh_grey(const struct scene *scene, const struct ray_lanes *restri
     }
 }
 
+/* Finds which way each child goes: an enum estimate_way. */
+static void find_ways(const struct scene *scene, const struct direction_lanes *restrict direction,
+                      uint32_t way[restrict LANES]) {
+    const struct direction up = scene->camera.up;
+    for (int i = 0; i < LANES; i++) {
+        real_unit rise =
+            unit_dot(direction->x[i], direction->y[i], direction->z[i], up.x, up.y, up.z);
+        way[i] = unit_is_negative(rise) ? WAY_DOWN : WAY_UP;
+    }
+}
+
 /* Sets the weights and the ways of the children that are not followed; the others weigh 0. */
 static void set_cut(const struct scene *scene, const struct ray_lanes *restrict rays,
-                    const struct hit_lanes *restrict hit,
-                    const struct direction_lanes *restrict direction,
+                    const struct hit_lanes *restrict hit, const uint32_t way[restrict LANES],
                     const struct energy_lanes *restrict weight,
                     const uint32_t follow[restrict LANES], struct cut_lanes *restrict cut) {
     const real_energy none = REAL_ENERGY(0.0);
-    const struct direction up = scene->camera.up;
     for (int i = 0; i < LANES; i++) {
         bool is_cut = (hit->is[i] != 0) & (follow[i] == 0);
         bool is_deep = path_events(rays->path[i]) >= scene->depth;
-        real_unit rise =
-            unit_dot(direction->x[i], direction->y[i], direction->z[i], up.x, up.y, up.z);
-        uint32_t way = unit_is_negative(rise) ? WAY_DOWN : WAY_UP;
-        cut->way[i] = is_deep ? WAY_ANY : way;
+        cut->way[i] = is_deep ? WAY_ANY : way[i];
         cut->weight.red[i] = is_cut ? weight->red[i] : none;
         cut->weight.green[i] = is_cut ? weight->green[i] : none;
         cut->weight.blue[i] = is_cut ? weight->blue[i] : none;
@@ -154,19 +160,22 @@ static void send(const struct scene *scene, const struct ray_lanes *rays,
                  const struct kind_of_children *kind, struct watched_pixels *watched,
                  struct queue *queue, struct cut_lanes *cut) {
     struct energy_lanes weight;
-    uint32_t follow[LANES], path[LANES], places[LANES];
+    uint32_t follow[LANES], path[LANES], places[LANES], way[LANES];
     const uint32_t *target = start->target;
     if (queue->is_grey) {
         weigh_grey(scene, rays, hit, kind->share, &weight, follow);
     } else {
         weigh(scene, rays, hit, kind->share, &weight, follow);
     }
+    if (scene->estimate) {
+        find_ways(scene, kind->direction, way);
+    }
     if (watched != NULL) {
-        const struct watched_children children = {kind->direction, &weight, queue->is_grey};
+        const struct watched_children children = {way, &weight, queue->is_grey};
         watch_children(watched, scene, rays, hit, &children, follow, places);
         target = places;
     } else if (scene->estimate) {
-        set_cut(scene, rays, hit, kind->direction, &weight, follow, cut);
+        set_cut(scene, rays, hit, way, &weight, follow, cut);
     }
     for (int i = 0; i < LANES; i++) {
         path[i] = start->events[i] | path_of(0, kind->object[i], 0);

@@ -27,22 +27,11 @@ static inline real_energy largest_of(const struct watched_children *children, in
     return energies_largest(all);
 }
 
-static void find_ways(const struct scene *scene, const struct direction_lanes *restrict direction,
-                      uint32_t way[restrict LANES]) {
-    const struct direction up = scene->camera.up;
-    for (int i = 0; i < LANES; i++) {
-        real_unit rise =
-            unit_dot(direction->x[i], direction->y[i], direction->z[i], up.x, up.y, up.z);
-        way[i] = unit_is_negative(rise) ? WAY_DOWN : WAY_UP;
-    }
-}
-
 /* Decides on each child by its pixel's thresholds. */
 static void decide(const struct watched_pixels *pixels, const struct scene *scene,
                    const struct ray_lanes *restrict rays, const struct hit_lanes *restrict hit,
-                   const struct watched_children *children, const uint32_t way[restrict LANES],
-                   struct fate_lanes *restrict fate, uint32_t follow[restrict LANES],
-                   uint32_t target[restrict LANES]) {
+                   const struct watched_children *children, struct fate_lanes *restrict fate,
+                   uint32_t follow[restrict LANES], uint32_t target[restrict LANES]) {
     for (int i = 0; i < LANES; i++) {
         const uint32_t from = rays->target[i] & ~TARGET_CONTINUED;
         const uint32_t pixel = from % TARGET_PIXELS;
@@ -51,7 +40,9 @@ static void decide(const struct watched_pixels *pixels, const struct scene *scen
         bool lives = (hit->is[i] != 0) & !energy_is_zero(largest) &
                      (path_events(rays->path[i]) < scene->depth);
         bool enters = lives & (from == pixel) & energy_less(largest, at->coarse);
-        target[i] = enters ? pixel + (1 + way[i]) * TARGET_PIXELS : from;
+        target[i] = enters
+                        ? pixel + tail_place_of((enum estimate_way)children->way[i]) * TARGET_PIXELS
+                        : from;
         bool ends = lives & (target[i] != pixel) & energy_less(largest, at->fine);
         fate->enters[i] = enters ? 1 : 0;
         fate->ends[i] = ends ? 1 : 0;
@@ -72,9 +63,8 @@ void watch_children(struct watched_pixels *pixels, const struct scene *scene,
                     const struct watched_children *children, uint32_t follow[LANES],
                     uint32_t target[LANES]) {
     struct fate_lanes fate;
-    uint32_t way[LANES];
-    find_ways(scene, children->direction, way);
-    decide(pixels, scene, rays, hit, children, way, &fate, follow, target);
+    const uint32_t *way = children->way;
+    decide(pixels, scene, rays, hit, children, &fate, follow, target);
     for (uint64_t set = lanes_set(fate.enters); set != 0; set &= set - 1) {
         const uint32_t i = lanes_first(set);
         tail_watch(&pixels->tail[target[i] % TARGET_PIXELS], (enum estimate_way)way[i],

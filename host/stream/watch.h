@@ -16,12 +16,12 @@ struct watched_pixels {
 
 /* One kind of children, by lane: where they go, and what they weigh. */
 struct watched_children {
-    const struct direction_lanes *direction;
+    const uint32_t *way; /* enum estimate_way */
     const struct energy_lanes *weight;
     bool is_grey; /* red stands for all three weights */
 };
 
-/* Begins the looks at the first `pixels` pixels of a band. */
+/* Begins the looks at the first `count` pixels of a band. */
 void watch_begin(struct watched_pixels *pixels, const struct scene *scene, uint32_t count);
 
 /* Enters the children of the rays that have hit a boundary into the tails of their pixels: watch()

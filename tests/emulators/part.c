@@ -61,7 +61,7 @@ int main(int count, char **arguments) {
     play(trace, strtoul(arguments[2], NULL, 10), strtoul(arguments[3], NULL, 10));
     fclose(trace);
     superframe_draw_over(&board, rgb);
-    fprintf(stderr, "%08lx\n", crc_of(rgb, sizeof rgb));
+    fprintf(stderr, "%08lx\n", (unsigned long)crc_by_definition(rgb, sizeof rgb));
     superframe_save(&board, state);
     FILE *file = fopen(arguments[5], "wb");
     if (file == NULL || fwrite(state, 1, sizeof state, file) != sizeof state || fclose(file) != 0) {

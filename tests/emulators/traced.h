@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What the emulators of the tests share, in C and in C++: the lines of a text trace, and the CRC of
- * a picture. */
+/* The machines of the tests share the lines of a text trace and their main(), in C and in C++. */
 #ifndef SUPERFRAME_TESTS_EMULATORS_TRACED_H
 #define SUPERFRAME_TESTS_EMULATORS_TRACED_H
 
@@ -10,6 +9,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "checksum.h"
 
 /* One access of a trace: its port, its value as the trace has it, 1 or 2 bytes wide. */
 struct traced {
@@ -33,18 +34,6 @@ static inline bool next_traced(FILE *trace, struct traced *access) {
     return false;
 }
 
-/* CRC-32 by its definition, bit by bit. */
-static inline unsigned long crc_of(const uint8_t *bytes, size_t count) {
-    unsigned long crc = 0xFFFFFFFFUL;
-    for (size_t i = 0; i < count; i++) {
-        crc ^= bytes[i];
-        for (unsigned bit = 0; bit < 8; bit++) {
-            crc = crc >> 1 ^ (0xEDB88320UL & (0UL - (crc & 1)));
-        }
-    }
-    return crc ^ 0xFFFFFFFFUL;
-}
-
 /* Ends the test with the place and the reason, unless it holds. A macro: C and C++ have it. */
 #define HOLDS(condition)                                                                           \
     do {                                                                                           \
@@ -53,5 +42,19 @@ static inline unsigned long crc_of(const uint8_t *bytes, size_t count) {
             return false;                                                                          \
         }                                                                                          \
     } while (0)
+
+/* Checks a machine by a trace whose picture has that CRC: the main() of each. Returns the exit
+ * status: 0 all holds, 1 something does not, 2 bad usage. */
+static inline int check_machine(int count, char **arguments,
+                                bool (*check)(FILE *trace, unsigned long crc)) {
+    FILE *trace = count == 3 ? fopen(arguments[1], "r") : NULL;
+    if (trace == NULL) {
+        fprintf(stderr, "usage: machine TRACE CRC\n");
+        return 2;
+    }
+    bool is_good = check(trace, strtoul(arguments[2], NULL, 16));
+    fclose(trace);
+    return is_good ? 0 : 1;
+}
 
 #endif

@@ -133,7 +133,7 @@ static unsigned long drawn_crc() {
     for (unsigned i = 0; i < 3; i++) {
         seen[(5 * WIDTH + 3) * 3 + i] = (uint8_t)in(0xD8 + i * 2, 1);
     }
-    return crc_of(seen, sizeof seen);
+    return crc_by_definition(seen, sizeof seen);
 }
 
 static bool check_picture(FILE *trace, unsigned long crc, std::string &state) {
@@ -170,7 +170,7 @@ static bool check_state(FILE *trace, unsigned long crc, const std::string &state
     HOLDS(drawn_crc() == crc); /* as it was */
     HOLDS(restored(state).empty());
     draw();
-    HOLDS(crc_of(seen, sizeof seen) != crc);
+    HOLDS(crc_by_definition(seen, sizeof seen) != crc);
     rewind(trace);
     play(trace, ULONG_MAX);
     HOLDS(drawn_crc() == crc);
@@ -203,17 +203,12 @@ static bool check_widths() {
     return true;
 }
 
-int main(int count, char **arguments) {
-    FILE *trace = count == 3 ? fopen(arguments[1], "r") : nullptr;
-    if (trace == nullptr) {
-        fprintf(stderr, "usage: machine TRACE CRC\n");
-        return 2;
-    }
-    unsigned long crc = strtoul(arguments[2], nullptr, 16);
+static bool check(FILE *trace, unsigned long crc) {
     std::string state;
     SUPERFRAME_Start();
-    bool is_good =
-        check_picture(trace, crc, state) && check_state(trace, crc, state) && check_widths();
-    fclose(trace);
-    return is_good ? 0 : 1;
+    return check_picture(trace, crc, state) && check_state(trace, crc, state) && check_widths();
+}
+
+int main(int count, char **arguments) {
+    return check_machine(count, arguments, check);
 }

@@ -78,7 +78,7 @@ static unsigned long drawn_crc() {
     for (unsigned i = 0; i < 3; i++) {
         seen[(5 * WIDTH + 3) * 3 + i] = u8(in(0xD8 + i * 2, 1));
     }
-    return crc_of(seen, sizeof seen);
+    return crc_by_definition(seen, sizeof seen);
 }
 
 /* ---- What must hold ---------------------------------------------------------------------------
@@ -150,20 +150,16 @@ static bool check_widths() {
     return true;
 }
 
-int main(int count, char **arguments) {
-    FILE *trace = count == 3 ? fopen(arguments[1], "r") : nullptr;
-    if (trace == nullptr) {
-        fprintf(stderr, "usage: machine TRACE CRC\n");
-        return 2;
-    }
-    unsigned long crc = strtoul(arguments[2], nullptr, 16);
+static bool check(FILE *trace, unsigned long crc) {
     the_only<pc9801_slot_device>::device = &slot;
     the_only<screen_device>::device = &screen;
     static superframe_device only(machine_config(), "superframe", nullptr, 0);
     card = &only;
     card->start();
     card->reset();
-    bool is_good = check_picture_and_state(trace, crc) && check_widths();
-    fclose(trace);
-    return is_good ? 0 : 1;
+    return check_picture_and_state(trace, crc) && check_widths();
+}
+
+int main(int count, char **arguments) {
+    return check_machine(count, arguments, check);
 }

@@ -193,7 +193,7 @@ static bool check_picture(FILE *trace, unsigned long crc) {
     seen[(5 * WIDTH + 3) * 3] = (UINT8)inp8(0xD8);
     seen[(5 * WIDTH + 3) * 3 + 1] = (UINT8)inp8(0xDA);
     seen[(5 * WIDTH + 3) * 3 + 2] = (UINT8)inp8(0xDC);
-    HOLDS(crc_of(seen, sizeof seen) == crc);
+    HOLDS(crc_by_definition(seen, sizeof seen) == crc);
     memcpy(exact, pixels, sizeof exact);
     memset(renewal_line, 0x80, sizeof renewal_line);
     pcstat.screenupdate = 1;
@@ -212,7 +212,7 @@ static bool check_state(unsigned long crc) {
     HOLDS(superframe_np2_load(&section, NULL) == STATFLAG_SUCCESS);
     HOLDS(draw(32) == HEIGHT);
     look();
-    unsigned long half = crc_of(seen, sizeof seen);
+    unsigned long half = crc_by_definition(seen, sizeof seen);
     HOLDS(half != crc);
     section.place = 0;
     section.bytes[1000] ^= 1;
@@ -251,16 +251,12 @@ static bool check_widths(void) {
     return true;
 }
 
-int main(int count, char **arguments) {
-    FILE *trace = count == 3 ? fopen(arguments[1], "r") : NULL;
-    if (trace == NULL) {
-        fprintf(stderr, "usage: machine TRACE CRC\n");
-        return 2;
-    }
-    unsigned long crc = strtoul(arguments[2], NULL, 16);
+static bool check(FILE *trace, unsigned long crc) {
     superframe_np2_reset(&config);
     superframe_np2_bind();
-    bool is_good = check_picture(trace, crc) && check_state(crc) && check_widths();
-    fclose(trace);
-    return is_good ? 0 : 1;
+    return check_picture(trace, crc) && check_state(crc) && check_widths();
+}
+
+int main(int count, char **arguments) {
+    return check_machine(count, arguments, check);
 }

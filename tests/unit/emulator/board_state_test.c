@@ -4,6 +4,7 @@
 
 #include "board_screen.h"
 #include "board_state.h"
+#include "checksum.h"
 
 enum { BYTES = 801233, CHECKED = BYTES - 4 };
 
@@ -36,18 +37,6 @@ enum {
 static uint8_t saved[BYTES], again[BYTES];
 static struct board other, before;
 
-/* CRC-32 by its definition, bit by bit. */
-static uint32_t crc_of(const uint8_t *bytes, size_t count) {
-    uint32_t crc = 0xFFFFFFFFU;
-    for (size_t i = 0; i < count; i++) {
-        crc ^= bytes[i];
-        for (unsigned bit = 0; bit < 8; bit++) {
-            crc = crc >> 1 ^ (0xEDB88320U & (0U - (crc & 1)));
-        }
-    }
-    return ~crc;
-}
-
 static void put_32(uint8_t *bytes, uint32_t value) {
     for (unsigned i = 0; i < 4; i++) {
         bytes[i] = (uint8_t)(value >> 8 * i);
@@ -56,7 +45,7 @@ static void put_32(uint8_t *bytes, uint32_t value) {
 
 /* Makes the checksum of the saved bytes right. */
 static void seal(void) {
-    put_32(saved + CHECKED, crc_of(saved, CHECKED));
+    put_32(saved + CHECKED, crc_by_definition(saved, CHECKED));
 }
 
 /* A board of the later profile in the middle of something: every kind of member is in use. */
@@ -160,7 +149,7 @@ static void the_bytes_lie_where_the_page_says(void **state) {
     assert_int_equal(saved[LOG_WIDTH], 1);
     assert_int_equal(saved[MEMORY + (407 * 640 + 383) * 3], board.memory[(407 * 640 + 383) * 3]);
     assert_int_equal(saved[CHECKED - 1], board.memory[sizeof board.memory - 1]);
-    uint32_t crc = crc_of(saved, CHECKED);
+    uint32_t crc = crc_by_definition(saved, CHECKED);
     assert_int_equal(saved[CHECKED] | saved[CHECKED + 1] << 8, crc & 0xFFFF);
     assert_int_equal(saved[CHECKED + 2] | saved[CHECKED + 3] << 8, crc >> 16);
 }
